@@ -6,7 +6,8 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
 import numpy as np
-import scipy
+
+from edesign.ground_motion.transform_length import transform_length
 
 _MARGIN = 256  # samples beyond each end, over which the motion fades away
 
@@ -27,7 +28,7 @@ def upsampled(acceleration: np.ndarray, factors: Iterable[int]) -> Iterator[np.n
 
     Source: interpolation by the discrete Fourier transform (Oppenheim & Schafer, Discrete-Time Signal Processing, 8).
     """
-    content, size = np.empty(0), 0
+    content, size = np.empty(0, dtype=complex), 0
     between: dict[tuple[int, int], np.ndarray] = {}  # samples at a fraction of the step (numerator, denominator)
     for factor in factors:
         if factor == 1:
@@ -35,14 +36,14 @@ def upsampled(acceleration: np.ndarray, factors: Iterable[int]) -> Iterator[np.n
             continue
         if not size:
             extended = _extended(acceleration)
-            content, size = scipy.fft.rfft(extended), extended.size
+            content, size = np.fft.rfft(extended), extended.size
         fine = np.empty((acceleration.size, factor))
         fine[:, 0] = acceleration
         for part in range(1, factor):
             common = part & -part  # the largest power of two in it; factors are powers of two
             key = part // common, factor // common
             if key not in between:
-                shifted = scipy.fft.irfft(content * _shift(size, *key), size)
+                shifted = np.fft.irfft(content * _shift(size, *key), size)
                 between[key] = shifted[_MARGIN : _MARGIN + acceleration.size]
             fine[:, part] = between[key]
         yield fine.ravel()[: (acceleration.size - 1) * factor + 1]
@@ -74,7 +75,7 @@ def polygon_samples(acceleration: np.ndarray) -> np.ndarray:
 def _extended(acceleration: np.ndarray) -> np.ndarray:
     """The motion with margins over which it fades away, as long as the Fourier transform is quick."""
     n = acceleration.size
-    size = scipy.fft.next_fast_len(n + 2 * _MARGIN, real=True)
+    size = transform_length(n + 2 * _MARGIN)
     after = size - n - _MARGIN
     extended = np.pad(acceleration, (_MARGIN, after), mode="reflect", reflect_type="odd")
     extended[:_MARGIN] *= 0.5 - 0.5 * np.cos(np.pi * (np.arange(_MARGIN) + 0.5) / _MARGIN)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import numpy as np
 import scipy
 
+from edesign.ground_motion.transform_length import transform_length
+
 TRANSITION = 0.4
 """Width of the smooth passage to 1 at either end, in log frequency (0.58 octaves)."""
 
@@ -30,7 +32,7 @@ class FourierFactor:
             highest: frequency below which it may, Hz; the Nyquist frequency at the most.
             spacing: of the nodes, in log frequency.
         """
-        self.length = scipy.fft.next_fast_len(2 * samples, real=True)
+        self.length = transform_length(2 * samples)
         frequency = np.fft.rfftfreq(self.length, time_step)
         highest = min(highest, 0.5 / time_step)
         count = max(3, round(np.log(highest / lowest) / spacing) + 1)
@@ -47,7 +49,7 @@ class FourierFactor:
 
     def transform(self, acceleration: np.ndarray) -> np.ndarray:
         """Return the Fourier spectrum of a motion at `frequency`, complex, shape (n_f,)."""
-        return np.asarray(scipy.fft.rfft(acceleration, self.length))[self.index]
+        return np.asarray(np.fft.rfft(acceleration, self.length))[self.index]
 
     def added(self, acceleration: np.ndarray, theta: np.ndarray) -> np.ndarray:
         """Return what the factor adds to a motion, within its duration.
@@ -58,4 +60,4 @@ class FourierFactor:
         """
         change = np.zeros(self.length // 2 + 1, dtype=complex)
         change[self.index] = self.transform(acceleration) * np.expm1(self.hats @ theta)
-        return np.asarray(scipy.fft.irfft(change, self.length))[: acceleration.size]
+        return np.asarray(np.fft.irfft(change, self.length))[: acceleration.size]

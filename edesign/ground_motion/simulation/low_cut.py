@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import scipy
 
 LOW_CUT = 0.05
 """Hz: corner of the filter; the records are meant for periods well below its inverse, 20 s."""
@@ -32,7 +31,7 @@ def between_rests(spectrum: np.ndarray, count: int, time_step: float, kept: slic
     taper w that rises over the first `quiet` samples and falls over the last: (w u)'' = w u'' + 2 w' u' + w'' u.
 
     Args:
-        spectrum: of the acceleration without mean, shape (count // 2 + 1,), m/s2, as of scipy.fft.rfft.
+        spectrum: of the acceleration without mean, shape (count // 2 + 1,), m/s2, as of np.fft.rfft.
         count: number of samples.
         time_step: s.
         kept: which samples are wanted.
@@ -41,11 +40,9 @@ def between_rests(spectrum: np.ndarray, count: int, time_step: float, kept: slic
     Returns:
         The acceleration, m/s2, shape of `kept`.
     """
-    omega = 2.0 * math.pi * scipy.fft.rfftfreq(count, time_step)
+    omega = 2.0 * math.pi * np.fft.rfftfreq(count, time_step)
     omega[0] = 1.0  # any: there is no mean
-    acceleration, velocity, displacement = (
-        scipy.fft.irfft(spectrum / (1j * omega) ** n, count)[kept] for n in range(3)
-    )
+    acceleration, velocity, displacement = (np.fft.irfft(spectrum / (1j * omega) ** n, count)[kept] for n in range(3))
     rise = (np.arange(quiet) / quiet, 1.0 / (quiet * time_step))
     for end, (s, rate) in ((slice(0, quiet), rise), (slice(None, -quiet - 1, -1), (rise[0], -rise[1]))):
         # the lowest polynomial with zero slope and curvature at both ends

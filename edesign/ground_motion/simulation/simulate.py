@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 
 import numpy as np
-import scipy
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
@@ -15,6 +14,7 @@ from edesign.ground_motion.simulation.low_cut import PAD, between_rests, low_cut
 from edesign.ground_motion.simulation.parameters import WESTERN_NORTH_AMERICA, Crust
 from edesign.ground_motion.simulation.site import V_S30_RANGE
 from edesign.ground_motion.simulation.window import saragoni_hart, window_length
+from edesign.ground_motion.transform_length import transform_length
 
 _MAGNITUDES = (4.0, 8.0)
 _LARGEST_DISTANCE = 300.0e3  # m
@@ -34,7 +34,7 @@ def simulate(
     """Simulate one horizontal component of the ground acceleration by the stochastic point-source method.
 
     The record has 10 s of quiet before and after the strong part, and its velocity and displacement end at zero. Equal
-    arguments give the same samples bit for bit with the same numpy and scipy on the same kind of processor; another
+    arguments give the same samples bit for bit with the same numpy on the same kind of processor; another
     seed gives another record of the same spectrum and duration.
 
     Args:
@@ -55,15 +55,15 @@ def simulate(
     strong = window_length(ground_motion_duration(magnitude, distance, crust))
     window = saragoni_hart(np.arange(math.ceil(strong / time_step)) * time_step, strong)
     pad, quiet = round(PAD / time_step), round(_QUIET / time_step)
-    count = scipy.fft.next_fast_len(window.size + 2 * pad, real=True)
+    count = transform_length(window.size + 2 * pad)
 
     noise = np.zeros(count)
     noise[pad : pad + window.size] = window * np.random.Generator(np.random.PCG64(seed)).standard_normal(window.size)
-    spectrum = scipy.fft.rfft(noise)
+    spectrum = np.fft.rfft(noise)
     # by Parseval: the mean square of the two-sided spectrum becomes 1
     spectrum /= math.sqrt(count * np.mean(noise**2))
 
-    frequency = scipy.fft.rfftfreq(count, time_step)
+    frequency = np.fft.rfftfreq(count, time_step)
     amplitude = fourier_amplitude(frequency, magnitude, distance, v_s30, crust) * low_cut(frequency)
     spectrum *= amplitude / time_step
     kept = slice(pad - quiet, pad + window.size + quiet)
