@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import itertools
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -9,7 +11,6 @@ from pathlib import Path
 from typing import Literal
 
 import numpy as np
-import scipy
 from numpy.typing import ArrayLike
 
 from edesign.archive.csv_files import write_csv_file
@@ -174,13 +175,31 @@ class PropertyTable:
                 axes.append(np.log(levels) if name == "frequency" else levels)
         single = tuple(i + 1 for i, levels in enumerate(self.levels) if levels.size == 1)
         grid = np.moveaxis(np.squeeze(self._grid, axis=single), 0, -1)
-        if axes:
-            found = scipy.interpolate.RegularGridInterpolator(tuple(axes), grid)(np.stack(points, axis=-1)).reshape(
-                *asked[0].shape, 3
-            )
-        else:
-            found = np.broadcast_to(grid, (*asked[0].shape, 3))
+        found = np.broadcast_to(_multilinear(axes, grid, points), (*asked[0].shape, 3))
         return Interpolated(found[..., 0], found[..., 1], found[..., 2], inside)
+
+
+def _multilinear(axes: Sequence[np.ndarray], grid: np.ndarray, points: Sequence[np.ndarray]) -> np.ndarray:
+    """Interpolate linearly along each axis of a grid; scipy's interpolator takes long to load.
+
+    Args:
+        axes: rising coordinates of the grid, of each axis (n_i,), two at least.
+        grid: values (n_1, n_2, ..., k).
+        points: coordinates along each axis, of one shape, within the grid.
+
+    Returns:
+        Values of the shape of the points and (k,).
+    """
+    corners = []
+    for axis, values in zip(axes, points, strict=True):
+        left = np.clip(np.searchsorted(axis, values, side="right") - 1, 0, axis.size - 2)
+        share = (values - axis[left]) / (axis[left + 1] - axis[left])
+        corners.append(((left, 1.0 - share), (left + 1, share)))
+    found = np.zeros(grid.shape[-1])
+    for corner in itertools.product(*corners):
+        weight = math.prod(share for _, share in corner)
+        found = found + grid[tuple(index for index, _ in corner)] * np.asarray(weight)[..., None]
+    return found
 
 
 def usable(found: Mapping[str, Properties]) -> tuple[list[Properties], list[str]]:

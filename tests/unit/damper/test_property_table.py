@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import scipy
 
 from edesign.damper.properties import properties
 from edesign.damper.property_table import PropertyTable, read_property_table, write_property_table
@@ -27,6 +28,24 @@ def table(temperatures: tuple[float, ...] = (20.0, 30.0), scatter: float = 0.0) 
 
 def storage(g: np.ndarray, f: np.ndarray, t: np.ndarray) -> np.ndarray:
     return 1e6 * (2.0 - g + 0.1 * np.log(f) - 0.01 * (t - 20.0))
+
+
+@pytest.mark.parametrize("temperatures", [(20.0, 30.0), (20.0,)])
+def test_interpolation_is_that_of_scipy(temperatures: tuple[float, ...]) -> None:
+    """To the last bit, as archives of designs hold what it gives."""
+    random = np.random.default_rng(3)
+    rows = table(temperatures)
+    values = random.uniform(0.5, 1.0, (3, rows.strain.size))
+    rows = PropertyTable(rows.temperature_C, rows.strain, rows.frequency, *values)
+    g, f, t = (random.uniform(*ends, (20, 5)) for ends in ((0.1, 0.5), (0.25, 4.0), (20.0, temperatures[-1])))
+    g[0], f[1] = (0.1, 0.2, 0.5, 0.2, 0.1), (0.25, 1.0, 4.0, 4.0, 1.0)
+    found = rows.interpolate(g, f, t)
+    axes = (np.array(temperatures), np.array([0.1, 0.2, 0.5]), np.log([0.25, 1.0, 4.0]))
+    kept = slice(int(len(temperatures) == 1), None)
+    grid = np.squeeze(np.moveaxis(values.reshape(3, len(temperatures), 3, 3), 0, -1))
+    peer = scipy.interpolate.RegularGridInterpolator(axes[kept], grid)
+    wanted = peer(np.stack((t, g, np.log(f))[kept], axis=-1))
+    assert np.array_equal(np.stack((found.G_storage, found.G_eq, found.loss_factor), axis=-1), wanted)
 
 
 def test_interpolation_is_exact_where_the_properties_are_linear() -> None:
