@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.archive.pytables import read_array, read_table
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.project.problems import did_you_mean
@@ -60,6 +59,8 @@ def read_fema_p695(record: str, name: str = "") -> Record:
 
     Source: FEMA P-695 (2009), Appendix A, Tables A-4 and A-6.
     """
+    from edesign.archive.pytables import read_array, read_table  # h5py takes long to load; other records are text
+
     parts = record.split("/")
     sets = ("farfield", "nearfield_pulse", "nearfield_no_pulse")
     if len(parts) != 3 or parts[0] not in sets or not parts[1].isdigit():

@@ -13,6 +13,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
+from edesign.one_thread import one_thread
 from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.outputs import Outputs
@@ -145,6 +146,7 @@ def _no_mode(count: int, most: int) -> str:
     return f"there is no mode {count}; the frame has {most} degrees of freedom with mass"
 
 
+@one_thread()
 def check_project(project: Project) -> dict[str, str]:
     """Check what a run would meet, and describe the project in a few lines.
 
@@ -180,6 +182,7 @@ def check_project(project: Project) -> dict[str, str]:
     }
 
 
+@one_thread()
 def check_study(study: Study) -> dict[str, str]:
     """Check what a run of a study would meet, and describe it in a few lines.
 

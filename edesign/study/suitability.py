@@ -4,17 +4,20 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
 
 from edesign.errors import EdesignError
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
-from edesign.study.execution import Execution, Prepared
 from edesign.study.history import scale_factor
 from edesign.study.intensity import first_period
 from edesign.study.motions import Motion
 from edesign.study.plan import Task
+
+if TYPE_CHECKING:  # it loads h5py, which a check does not need
+    from edesign.study.execution import Execution, Prepared
 
 
 def scale_warnings(

@@ -232,6 +232,18 @@ def test_importing_the_package_loads_nothing_heavy() -> None:
     assert call.stdout == "[]\n"
 
 
+def test_a_check_does_not_load_what_it_does_not_need() -> None:
+    """Archives, and the parts of scipy that take as long to load as all else that a check does."""
+    root = Path(edesign.__file__).parents[1]
+    heavy = ("h5py", "scipy.fft", "scipy.interpolate", "scipy.optimize", "scipy.signal", "scipy.special", "matplotlib")
+    code = (
+        "import sys; from edesign.cli.main import main; main(['check', 'projects/thesis_10_storey/study.yaml']); "
+        f"print([name for name in {heavy} if name in sys.modules])"
+    )
+    call = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, cwd=root, check=True)
+    assert call.stdout.splitlines()[-1] == "[]"
+
+
 def test_documented_functions_exist() -> None:
     for name in edesign.__all__:
         assert getattr(edesign, name) is not None
