@@ -16,7 +16,7 @@ from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
 from edesign.core.integrators import Integrator, Newmark
 from edesign.core.model import Model
-from edesign.core.modes import Modes, natural_modes
+from edesign.core.modes import DENSE, Modes, natural_modes
 from edesign.core.recording import PIECE, Recording
 from edesign.core.response import KINDS, RUNGS, Channel, Passed, Response
 from edesign.core.stop import STOP, raise_if_stopped
@@ -162,12 +162,25 @@ class Analysis:
 
     def stiffness(self) -> scipy.sparse.csc_matrix:
         """Tangent stiffness over the equations at the present state, N/m."""
+        n = self.n_equations
+        return scipy.sparse.csc_matrix(self._stiffness_columns(), shape=(n, n))
+
+    def dense_stiffness(self) -> np.ndarray:
+        """The same as a full matrix (n_equations, n_equations); of small structures, scipy.sparse stays unloaded."""
+        n = self.n_equations
+        value, row, start = self._stiffness_columns()
+        dense = np.zeros((n, n))
+        dense[row, np.repeat(np.arange(n), np.diff(start))] = value
+        return dense
+
+    def _stiffness_columns(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Entries of the stiffness column by column, their rows, and where each column begins."""
         n, nnz = self.n_equations, int(lib.ed_n_nonzeros(self._c))
         start, row, value = np.empty(n + 1, np.int32), np.empty(nnz, np.int32), np.empty(nnz)
         lib.ed_stiffness(
             self._c, ffi.from_buffer("int[]", start), ffi.from_buffer("int[]", row), ffi.from_buffer("double[]", value)
         )
-        return scipy.sparse.csc_matrix((value, row, start), shape=(n, n))
+        return value, row, start
 
     def masses(self) -> np.ndarray:
         """Lumped masses (n_equations,) in kg and kg m2."""
@@ -194,10 +207,13 @@ class Analysis:
         influence = np.zeros(self.n_equations)
         free = self.equations[:, 0] >= 0
         influence[self.equations[free, 0]] = 1.0
-        stiffness = self.stiffness()
+        stiffness: np.ndarray | scipy.sparse.csc_matrix
         if damper_stiffness is not None:
             along = self.damper_directions()
-            stiffness = (stiffness + along.T @ scipy.sparse.diags(np.asarray(damper_stiffness)) @ along).tocsc()
+            added = along.T @ scipy.sparse.diags(np.asarray(damper_stiffness)) @ along
+            stiffness = (self.stiffness() + added).tocsc()
+        else:
+            stiffness = self.dense_stiffness() if self.n_equations <= DENSE else self.stiffness()
         return natural_modes(stiffness, self.masses(), self.equations, influence, count)
 
     def damper_directions(self) -> scipy.sparse.csr_matrix:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy  # its sparse solvers are loaded for large structures only: they take 10 MB and a third of a second
 
-_DENSE = 600
+DENSE = 600
 """Unknowns up to which dense matrices are used: they then take 3 MB, and LAPACK a fraction of a second."""
 
 UNSTABLE = "the structure is unstable in its present state: a squared frequency is not positive"
@@ -36,7 +36,11 @@ class Modes:
 
 
 def natural_modes(
-    stiffness: scipy.sparse.csc_matrix, mass: np.ndarray, equations: np.ndarray, influence_x: np.ndarray, count: int
+    stiffness: np.ndarray | scipy.sparse.csc_matrix,
+    mass: np.ndarray,
+    equations: np.ndarray,
+    influence_x: np.ndarray,
+    count: int,
 ) -> Modes:
     """The lowest modes of K phi = omega^2 M phi with lumped, partly zero masses.
 
@@ -59,7 +63,7 @@ def natural_modes(
     n = mass.size
     solve = _solution(stiffness)
     root = np.sqrt(mass[heavy])
-    if heavy.size <= _DENSE:
+    if heavy.size <= DENSE:
         unit = np.zeros((n, heavy.size))
         unit[heavy, np.arange(heavy.size)] = root
         flexibility = solve(unit)[heavy] * root[:, None]
@@ -100,13 +104,13 @@ def natural_modes(
     )
 
 
-def _solution(stiffness: scipy.sparse.csc_matrix) -> Callable[[np.ndarray], np.ndarray]:
+def _solution(stiffness: np.ndarray | scipy.sparse.csc_matrix) -> Callable[[np.ndarray], np.ndarray]:
     """Displacements by forces, each (n,) or (n, any).
 
     Raises:
         ValueError, RuntimeError: the stiffness is singular.
     """
-    if stiffness.shape[0] > _DENSE:
+    if stiffness.shape[0] > DENSE:
         return scipy.sparse.linalg.splu(stiffness).solve
-    dense = stiffness.toarray()
+    dense = stiffness if isinstance(stiffness, np.ndarray) else stiffness.toarray()
     return lambda forces: np.linalg.solve(dense, forces)
