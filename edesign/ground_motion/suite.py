@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
@@ -133,7 +134,12 @@ def load_suite(path: Path | str) -> Suite:
         SuiteError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
-    suite, problems = check_model(read_yaml_text(path, "suite file"), Suite, "suite file", "edesign_suite: 1")
+    return _suite(path, read_yaml_text(path, "suite file"))
+
+
+@lru_cache(maxsize=16)  # each analysis of a plan asks for its suite; errors are not kept
+def _suite(path: Path, text: str) -> Suite:
+    suite, problems = check_model(text, Suite, "suite file", "edesign_suite: 1")
     if suite is None:
         raise SuiteError(path, problems.found)
     for i, entry in enumerate(suite.records):
