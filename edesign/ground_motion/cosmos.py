@@ -21,7 +21,9 @@ TITLE = re.compile(r"\s*(.*?)\s*\(Format\s+v\s*([0-9.]+)\s+with\s+([0-9]+)\s+tex
 _SECTION = re.compile(r"\s*([0-9]+)\s+(Integer|Real)-header\s+values\s+follow\s+on\s+([0-9]+)\s+lines", re.IGNORECASE)
 _COMMENTS = re.compile(r"\s*([0-9]+)\s+Comment", re.IGNORECASE)
 _DATA = re.compile(
-    r"\s*([0-9]+)\s+(.*?)\s*pts\s*,\s*approx\s+([0-9.]+)\s*secs?\s*,\s*units\s*=\s*([^(,]*?)[\s.]*(?:\(\s*([0-9]+)\s*\))?[\s,]*Format",
+    r"\s*([0-9]+)\s+(.*?)\s*pts\s*,\s*approx\s+([0-9.]+)\s*secs?\s*,"
+    # with -i, as capitals and small letters of all but two signs take long to look up
+    r"\s*units\s*=\s*((?-i:[^(,])*?)[\s.]*(?:\(\s*([0-9]+)\s*\))?[\s,]*Format",
     re.IGNORECASE,
 )
 _CHANNEL = re.compile(r"\s*Sta\w*\s+Cha\w*\s*:?\s*([0-9?]+)\s*:?\s*(.*?)\s*(?:\(|Location|$)", re.IGNORECASE)
