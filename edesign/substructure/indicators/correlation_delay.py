@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.fft import irfft, next_fast_len, rfft
 
+from edesign.ground_motion.transform_length import transform_length
 from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.untold import FOLLOWS, Untold, moving
 
@@ -68,11 +68,13 @@ def _coarse_lag(target: np.ndarray, measured: np.ndarray) -> int:
     So of a periodic motion the shortest lag wins, even where one of the channels ends early.
     """
     n = target.size
-    length = next_fast_len(2 * n, real=True)
-    spectrum = rfft(measured - np.mean(measured), length) * np.conj(rfft(target - np.mean(target), length))
+    length = transform_length(2 * n)
+    spectrum = np.fft.rfft(measured - np.mean(measured), length) * np.conj(
+        np.fft.rfft(target - np.mean(target), length)
+    )
     half = n // 2
     lags = np.arange(-half, half + 1)
-    products = irfft(spectrum, length)[lags] * (1.0 - np.abs(lags) / n)
+    products = np.fft.irfft(spectrum, length)[lags] * (1.0 - np.abs(lags) / n)
     largest, least = int(np.argmax(products)), int(np.argmin(products))
     if -products[least] > products[largest] and abs(lags[least]) < abs(lags[largest]):
         raise Untold("the measured channel follows the target with opposite sign, or half a period late")

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.fft import rfft
 
 from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.untold import FOLLOWS, Untold, moving
@@ -57,7 +56,7 @@ def frequency_index(target: ArrayLike, measured: ArrayLike, step: float) -> Freq
     moving("target", float(np.ptp(x_t)))
     moving("measured", float(np.ptp(x_m)))
     frequency = equivalent_frequency(x_t, step)
-    i, o = rfft(x_t - np.mean(x_t))[1:], rfft(x_m - np.mean(x_m))[1:]
+    i, o = np.fft.rfft(x_t - np.mean(x_t))[1:], np.fft.rfft(x_m - np.mean(x_m))[1:]
     weight, product = float(np.sum(np.abs(i) ** 2)), complex(np.sum(o * np.conj(i)))
     explained = abs(product) ** 2 / (weight * float(np.sum(np.abs(o) ** 2)))
     if explained < FOLLOWS:
@@ -79,6 +78,6 @@ def equivalent_frequency(target: ArrayLike, step: float) -> float:
     """
     x_t = channel("target", target)
     moving("target", float(np.ptp(x_t)))
-    power = np.abs(rfft(x_t - np.mean(x_t))) ** 2
+    power = np.abs(np.fft.rfft(x_t - np.mean(x_t))) ** 2
     frequencies = np.arange(power.size) / (x_t.size * time_step(step))
     return float(np.sum(power * frequencies) / np.sum(power))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import CubicSpline
+import scipy
 
 from edesign.core import LawValues
 from edesign.damper.harmonic import complex_stiffness
@@ -44,7 +44,7 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
     if frequency.size < 4 or not np.all(np.diff(frequency) > 0.0):
         raise InputError("a specimen's stiffness over frequency takes at least four rising frequencies")
     omega = 2.0 * np.pi * frequency
-    cubes = CubicSpline(omega, np.asarray(stiffness, dtype=complex)).c
+    cubes = scipy.interpolate.CubicSpline(omega, np.asarray(stiffness, dtype=complex)).c
     inner = omega[1:-1]
 
     def value(at: np.ndarray) -> np.ndarray:
