@@ -179,7 +179,7 @@ class Tree:
             item = _opened(self.file.id, f"{place}/{name}".strip("/"))
             if not isinstance(item, h5d.DatasetID):
                 raise ValueError(f"`{name}`: this is a group, where data belong")
-            return self._variable(name, item, dims)
+            return _in_double(self._variable(name, item, dims))
 
     def _trusted(self, place: str) -> tuple[dict[str, Any], dict[str, tuple[str, ...]]]:
         """Attributes of a group, and dimensions of its variables; a trusted file never changes: they are read once."""

@@ -52,7 +52,9 @@ def test_a_view_of_a_closed_archive_is_no_damage(tmp_path: Path) -> None:
 
 def test_a_view_reads_what_is_asked_for_and_has_the_same(tmp_path: Path) -> None:
     """Against `Archive.group`, which reads all; of what was left out along time nothing is read."""
-    with open_archive(write(tmp_path / "a.h5", {"analyses/one": history_group()})) as archive:
+    group = history_group()
+    group.add("single", ("floor",), np.arange(3, dtype=np.float32) / 3, "1", "in single precision, read as double")
+    with open_archive(write(tmp_path / "a.h5", {"analyses/one": group})) as archive:
         read, view = archive.group("analyses/one"), archive.view("analyses/one")
         np.testing.assert_equal(view.attributes, read.attributes)
         asked: list[str] = []
