@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, MutableMapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -28,6 +29,34 @@ class Variable:
     def __post_init__(self) -> None:
         if np.ndim(self.values) != len(self.dims):
             raise ValueError(f"{self.long_name}: {np.ndim(self.values)} axes for dimensions {self.dims}")
+
+
+class StoredVariable(Variable):
+    """A variable whose unit and long name are read when they are first asked for, as sums and extremes need neither.
+
+    Args:
+        dims: one name per axis of `values`.
+        values: numbers or text.
+        read: returns unit and long name.
+    """
+
+    _read: Callable[[], tuple[str, str]]
+
+    def __init__(self, dims: tuple[str, ...], values: np.ndarray, read: Callable[[], tuple[str, str]]) -> None:
+        vars(self).update(dims=dims, values=values, _read=read)
+        self.__post_init__()
+
+    @cached_property
+    def _labels(self) -> tuple[str, str]:
+        return self._read()
+
+    @property
+    def unit(self) -> str:
+        return self._labels[0]
+
+    @property
+    def long_name(self) -> str:
+        return self._labels[1]
 
 
 class Unread(MutableMapping[str, Variable]):

@@ -9,7 +9,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import TypeVar
 
-from edesign.archive.dataset import Group, Unread, Variable
+from edesign.archive.dataset import Group, StoredVariable, Unread, Variable
 from edesign.archive.files import reason
 from edesign.archive.opening import Opened, has_seal, is_partial, open_file
 from edesign.archive.survey import survey
@@ -152,6 +152,8 @@ class Archive:
     def view(self, path: str = "/") -> Group:
         """Return a group as `group` does, but read each of its variables when it is first asked for.
 
+        Values are read first, unit and long name when these are asked for.
+
         What is asked for must be so while the archive is open. Of an archive without a seal all is read at once,
         as only then the checksum of the group tells whether it is as it was written.
 
@@ -164,17 +166,21 @@ class Archive:
     def _view(self, place: str) -> Group:
         dims = self._tree.dimensions(place)
 
-        def read(name: str) -> Variable:
+        def asked(name: str, read: Callable[[str, str], Found]) -> Found:
             if self._closed:
                 raise ArchiveError(f"{self.path}: {name} of {place} is asked for after the archive was closed")
             try:
-                return self._tree.variable(place, name, dims[name])
+                return read(place, name)
             except Damaged as error:
                 raise self._damaged(error) from error
 
+        def variable(name: str) -> Variable:
+            values = asked(name, self._tree.values)
+            return StoredVariable(dims[name], values, lambda: asked(name, self._tree.labels))
+
         along = {name: own for name, own in dims.items() if own == (name,)}
         others = {name: own for name, own in dims.items() if name not in along}
-        return Group(Unread(along, read), Unread(others, read), self._tree.attributes(place))
+        return Group(Unread(along, variable), Unread(others, variable), self._tree.attributes(place))
 
     def close(self) -> None:
         """Close the file."""

@@ -32,6 +32,7 @@ Source: zlib 1.3, "Technical Details": no stream of deflate expands more than 10
 DEEPEST = 8  # groups in each other; records/SUITE/ID are 3
 _NUMBERS = (h5t.INTEGER, h5t.FLOAT)
 _LARGEST_NUMBER = 8  # bytes
+_DOUBLE = np.dtype("<f8")
 _HDF5_SAYS = re.compile(r"(?:Unable to|Can't|Couldn't) .*? \((.*)\)", re.DOTALL)
 _ERRORS = (OSError, RuntimeError, ValueError, LookupError, TypeError, MemoryError, OverflowError, NotImplementedError)
 """What h5py raises on damaged files."""
@@ -74,7 +75,7 @@ class Tree:
     _links: dict[str, dict[str, str]] = field(default_factory=dict)
     _owners: dict[int, str] = field(default_factory=dict)
     _held: dict[str, int] = field(default_factory=dict)
-    _known: dict[str, tuple[dict[str, Any], dict[str, tuple[str, ...]]]] = field(default_factory=dict)
+    _known: dict[str, tuple[h5g.GroupID, dict[str, Any], dict[str, tuple[str, ...]]]] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         with _reading(""):
@@ -151,7 +152,7 @@ class Tree:
         with _reading(place):
             if not self.trusted:
                 return _decoded(self._attributes(self._open(place)))
-            return dict(self._trusted(place.strip("/"))[0])
+            return dict(self._trusted(place)[1])
 
     def dimensions(self, place: str) -> dict[str, tuple[str, ...]]:
         """Return the dimensions of the variables of a group by their names, in the order in which it is read.
@@ -162,32 +163,44 @@ class Tree:
             Damaged: there is no such group, or it cannot be read.
         """
         with _reading(place):
-            return dict(self._trusted(place.strip("/"))[1])
+            return dict(self._trusted(place)[2])
 
-    def variable(self, place: str, name: str, dims: tuple[str, ...]) -> Variable:
-        """Read one variable of a group of a trusted file.
+    def values(self, place: str, name: str) -> np.ndarray:
+        """Read the values of one variable of a group of a trusted file.
 
         Args:
             place: of the group.
             name: of the variable.
-            dims: its dimensions, as `dimensions` returns them.
+
+        Returns:
+            An array of texts, or of numbers, which are in double precision.
 
         Raises:
             Damaged: there is no such variable, or it cannot be read.
         """
-        with _reading(place):
-            item = _opened(self.file.id, f"{place}/{name}".strip("/"))
-            if not isinstance(item, h5d.DatasetID):
-                raise ValueError(f"`{name}`: this is a group, where data belong")
-            return _in_double(self._variable(name, item, dims))
+        with _reading(place), _about(name):
+            return _in_double(self._values(self._data(place, name)))
 
-    def _trusted(self, place: str) -> tuple[dict[str, Any], dict[str, tuple[str, ...]]]:
-        """Attributes of a group, and dimensions of its variables; a trusted file never changes: they are read once."""
+    def labels(self, place: str, name: str) -> tuple[str, str]:
+        """Read the unit and the long name of one variable of a group of a trusted file; see `values`."""
+        with _reading(place), _about(name):
+            return self._labels(self._data(place, name), name)
+
+    def _data(self, place: str, name: str) -> h5d.DatasetID:
+        item = _opened(self._trusted(place)[0], name)
+        if not isinstance(item, h5d.DatasetID):
+            raise ValueError("this is a group, where data belong")
+        return item
+
+    def _trusted(self, place: str) -> tuple[h5g.GroupID, dict[str, Any], dict[str, tuple[str, ...]]]:
+        """A group, its attributes, and dimensions of its variables; a trusted file never changes: read once."""
+        place = place.strip("/")
         if place not in self._known:
-            stored = self._attributes(self._open(place))
+            source = self._open(place)
+            stored = self._attributes(source)
             told = decode(stored.get(DIMENSIONS, "json:{}"))
             dims = {name: tuple(map(str, told[name])) for name in self.links(place) if name in told}
-            self._known[place] = _decoded(stored), dims
+            self._known[place] = source, _decoded(stored), dims
         return self._known[place]
 
     def group(self, place: str) -> Group:
@@ -221,7 +234,7 @@ class Tree:
             if not self.trusted:
                 self._check(stored, group)
             for items in (group.coords, group.variables):
-                items.update({name: _in_double(item) for name, item in items.items()})
+                items.update({name: replace(item, values=_in_double(item.values)) for name, item in items.items()})
             self._held[place] = held - before
         return group
 
@@ -317,25 +330,29 @@ class Tree:
         return str(self._attribute(h5a.open(item, name))) if h5a.exists(item, name) else default
 
     def _variable(self, name: str, item: h5d.DatasetID, dims: tuple[str, ...] | None) -> Variable:
-        try:
-            kind, shape = item.get_type(), item.shape
-            if shape is None:
-                raise ValueError("no values, which an archive cannot have")
-            text = _is_text(kind)
-            if not text:
-                _check_number(kind)
-            _check_storage(item, math.prod(shape) * kind.get_size())
-            if text:
-                values = _read_text(item, kind, shape)
-            else:
-                values = np.empty(shape, kind.dtype)
-                item.read(h5s.ALL, h5s.ALL, values)
-            if kind.get_class() == h5t.INTEGER and self._text(item, b"dtype", "") == BOOLEAN_MARK:
-                values = values.astype(bool)
-            unit, long_name = self._text(item, b"units", ""), self._text(item, b"long_name", name)
-            return Variable(_scales(name, item) if dims is None else dims, values, unit, long_name)
-        except _ERRORS as error:
-            raise ValueError(f"`{name}`: {_words(error)}") from error
+        with _about(name):
+            values, labels = self._values(item), self._labels(item, name)
+            return Variable(_scales(name, item) if dims is None else dims, values, *labels)
+
+    def _values(self, item: h5d.DatasetID) -> np.ndarray:
+        kind, shape = item.get_type(), item.shape
+        if shape is None:
+            raise ValueError("no values, which an archive cannot have")
+        double = kind.equal(h5t.IEEE_F64LE)  # most are: what follows is then known
+        text = not double and _is_text(kind)
+        if not (double or text):
+            _check_number(kind)
+        _check_storage(item, math.prod(shape) * kind.get_size())
+        if text:
+            return _read_text(item, kind, shape)
+        values = np.empty(shape, _DOUBLE if double else kind.dtype)
+        item.read(h5s.ALL, h5s.ALL, values, kind)
+        if not double and kind.get_class() == h5t.INTEGER and self._text(item, b"dtype", "") == BOOLEAN_MARK:
+            return values.astype(bool)
+        return values
+
+    def _labels(self, item: h5d.DatasetID, name: str) -> tuple[str, str]:
+        return self._text(item, b"units", ""), self._text(item, b"long_name", name)
 
     def _hold(self, size: int) -> None:
         if size > self.size:
@@ -372,11 +389,18 @@ def _decoded(stored: dict[str, Any]) -> dict[str, Any]:
     return {name: decode(value) for name, value in stored.items() if name not in (CONTENT_CHECKSUM, DIMENSIONS)}
 
 
-def _in_double(variable: Variable) -> Variable:
-    """Return a variable with numbers of single precision as those of double precision, with which all else goes on."""
-    if variable.values.dtype != np.float32:
-        return variable
-    return replace(variable, values=variable.values.astype(float))
+@contextmanager
+def _about(name: str) -> Iterator[None]:
+    """Turn what h5py raises into words, with the name of the variable."""
+    try:
+        yield
+    except _ERRORS as error:
+        raise ValueError(f"`{name}`: {_words(error)}") from error
+
+
+def _in_double(values: np.ndarray) -> np.ndarray:
+    """Return numbers of single precision as those of double precision, with which all else goes on."""
+    return values.astype(float) if values.dtype == np.float32 else values
 
 
 def _scales(name: str, item: h5d.DatasetID) -> tuple[str, ...]:
