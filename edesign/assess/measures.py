@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -93,8 +93,10 @@ def response_measures(group: Group) -> dict[str, float | None]:
         One value in SI for each name of MEASURES; None where it does not apply: everything of a modal analysis, the
         acceleration of a static one, residual and final values of anything but a completed history.
     """
-    found = {measure: located_measure(group, measure) for measure in MEASURES}
-    return {measure: None if place is None else place.value for measure, place in found.items()}
+    found = {measure: _components(group, measure) for measure in MEASURES}
+    return {
+        measure: max(each[at] for at in _eligible(measure, each)) if each else None for measure, each in found.items()
+    }
 
 
 def located_measure(
@@ -112,43 +114,55 @@ def located_measure(
         The measure; None where it does not apply (see `response_measures`) or nothing is selected. A measure of the
         whole frame, such as a base shear, knows no selection.
     """
+    each = _components(group, measure)
+    at: Collection[int] = _eligible(measure, each)
+    dimension = _DIMENSIONS.get(measure)
+    if dimension is not None:
+        at = _selected(group, dimension, at, storeys, members)
+    if not at:
+        return None
+    worst = max(at, key=each.__getitem__)
+    if dimension is None:
+        return Located(each[worst], None if _SOURCES[measure].at == "anywhere" else worst + 1)
+    name = "" if dimension == "storey" else _label(group, dimension, worst)
+    return Located(each[worst], _storey(group, dimension, worst) or None, name)
+
+
+def _components(group: Group, measure: str) -> list[float]:
+    """The values of all floors, storeys or members, of these the larger of both ends; [] where there are none."""
     source = _SOURCES[measure]
     values = source.of(group, source.quantity)
     if values is None or values.size == 0:
-        return None
-    if source.at == "roof":
-        value = float(values[-1])  # floors are stored from the bottom to the top
-        if measure == "roof_drift":
-            height = group.attributes.get("height")
-            return Located(value / float(height), len(values)) if height else None
-        return Located(value, len(values))
-    if source.at == "first storey":
-        return Located(float(values[0]), 1)
-    dimension = _DIMENSIONS.get(measure)
-    if dimension is None:
-        return Located(float(np.max(values)))
-    return _largest(group, dimension, values, storeys, members)
+        return []
+    if measure == "roof_drift":
+        height = group.attributes.get("height")
+        if not height:
+            return []
+        values = values / float(height)
+    each: list[float] = values.reshape(len(values) if values.ndim else 1, -1).max(axis=1).tolist()
+    return each
 
 
-def _largest(
+def _eligible(measure: str, each: Sequence[float]) -> range:
+    """Which of all components a measure is the largest of; floors and storeys are stored from the bottom to the top."""
+    places = range(len(each))
+    chosen: dict[Where, range] = {"roof": places[-1:], "first storey": places[:1]}
+    return chosen.get(_SOURCES[measure].at, places)
+
+
+def _selected(
     group: Group,
     dimension: str,
-    values: np.ndarray,
+    among: Collection[int],
     storeys: Collection[int] | None,
     members: Collection[str] | None,
-) -> Located | None:
-    each = values.reshape(values.shape[0], -1).max(axis=1).tolist()  # the ends of a member are its columns
-    chosen = [
+) -> list[int]:
+    return [
         at
-        for at in range(len(each))
+        for at in among
         if (storeys is None or _storey(group, dimension, at) in storeys)
         and (members is None or dimension == "storey" or _label(group, dimension, at) in members)
     ]
-    if not chosen:
-        return None
-    worst = max(chosen, key=lambda at: each[at])
-    name = "" if dimension == "storey" else _label(group, dimension, worst)
-    return Located(each[worst], _storey(group, dimension, worst) or None, name)
 
 
 def _storey(group: Group, dimension: str, at: int) -> int:
