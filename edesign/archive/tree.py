@@ -322,9 +322,7 @@ class Tree:
                 raise ValueError("several texts, which an archive cannot have")
             return str(_read_text(attribute, kind, shape).item())
         _check_number(kind)
-        values = np.empty(shape, kind.dtype)
-        attribute.read(values)
-        return values[()]
+        return _read_numbers(attribute, kind, shape)[()]
 
     def _text(self, item: h5d.DatasetID, name: bytes, default: str) -> str:
         return str(self._attribute(h5a.open(item, name))) if h5a.exists(item, name) else default
@@ -338,16 +336,14 @@ class Tree:
         kind, shape = item.get_type(), item.shape
         if shape is None:
             raise ValueError("no values, which an archive cannot have")
-        double = kind.equal(h5t.IEEE_F64LE)  # most are: what follows is then known
-        text = not double and _is_text(kind)
-        if not (double or text):
+        text = _is_text(kind)
+        if not text:
             _check_number(kind)
         _check_storage(item, math.prod(shape) * kind.get_size())
         if text:
             return _read_text(item, kind, shape)
-        values = np.empty(shape, _DOUBLE if double else kind.dtype)
-        item.read(h5s.ALL, h5s.ALL, values, kind)
-        if not double and kind.get_class() == h5t.INTEGER and self._text(item, b"dtype", "") == BOOLEAN_MARK:
+        values = _read_numbers(item, kind, shape)
+        if values.dtype.kind in "iu" and self._text(item, b"dtype", "") == BOOLEAN_MARK:
             return values.astype(bool)
         return values
 
@@ -447,6 +443,13 @@ def _check_storage(item: h5d.DatasetID, size: int) -> None:
         raise ValueError(f"its values passed a filter that is none of an archive (number {foreign[0]})")
     if size > stored * math.prod(EXPANSION[number] for number in filters):
         raise ValueError(f"it promises {size} bytes of values and holds {stored}")
+
+
+def _read_numbers(item: h5a.AttrID | h5d.DatasetID, kind: h5t.TypeID, shape: tuple[int, ...]) -> np.ndarray:
+    double = kind.equal(h5t.IEEE_F64LE)  # as most are: then h5py need not look for the types that fit each other
+    values = np.empty(shape, _DOUBLE if double else kind.dtype)
+    _read(item, values, kind if double else None)
+    return values
 
 
 def _read_text(item: h5a.AttrID | h5d.DatasetID, kind: h5t.TypeStringID, shape: tuple[int, ...]) -> np.ndarray:
