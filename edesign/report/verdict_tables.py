@@ -71,7 +71,7 @@ def performance_tables(
     governs = "Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %."
     transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
     by_drift.notes = [
-        *wrapped(f"{transient} {100 * NEGLIGIBLE:g} (assumed for `negligible`), 1, 5 %. of: histories that count."),
+        *wrapped(f'{transient} {100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'),
         *wrapped(governs),
         *missing_notes(sets),
     ]
