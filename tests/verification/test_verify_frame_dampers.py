@@ -122,6 +122,16 @@ def test_a_brace_with_an_elastic_plastic_damper_is_a_softer_one():
     same(found, exact, 1e-7)  # both exact, equilibrium to 1e-10
 
 
+def test_a_dashpot_behind_a_stiff_spring_goes_through_rest_like_the_dashpot_alone():
+    c, alpha = 0.1 * STIFFNESS, 0.35
+    found = run(LawValues("maxwell_power", (c, alpha, 1e7 * STIFFNESS)))
+    limit = run(LawValues("viscous_power", (c, alpha)))
+    same(found, limit, 2e-3)  # the spring stretches by 1e-7 of the structure's displacement; about rest its force lags
+    # Newton's method on tangents alone swings about rest: 10 trials a step, steps that are begun anew
+    assert found.statistics["fallbacks"] == 0
+    assert found.statistics["damper_updates"] <= 1.1 * limit.statistics["damper_updates"]
+
+
 def test_scales_change_force_and_deformation():
     law = LawValues("maxwell", (0.1 * STIFFNESS, 0.2))
     scaled = LawValues("maxwell", (3.0 * 0.25 * 0.1 * STIFFNESS, 0.2))

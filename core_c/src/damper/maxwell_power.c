@@ -309,8 +309,14 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   of.largest = fmax(of.largest, NOTHING);
   const int status = follow(&of);
   trial[0] = out->force = p[C] * of.x;
-  out->slope[0] = p[C] * of.slope[0];
-  out->slope[1] = p[C] * of.slope[1];
+  /* About rest Newton's method swings on tangents. There the secant of the dashpot counts, in series with the spring over the step */
+  const double secant = fabs(of.x) > NOTHING ? fabs(of.x) / raised(fabs(of.x), of.power) : HUGE_VAL;
+  const double series = 1.0 / (1.0 / secant + 1.0 / (of.kappa * h));
+  for (int j = 0; j < 2; j++) {
+    const double by_v = ed_path_v(&direction[j], h), chord = series * by_v - of.slope[j];
+    out->slope[j] = p[C] * of.slope[j];
+    out->chord[j] = p[ALPHA] < 1.0 && chord * by_v > 0.0 ? p[C] * chord : 0.0;
+  }
   return status == ED_OK && !isfinite(of.x) ? ED_E_NOT_FINITE : status;
 }
 
