@@ -27,7 +27,13 @@ enum {
   ED_LAW_MODIFIED_BOUC_WEN = 14, /* k1 k2 u_ref Y alpha A beta gamma n C alpha_d */
   ED_LAW_ASYMPTOTE = 15,         /* f0 k1 k2 k3 kappa n c: rate-dependent asymptote law of Sause and Lee */
   ED_LAW_LINEARISED = 16,        /* k_eff zeta_eff omega: F = k_eff u + 2 zeta_eff k_eff / omega v */
-  ED_LAW_MGMM = 17               /* k1 c1 k0 c_NL alpha k_a k_b u_ref c_a c_b v_ref consistent(0, 1) */
+  ED_LAW_MGMM = 17,              /* k1 c1 k0 c_NL alpha k_a k_b u_ref c_a c_b v_ref consistent(0, 1) */
+  ED_LAW_BILINEAR_OIL = 18,      /* c F_r p: F = c v up to the relief force F_r, p c per velocity beyond */
+  ED_LAW_ASYMMETRIC_VISCOUS = 19,/* c_plus c_minus alpha: F = c |v|^alpha sgn v, c_plus where v > 0 */
+  ED_LAW_LEAD_RUBBER = 20,       /* Q K_d Y: elastic-plastic by characteristic strength, stiffness beyond and yield deformation */
+  ED_LAW_FRICTION_PENDULUM = 21, /* W R f_slow f_fast a Y */
+  ED_LAW_SELF_CENTRING = 22,     /* k Fy b beta: a gap opens at Fy and closes at (1 - beta) Fy */
+  ED_LAW_GAP = 23                /* k gap d side(0 both, 1, -1): F = k x (1 + d x'), x = side u - gap > 0 */
 };
 
 typedef struct ed_damper ed_damper;

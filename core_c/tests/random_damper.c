@@ -29,6 +29,12 @@ static const struct {
     [ED_LAW_ASYMPTOTE] = {7, {25e3, 8e6, -2e8, 1e10, 3.0, 1.5, 0.1e6}},
     [ED_LAW_LINEARISED] = {3, {8e6, 0.2, 6.28}},
     [ED_LAW_MGMM] = {12, {0.515e6, 15.1e3, 0.107e6, 20974.0, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0}},
+    [ED_LAW_BILINEAR_OIL] = {3, {2e6, 80e3, 0.05}},
+    [ED_LAW_ASYMMETRIC_VISCOUS] = {3, {300e3, 200e3, 0.35}},
+    [ED_LAW_LEAD_RUBBER] = {3, {80e3, 3e6, 2e-3}},
+    [ED_LAW_FRICTION_PENDULUM] = {6, {1e6, 1.5, 0.04, 0.09, 30.0, 0.5e-3}},
+    [ED_LAW_SELF_CENTRING] = {4, {50e6, 80e3, 0.05, 0.8}},
+    [ED_LAW_GAP] = {4, {25e6, 2e-3, 1.0, 0.0}},
 };
 enum { N_LAWS = sizeof LAWS / sizeof *LAWS };
 

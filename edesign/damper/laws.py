@@ -107,6 +107,32 @@ _ALL = (
         True,
     ),
     Law(
+        "asymmetric_viscous",
+        "viscous dashpot with a coefficient for each direction of the motion",
+        (
+            Parameter("c_plus", "damping coefficient while the deformation grows", "N*(s/m)^alpha"),
+            Parameter("c_minus", "damping coefficient while it falls", "N*(s/m)^alpha"),
+            _EXPONENT,
+        ),
+        "F = c_plus |v|^alpha where v > 0, F = -c_minus |v|^alpha where v < 0",
+        "thesis Eq. 2.24 on each side",
+        True,
+    ),
+    Law(
+        "bilinear_oil",
+        "oil damper with a relief valve",
+        (
+            Parameter("c", "damping coefficient while the valve is closed", _C),
+            Parameter("F_r", "relief force", _F),
+            Parameter(
+                "p", "damping coefficient with the valve open / closed", "", upper=1.0, lower_allowed=True, default=0.05
+            ),
+        ),
+        "F = c v up to F_r, then (F_r + p (c |v| - F_r)) sgn v",
+        "JSSI (2003), manual for passively controlled buildings; Kasai & Kibayashi (2004)",
+        True,
+    ),
+    Law(
         "maxwell",
         "Maxwell: spring and dashpot in series",
         (Parameter("c0", "damping coefficient", _C), Parameter("lambda", "relaxation time", _T)),
@@ -161,6 +187,70 @@ _ALL = (
         "F' = k v, in yielding b k v",
         "thesis 2.2.2",
         False,
+    ),
+    Law(
+        "lead_rubber",
+        "lead-rubber bearing, bilinear",
+        (
+            Parameter("Q", "characteristic strength", _F),
+            Parameter("K_d", "stiffness after yielding", _K),
+            Parameter("Y", "yield deformation", "m"),
+        ),
+        "F = K_d u + Q z, |z| <= 1, z' = v/Y before yielding",
+        "EN 15129:2009, 8.2; Naeim & Kelly (1999)",
+        False,
+    ),
+    Law(
+        "friction_pendulum",
+        "friction pendulum bearing under a constant weight",
+        (
+            Parameter("W", "weight on the bearing", _F),
+            Parameter("R", "effective radius", "m"),
+            Parameter("f_slow", "coefficient of friction at rest", ""),
+            Parameter("f_fast", "coefficient of friction at high speed, at least f_slow", ""),
+            _not_negative("a", "how fast friction rises with the speed", "s/m"),
+            Parameter("Y", "deformation at which it slips from rest", "m"),
+        ),
+        "F = W/R u + Q, |Q| <= mu W, mu = f_fast - (f_fast - f_slow) exp(-a |v|)",
+        "Zayas, Low & Mahin (1990); Constantinou, Mokha & Reinhorn (1990)",
+        True,
+    ),
+    Law(
+        "self_centring",
+        "self-centring device with flag-shaped loops",
+        (
+            Parameter("k", "initial stiffness", _K),
+            Parameter("Fy", "force at which the gap opens", _F),
+            Parameter(
+                "b", "stiffness after opening / before", "", upper=1.0, lower_allowed=True, upper_allowed=False
+            ),
+            Parameter("beta", "1 - force at which the gap closes / Fy", "", upper=1.0, lower_allowed=True),
+        ),
+        "F = k u up to Fy, then (1 - b) Fy + b k u; back by (1 - b) beta Fy lower",
+        "Christopoulos, Filiatrault & Folz (2002)",
+        False,
+    ),
+    Law(
+        "gap",
+        "contact with a gap",
+        (
+            Parameter("k", "stiffness in contact", _K),
+            _not_negative("gap", "deformation at which it closes", "m"),
+            _not_negative("d", "loss in contact", "s/m", default=0.0),
+            Parameter(
+                "side",
+                "1: closes at positive deformation; -1: at negative; 0: at both",
+                "",
+                lower=-1.0,
+                upper=1.0,
+                lower_allowed=True,
+                default=0.0,
+                fitted=False,
+            ),
+        ),
+        "F = k x (1 + d x') side, x = side u - gap, where both factors are above zero",
+        "Hunt & Crossley (1975)",
+        True,
     ),
     Law(
         "ramberg_osgood",

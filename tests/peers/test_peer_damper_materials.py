@@ -89,3 +89,25 @@ def test_elastic_plastic() -> None:
     """Steel01 Fy E b: bilinear with kinematic hardening; both are exact between the samples."""
     k, fy, b = 5e7, 2e5, 0.05
     assert difference("elastic_plastic", {"k": k, "Fy": fy, "b": b}, ("Steel01", fy, k, b)) < 1e-3
+
+
+def test_oil_damper() -> None:
+    """BilinearOilDamper K Cd Fr p: with a spring in series, here so stiff that it is none."""
+    c, relief, p, k = 3e6, 1.2e5, 0.05, 1e12
+    parameters = {"c": c, "F_r": relief, "p": p}
+    assert difference("bilinear_oil", parameters, ("BilinearOilDamper", k, c, relief, p)) < 1e-3
+
+
+@pytest.mark.parametrize("beta", [0.3, 0.9])
+def test_self_centring(beta: float) -> None:
+    """SelfCentering k1 k2 sigAct beta; both are exact between the samples."""
+    k, fy, b = 5e7, 1.5e5, 0.05
+    material = ("SelfCentering", k, b * k, fy, beta)
+    assert difference("self_centring", {"k": k, "Fy": fy, "b": b, "beta": beta}, material) < 1e-3
+
+
+def test_gap() -> None:
+    """ElasticPPGap E Fy gap: one-sided, with a yield force out of reach."""
+    k, gap = 4e7, 0.004
+    material = ("ElasticPPGap", k, 1e12, gap, 0.0)
+    assert difference("gap", {"k": k, "gap": gap, "d": 0.0, "side": 1.0}, material) < 1e-3

@@ -30,7 +30,8 @@ def least_work(law: str, motion: Motion, **changes: float) -> float:
     force = damper(law, **changes).force(t, u, v)
     power = force * v
     work = np.cumsum(0.5 * (power[1:] + power[:-1]) * np.diff(t))
-    return float(np.min(work) / (np.max(np.abs(u)) * np.max(np.abs(force))))
+    size = np.max(np.abs(u)) * np.max(np.abs(force))
+    return float(np.min(work) / size) if size > 0.0 else 0.0  # a gap that stays open
 
 
 MOTIONS = {

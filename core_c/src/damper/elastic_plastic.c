@@ -1,6 +1,6 @@
 /* Elastic-plastic device with kinematic hardening: F = k (u - p), |F - b k u| <= (1 - b) Fy, return mapping of the plastic
  * deformation p. Along a monotone motion that is exact in one step. Coulomb friction in series with the stiffness of its
- * connection is the same without hardening. Memory: p. */
+ * connection is the same without hardening; a lead-rubber bearing the same by its characteristic strength. Memory: p. */
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
@@ -45,6 +45,18 @@ static int prepare_elastic_plastic(ed_damper *damper, char message[ED_DAMPER_MES
   return derive(damper, p[0], p[1], p[2]);
 }
 
+/* Characteristic strength Q, stiffness K_d after yielding, yield deformation Y. */
+static int prepare_lead_rubber(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"Q", "K_d", "Y"};
+  const double *p = damper->parameter;
+  for (int i = 0; i < 3; i++)
+    if (!(p[i] > 0.0))
+      return ed_refuse_parameter(message, name[i], p[i], "greater than 0");
+  const double yield = p[0] + p[1] * p[2];
+  return derive(damper, yield / p[2], yield, p[1] * p[2] / yield);
+}
+
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
@@ -80,3 +92,9 @@ const ed_law ed_elastic_plastic = {.name = "elastic_plastic",
                                    .rate_independent = 1,
                                    .prepare = prepare_elastic_plastic,
                                    .step = step};
+const ed_law ed_lead_rubber = {.name = "lead_rubber",
+                               .least_parameters = 3,
+                               .most_parameters = 3,
+                               .rate_independent = 1,
+                               .prepare = prepare_lead_rubber,
+                               .step = step};

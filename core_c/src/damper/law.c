@@ -32,6 +32,12 @@ const ed_law *ed_law_of(int id)
       [ED_LAW_ASYMPTOTE] = &ed_asymptote,
       [ED_LAW_LINEARISED] = &ed_linearised,
       [ED_LAW_MGMM] = &ed_mgmm,
+      [ED_LAW_BILINEAR_OIL] = &ed_bilinear_oil,
+      [ED_LAW_ASYMMETRIC_VISCOUS] = &ed_asymmetric_viscous,
+      [ED_LAW_LEAD_RUBBER] = &ed_lead_rubber,
+      [ED_LAW_FRICTION_PENDULUM] = &ed_friction_pendulum,
+      [ED_LAW_SELF_CENTRING] = &ed_self_centring,
+      [ED_LAW_GAP] = &ed_gap,
   };
   return id >= 0 && id < (int)(sizeof laws / sizeof *laws) ? laws[id] : NULL;
 }

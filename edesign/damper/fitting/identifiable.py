@@ -31,6 +31,7 @@ _BOUC_WEN = {
 
 HELD: dict[str, dict[str, Held]] = {
     "friction": {"N": Held("only the slip force mu N acts on the damper", 1.0, "force")},
+    "friction_pendulum": {"W": Held("only W/R, f_slow W and f_fast W act on the damper", 10.0, "force")},
     "ramberg_osgood": {"a": Held("only a / Fy^(n-1) enters the law", 1.0)},
     "bouc_wen": _BOUC_WEN,
     "modified_bouc_wen": _BOUC_WEN,

@@ -48,6 +48,7 @@ class Scales:
             "N*s/m": self.force / self.velocity,
             "m": self.deformation,
             "m/s": self.velocity,
+            "s/m": 1.0 / self.velocity,
             "s": self.time,
             "rad/s": 1.0 / self.time,
         }[unit]
