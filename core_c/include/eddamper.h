@@ -38,10 +38,11 @@ enum {
 
 typedef struct ed_damper ed_damper;
 
-/* A damper: a law with its parameters, and the stiffness of a brace in series with it (0: rigid). On failure *status and `message`
+/* A damper: a law with its parameters, and the stiffness of a brace in series with it (0: rigid), whose pins have play from end to end
+ * (0: none; laws without exact step refuse it). On failure *status and `message`
  * (size bytes) say why and NULL is returned. */
-ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, int *status, char *message,
-                         int size);
+ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, double play, int *status,
+                         char *message, int size);
 void ed_damper_free(ed_damper *damper);
 
 /* Amendments: effects that a law has not. F = phi F_law + parallel forces, phi the product of the factors. Their drivers are those of

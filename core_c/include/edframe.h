@@ -46,10 +46,10 @@ int ed_model_truss(ed_model *model, const char *name, int i, int j, int material
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
 
 /* A damper (laws: eddamper.h) whose deformation is the sum of coefficient * displacement of n_terms degrees (0 ux, 1 uy, 2 rz) of nodes,
- * F = force_scale * law(deformation_scale * u); brace: stiffness in series at the size of the device, 0: rigid. It carries nothing
- * before ed_install_dampers. Give its degrees mass: velocities of others are left to ring by the trapezoidal rule. Up to 12 terms. */
+ * F = force_scale * law(deformation_scale * u); brace: stiffness in series at the size of the device, 0: rigid; play: of its pins, from
+ * end to end, 0: none. It carries nothing before ed_install_dampers. Give its degrees mass: velocities of others are left to ring by the trapezoidal rule. Up to 12 terms. */
 int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
-                    double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
+                    double play, double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient);
 /* Adds an amendment (eddamper.h) to a damper of the model, in the units of its law. */
 int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters);

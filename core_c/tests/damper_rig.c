@@ -12,7 +12,7 @@ rig new_rig(int law, int n_parameters, const double *parameters, double brace)
   rig made = {0};
   int status;
   char message[256] = "";
-  made.damper = ed_damper_new(law, n_parameters, parameters, brace, &status, message, sizeof message);
+  made.damper = ed_damper_new(law, n_parameters, parameters, brace, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   if (!made.damper)
     printf("%s\n", message);
@@ -72,7 +72,7 @@ void check_refused(int law, int n_parameters, const double *parameters, const ch
 {
   int status;
   char message[256] = "";
-  CHECK(ed_damper_new(law, n_parameters, parameters, 0.0, &status, message, sizeof message) == NULL);
+  CHECK(ed_damper_new(law, n_parameters, parameters, 0.0, 0.0, &status, message, sizeof message) == NULL);
   CHECK_STATUS(status, ED_E_ARGUMENT);
   CHECK_CONTAINS(message, text);
 }

@@ -105,7 +105,7 @@ void add_dampers(ed_model *model, frame_options o)
   for (int storey = 1; storey <= 2; storey++)
     for (int law = ED_LAW_KELVIN_VOIGT; law <= ED_LAW_MGMM; law++) {
       const int node[] = {frame_node(o, 0, storey), frame_node(o, 0, storey - 1)};
-      CHECK(ed_model_damper(model, "damper", law, count[law], parameters[law], storey == 2 ? 5e5 : 0.0, 1.0, 1.0, 2, node, degree,
+      CHECK(ed_model_damper(model, "damper", law, count[law], parameters[law], storey == 2 ? 5e5 : 0.0, 0.0, 1.0, 1.0, 2, node, degree,
                             coefficient) >= 0);
     }
 }

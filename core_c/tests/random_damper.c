@@ -168,7 +168,8 @@ void call_damper(caller *c)
   int law, status;
   const int n = some_law(c, &law, parameters);
   const double brace = or_absurd(c, chance(c, 0.6) ? 0.0 : size_between(c, 1e6, 1e9));
-  ed_damper *damper = ed_damper_new(law, n, parameters, brace, &status, size ? message : NULL, size);
+  const double play = or_absurd(c, chance(c, 0.7) ? 0.0 : size_between(c, 1e-4, 1e-2));
+  ed_damper *damper = ed_damper_new(law, n, parameters, brace, play, &status, size ? message : NULL, size);
   expect_listed(c, status);
   CHECK(!damper == (status != ED_OK));
   if (!damper) {

@@ -96,7 +96,8 @@ static void add_damper(caller *c, things *m)
     degree[k] = chance(c, c->wild) ? whole(c, -1, 3) : 0;
     coefficient[k] = or_absurd(c, k % 2 ? 1.0 : -1.0);
   }
-  count(c, &m->dampers, ed_model_damper(m->model, name(c), law, n, parameters, or_absurd(c, chance(c, 0.6) ? 0.0 : 1e8), or_absurd(c, 1.0),
+  count(c, &m->dampers, ed_model_damper(m->model, name(c), law, n, parameters, or_absurd(c, chance(c, 0.6) ? 0.0 : 1e8),
+                                        or_absurd(c, chance(c, 0.8) ? 0.0 : 1e-3), or_absurd(c, 1.0),
                                         or_absurd(c, 1.0), terms, node, degree, coefficient));
   if (chance(c, 0.3)) {
     int kind;

@@ -90,7 +90,7 @@ static void check_runs(int damping)
   const double mgmm[] = {515e3, 15.1e3, 107e3, 21e3, 0.374, 3741e3, 3613e3, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0}, one = 1.0;
   const int top = frame_node(FRAME, 0, 1), along = 0;
   ed_model *model = frame_model(FRAME);
-  CHECK_INT(ed_model_damper(model, "damper", ED_LAW_MGMM, 12, mgmm, 0.0, 1.0, 1.0, 1, &top, &along, &one), 0);
+  CHECK_INT(ed_model_damper(model, "damper", ED_LAW_MGMM, 12, mgmm, 0.0, 0.0, 1.0, 1.0, 1, &top, &along, &one), 0);
   ed_analysis *analysis = frame_analysis(model);
   add_channel(analysis, ED_DISPLACEMENT, frame_node(FRAME, 0, 3), 0);
   add_channel(analysis, ED_FIBRE_STRESS, 0, 0);
@@ -174,7 +174,7 @@ static void check_frame_in_loop(void)
   ed_model *model = frame_model(FRAME);
   ed_analysis *analysis = frame_analysis(model);
   ed_rayleigh(analysis, 0.2, 0.002, ED_STIFFNESS_CURRENT);
-  ed_damper *specimen = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, law, 0.0, &status, message, sizeof message);
+  ed_damper *specimen = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, law, 0.0, 0.0, &status, message, sizeof message);
   const ed_frame_part frame = {.analysis = analysis, .divisions = 1, .method = ED_NEWMARK, .parameters = {0.5, 0.25}, .n_terms = 2,
                                .node = node, .degree = degree, .coefficient = along};
   const ed_substructure_input input = {.step = 0.01, .sub_steps = 1, .compensator = &compensator, .rig = &rig, .sensors = &sensors,

@@ -16,7 +16,7 @@ static ed_damper *damper(double beta, double n, double brace)
   const double p[7] = {FY, Y, ALPHA, A, beta, GAMMA, n};
   char message[256];
   int status;
-  ed_damper *made = ed_damper_new(ED_LAW_BOUC_WEN, 7, p, brace, &status, message, sizeof message);
+  ed_damper *made = ed_damper_new(ED_LAW_BOUC_WEN, 7, p, brace, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   return made;
 }
@@ -200,7 +200,7 @@ static void check_refusals(void)
   for (int i = 0; i < 6; i++) {
     char message[256] = "";
     int status;
-    CHECK(ed_damper_new(ED_LAW_BOUC_WEN, 7, wrong[i], 0.0, &status, message, sizeof message) == 0);
+    CHECK(ed_damper_new(ED_LAW_BOUC_WEN, 7, wrong[i], 0.0, 0.0, &status, message, sizeof message) == 0);
     CHECK_STATUS(status, ED_E_ARGUMENT);
     CHECK_CONTAINS(message, name[i]);
   }

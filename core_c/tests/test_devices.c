@@ -18,7 +18,7 @@ static int damper(ed_model *model, int storey, int law, int n, const double *par
 {
   const int node[] = {frame_node(FRAME, 0, storey), frame_node(FRAME, 0, storey - 1)}, degree[] = {0, 0};
   const double coefficient[] = {1.0, -1.0};
-  return ed_model_damper(model, "damper", law, n, parameters, brace, 1.0, 1.0, 2, node, degree, coefficient);
+  return ed_model_damper(model, "damper", law, n, parameters, brace, 0.0, 1.0, 1.0, 2, node, degree, coefficient);
 }
 
 /* The second damper by SUNDIALS, or as the first by its exact step: only dampers that all have one are balanced with the condensed frame. */
@@ -207,7 +207,7 @@ static ed_model *oscillator(double mass, double k, int law, int n, const double 
   ed_model_link(model, "spring", foot, top, k, 0.0, 0.0, 0.0);
   ed_model_pattern(model);
   ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
-  CHECK_INT(ed_model_damper(model, "damper", law, n, parameters, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
+  CHECK_INT(ed_model_damper(model, "damper", law, n, parameters, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
   return model;
 }
 
@@ -283,9 +283,9 @@ static void check_refusals(void)
   CHECK_CONTAINS(ed_model_message(model), "brace");
   CHECK_STATUS(damper(model, 1, 77, 2, spring, 0.0), ED_E_ID);
   CHECK_STATUS(damper(model, 1, ED_LAW_KELVIN_VOIGT, 5, negative, 0.0), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 1.0, 1.0, 2, node, degree, coefficient), ED_E_ID);
-  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 0.0, 1.0, 1, node, degree, coefficient), ED_E_ARGUMENT);
-  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 1.0, 1.0, 13, node, degree, coefficient), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 0.0, 1.0, 1.0, 2, node, degree, coefficient), ED_E_ID);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 0.0, 0.0, 1.0, 1, node, degree, coefficient), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_model_damper(model, "x", ED_LAW_KELVIN_VOIGT, 2, spring, 0.0, 0.0, 1.0, 1.0, 13, node, degree, coefficient), ED_E_ARGUMENT);
   CHECK_INT(damper(model, 1, ED_LAW_KELVIN_VOIGT, 2, spring, 0.0), 0); /* what was refused left nothing behind */
   ed_analysis *a = frame_analysis(model);
   const int kind[] = {ED_DAMPER_FORCE}, object[] = {1}, component[] = {0};

@@ -24,7 +24,7 @@ static ed_damper *new_damper(const double *p, double tau, double alpha)
     own[i] = p[i];
   own[K1] = own[C1] / tau;
   own[ALPHA] = alpha;
-  ed_damper *damper = ed_damper_new(ED_LAW_MGMM, N_PARAMETERS, own, 0.0, &status, message, sizeof message);
+  ed_damper *damper = ed_damper_new(ED_LAW_MGMM, N_PARAMETERS, own, 0.0, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   return damper;
 }
@@ -174,7 +174,7 @@ static void check_refusals(void)
   CHECK_STATUS(ed_mgmm_moments(damper, 2, t, far, fast, NULL, NULL, power, &held, &done), ED_E_NOT_FINITE);
   CHECK(done == 1);
   ed_damper_free(damper);
-  damper = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, voigt, 0.0, &status, message, sizeof message);
+  damper = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, voigt, 0.0, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   CHECK_STATUS(ed_mgmm_moments(damper, 2, t, u, u, spring, dashpot, NULL, &held, &done), ED_E_STATE);
   ed_damper_free(damper);

@@ -45,7 +45,7 @@ static void make(devices *all)
   for (int i = 0; i < LAWS; i++) {
     char message[256];
     int status;
-    all->damper[i] = ed_damper_new(kinds[i].law, kinds[i].n, kinds[i].parameter, kinds[i].brace, &status, message, 256);
+    all->damper[i] = ed_damper_new(kinds[i].law, kinds[i].n, kinds[i].parameter, kinds[i].brace, 0.0, &status, message, 256);
     CHECK_STATUS(status, ED_OK);
     CHECK(ed_damper_state_size(all->damper[i]) <= SIZE);
     ed_damper_start(all->damper[i], all->state[i]);

@@ -171,7 +171,7 @@ static void check_overflow(void)
   int status;
   char message[256];
   double state = 0.0, trial, force, slope[2];
-  ed_damper *damper = ed_damper_new(ED_LAW_ZENER, 3, parameter, 0.0, &status, message, sizeof message);
+  ed_damper *damper = ed_damper_new(ED_LAW_ZENER, 3, parameter, 0.0, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   CHECK_STATUS(ed_damper_step(damper, ED_DAMPER_BEST, 1e-6, &state, 1.0, 0.0, 0.0, 1e150, 0.0, &trial, &force, slope),
                ED_E_NOT_FINITE);

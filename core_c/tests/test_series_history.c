@@ -25,7 +25,7 @@ static ed_damper *make(int law, int n, const double *parameters, double brace)
 {
   int status;
   char message[256];
-  ed_damper *made = ed_damper_new(law, n, parameters, brace, &status, message, sizeof message);
+  ed_damper *made = ed_damper_new(law, n, parameters, brace, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   return made;
 }

@@ -64,7 +64,7 @@ static ed_damper *damper(int law, int n, const double *parameters, double brace,
 {
   int status;
   char message[256];
-  ed_damper *new = ed_damper_new(law, n, parameters, brace, &status, message, 256);
+  ed_damper *new = ed_damper_new(law, n, parameters, brace, 0.0, &status, message, 256);
   CHECK_STATUS(status, ED_OK);
   ed_damper_ask(new, stop);
   return new;

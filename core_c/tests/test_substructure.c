@@ -14,7 +14,7 @@ static ed_damper *spring(double brace)
   int status;
   char message[256];
   const double parameters[] = {STIFFNESS, 0.0};
-  return ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, parameters, brace, &status, message, sizeof message);
+  return ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, parameters, brace, 0.0, &status, message, sizeof message);
 }
 
 static void no_compensator(ed_compensator_parameters *c)
@@ -301,7 +301,7 @@ static void test_law_without_exact_step(void)
   int done, status;
   char message[256];
   const double parameters[] = {2e4, 2e-3, 0.1, 1.0, 0.5, 0.5, 2.0};
-  ed_damper *specimen = ed_damper_new(ED_LAW_BOUC_WEN, 7, parameters, 0.0, &status, message, sizeof message);
+  ed_damper *specimen = ed_damper_new(ED_LAW_BOUC_WEN, 7, parameters, 0.0, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   no_compensator(&c);
   ideal_rig(&rig);

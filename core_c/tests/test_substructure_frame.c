@@ -17,7 +17,7 @@ static ed_damper *spring(double stiffness, double dashpot)
   int status;
   char message[256];
   const double parameters[] = {stiffness, dashpot};
-  return ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, parameters, 0.0, &status, message, sizeof message);
+  return ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, parameters, 0.0, 0.0, &status, message, sizeof message);
 }
 
 /* A loop of a perfect laboratory around a frame. */
@@ -123,7 +123,7 @@ static ed_analysis *ready(ed_model **model, int with_specimen, const int *node)
 {
   *model = frame_model(OPTIONS);
   if (with_specimen)
-    ed_model_damper(*model, "specimen", ED_LAW_KELVIN_VOIGT, 2, SPECIMEN, 0.0, 1.0, 1.0, 2, node, SPECIMEN_DEGREE, SPECIMEN_COEFFICIENT);
+    ed_model_damper(*model, "specimen", ED_LAW_KELVIN_VOIGT, 2, SPECIMEN, 0.0, 0.0, 1.0, 1.0, 2, node, SPECIMEN_DEGREE, SPECIMEN_COEFFICIENT);
   ed_analysis *a = frame_analysis(*model);
   ed_set(a, ED_TOLERANCE, 1e-9);
   ed_rayleigh(a, 0.3, 1e-3, ED_STIFFNESS_INITIAL);

@@ -49,7 +49,7 @@ static void check_rest(double alpha)
   int status;
   char message[256];
   double force, slope[2], none;
-  ed_damper *damper = ed_damper_new(ED_LAW_VISCOUS_POWER, 2, (const double[]){C, alpha}, 0.0, &status, message, sizeof message);
+  ed_damper *damper = ed_damper_new(ED_LAW_VISCOUS_POWER, 2, (const double[]){C, alpha}, 0.0, 0.0, &status, message, sizeof message);
   CHECK_STATUS(status, ED_OK);
   CHECK_INT(ed_damper_state_size(damper), 0);
   const double chord = C * pow(AT_REST, alpha - 1.0);

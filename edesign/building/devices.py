@@ -104,6 +104,7 @@ class Device:
         size: that its scales follow from.
         force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
         brace: N/m; 0: rigid.
+        play: of the pins of its brace, from end to end, m.
         tested_strain: of its law.
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
     """
@@ -119,6 +120,7 @@ class Device:
     force_scale: float
     deformation_scale: float
     brace: float
+    play: float = 0.0
     tested_strain: float | None = None
     brace_bar: BraceBar | None = None
 
@@ -179,15 +181,16 @@ def add_devices(
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)
             brace = _brace(project, run, place, i)
+            play = run.brace.play or 0.0 if isinstance(run.brace, BraceStiffness) else 0.0
             name = _free(place.name, taken)
             taken.add(name)
             if name in outside:
                 continue
             try:
-                number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale)
+                number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale, play)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            scales = (force_scale, deformation_scale, brace, law.tested_strain, _brace_bar(run, place))
+            scales = (force_scale, deformation_scale, brace, play, law.tested_strain, _brace_bar(run, place))
             found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, size, *scales))
     return tuple(found)
 

@@ -63,6 +63,7 @@ class CoreDamper:
         law: name of the law, e.g. "mgmm".
         parameters: in the order of the core, SI units.
         brace: stiffness in series, N/m; 0: rigid.
+        play: of the pins of the brace, from end to end, m.
         amendments: effects that the law has not; they act together.
         been: largest and smallest deformation, m, largest and smallest velocity, m/s, that the damper went through
             before; the MGMM alone minds.
@@ -78,10 +79,11 @@ class CoreDamper:
         brace: float = 0.0,
         amendments: Sequence[AmendmentValues] = (),
         been: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
+        play: float = 0.0,
     ) -> None:
         status, message = ffi.new("int *"), ffi.new("char[256]")
         values = [float(value) for value in parameters]
-        handle = lib.ed_damper_new(law_number(law), len(values), values, brace, status, message, 256)
+        handle = lib.ed_damper_new(law_number(law), len(values), values, brace, play, status, message, 256)
         if handle == ffi.NULL:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)

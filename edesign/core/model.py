@@ -162,6 +162,7 @@ class Model:
         brace: float = 0.0,
         force_scale: float = 1.0,
         deformation_scale: float = 1.0,
+        play: float = 0.0,
     ) -> int:
         """Add a damper; it carries nothing before `Analysis.install_dampers`.
 
@@ -171,6 +172,7 @@ class Model:
                 1 uy, 2 rz. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
             force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
+            play: of the pins of the brace, from end to end, m.
         """
         number = lib.ed_model_damper(
             self._c,
@@ -179,6 +181,7 @@ class Model:
             len(law.values),
             list(law.values),
             brace,
+            play,
             force_scale,
             deformation_scale,
             len(terms),

@@ -221,9 +221,7 @@ _ALL = (
         (
             Parameter("k", "initial stiffness", _K),
             Parameter("Fy", "force at which the gap opens", _F),
-            Parameter(
-                "b", "stiffness after opening / before", "", upper=1.0, lower_allowed=True, upper_allowed=False
-            ),
+            Parameter("b", "stiffness after opening / before", "", upper=1.0, lower_allowed=True, upper_allowed=False),
             Parameter("beta", "1 - force at which the gap closes / Fy", "", upper=1.0, lower_allowed=True),
         ),
         "F = k u up to Fy, then (1 - b) Fy + b k u; back by (1 - b) beta Fy lower",

@@ -69,12 +69,13 @@ class DamperLaw(LawDescription):
 
 
 class BraceStiffness(Model):
-    """Stiffness in series with a damper, along its deformation."""
+    """Stiffness in series with a damper, along its deformation; `play` of its pins from end to end."""
 
     stiffness: Annotated[
         Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
         Discriminator(lambda value: "?list" if isinstance(value, (list, tuple)) else "?plain"),
     ]
+    play: PositiveLength | None = None
 
 
 class BraceSection(Model):

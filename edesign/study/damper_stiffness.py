@@ -18,6 +18,7 @@ SMALL_STRAIN = 1e-4
 SMALL_DEFORMATION = 1e-5  # m, of dampers without layers
 _AGREEMENT = 1e-9  # of two frequencies that follow each other
 _MOST_ROUNDS = 50
+_ROUNDING = 1e-9  # of a first harmonic, against the force itself
 
 
 def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) -> tuple[Modes, np.ndarray]:
@@ -48,7 +49,8 @@ def device_stiffness(device: Device, amplitude: float, frequency: float) -> comp
     """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz)."""
     scale = device.force_scale * device.deformation_scale
     amplitude *= device.deformation_scale
-    return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale)
+    play = device.play * device.deformation_scale
+    return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
 
 
 def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, stiffness: np.ndarray) -> None:
@@ -56,8 +58,11 @@ def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, sti
     devices = structure.frame.devices
     coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")
     label = "of the damper with its brace in steady vibration in the first mode"
+    storing = np.abs(stiffness.real) > _ROUNDING * np.abs(stiffness)
+    loss = np.full(stiffness.size, np.nan)  # of a dashpot, or a stop that stays open: there is none
+    np.divide(stiffness.imag, stiffness.real, out=loss, where=storing)
     group.add("damper_storage_stiffness", ("damper",), stiffness.real, "N/m", f"storage stiffness {label}")
-    group.add("damper_loss_factor", ("damper",), stiffness.imag / stiffness.real, "1", f"loss factor {label}")
+    group.add("damper_loss_factor", ("damper",), loss, "1", f"loss factor {label}")
     group.attributes["damper_frequency_Hz"] = float(modes.omega[0]) / (2.0 * np.pi)
 
 

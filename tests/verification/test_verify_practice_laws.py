@@ -103,7 +103,7 @@ def test_friction_pendulum_in_one_step_or_in_many(amplitude: float) -> None:
     parts = 100
     expected = pendulum_in_small_steps(p, motion, parts)
     found = Damper(LAWS["friction_pendulum"], p).core.force(motion.time, motion.u(motion.time), motion.v(motion.time))
-    # the reference misses turns by dt/2 at most, and there friction falls by a (f_fast - f_slow) W times the velocity left
+    # the reference misses turns by dt/2 at most; friction there falls by a (f_fast - f_slow) W times the velocity left
     v = motion.v(motion.time)
     left = np.max(np.abs(np.diff(v))) / (2.0 * parts)
     assert np.max(np.abs(found - expected)) < p["a"] * (p["f_fast"] - p["f_slow"]) * p["W"] * left
@@ -114,9 +114,7 @@ def test_self_centring_device_draws_its_flag(b: float, beta: float) -> None:
     p = EXAMPLES["self_centring"] | {"b": b, "beta": beta}
     k, fy, amplitude = p["k"], p["Fy"], 0.01
     u, force = loop("self_centring", amplitude, b=b, beta=beta)
-    assert energy(u, force) == pytest.approx(
-        2.0 * (1.0 - b) * beta * fy * (amplitude - fy / k), rel=2e-4, abs=1e-4
-    )
+    assert energy(u, force) == pytest.approx(2.0 * (1.0 - b) * beta * fy * (amplitude - fy / k), rel=2e-4, abs=1e-4)
     top = (1.0 - b) * fy + b * k * amplitude
     assert np.max(force) == pytest.approx(top, rel=1e-12)
     # back from the peak: down with k to the lower side of the flag, then along it, then to the origin

@@ -177,7 +177,7 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
   const double *before = committed + first, h = path->h, u1 = ed_path_u(path, h);
   double *after = trial + first;
   const ed_ends ends = {.h = h, .du = before[BEGUN] != 0.0 ? u1 - path->c[0] : 0.0, .u1 = u1, .v0 = path->c[1],
-                        .v1 = ed_path_v(path, h), .jump = damper->brace > 0.0 ? JUMP : 0.0};
+                        .v1 = ed_path_v(path, h), .jump = damper->brace + damper->joint > 0.0 ? JUMP : 0.0};
   ed_amended factor = {.value = 1.0}, beside = {0};
   double by_law = 0.0;
   for (int i = 0; i < damper->n_amendments; i++) {

@@ -1,4 +1,5 @@
-/* Damper and brace in series: k_b (u - u_d) = F(u_d).
+/* Damper and brace in series: k_b (u - u_d) = F(u_d). Where the pins of the brace have play, it acts on what of u - u_d goes beyond half
+ * the play, either way.
  *
  * Laws that depend on speed: the damper's own deformation u_d is a parabola over the step, and equilibrium holds at one third and
  * at the end of it (collocation at the points of Radau IIA, order 3, L-stable: Hairer & Wanner 1996, IV.5). The law meets that
@@ -19,6 +20,19 @@ static double largest(double a, double b)
   return a > b ? a : b;
 }
 
+static double stiffness(const ed_damper *d)
+{
+  return d->brace + d->joint; /* one of them is zero */
+}
+
+/* How far a brace is strained at a stretch, and 1 if it holds there, 0 within its play. */
+static double strained(const ed_damper *d, double stretch, double *holds)
+{
+  const double beyond = fabs(stretch) - 0.5 * d->play;
+  *holds = d->joint == 0.0 || beyond > 0.0;
+  return d->joint == 0.0 ? stretch : beyond > 0.0 ? copysign(beyond, stretch) : 0.0;
+}
+
 /* ---- laws that depend on speed */
 
 static const double THIRD = 1.0 / 3.0;
@@ -37,12 +51,13 @@ static void parabola(ed_path *path, double h, double u0, double a, double b)
 typedef struct {
   double a, b;                       /* own deformation at h/3 and h, less that at 0 */
   double residual[2], size, slope[2][2], chord[2][2];
+  double holds[2];                   /* 1, or 0 within the play of the brace */
   ed_damper_force end;
 } ed_stage;
 
 static int evaluate(const ed_damper *d, const double *committed, double h, const double total[2], ed_stage *stage, double *trial)
 {
-  const double kb = d->brace, u0 = committed[ed_damper_own_size(d)];
+  const double kb = stiffness(d), u0 = committed[ed_damper_own_size(d)];
   ed_path whole, direction[2];
   parabola(&whole, h, u0, stage->a, stage->b);
   parabola(&direction[0], h, 0.0, 1.0, 0.0);
@@ -56,14 +71,14 @@ static int evaluate(const ed_damper *d, const double *committed, double h, const
     status = ed_damper_own_step(d, committed, &whole, direction, trial, &stage->end);
   if (status != ED_OK)
     return status;
-  stage->residual[0] = at_third.force - kb * (total[0] - u0 - stage->a);
-  stage->residual[1] = stage->end.force - kb * (total[1] - u0 - stage->b);
+  stage->residual[0] = at_third.force - kb * strained(d, total[0] - u0 - stage->a, &stage->holds[0]);
+  stage->residual[1] = stage->end.force - kb * strained(d, total[1] - u0 - stage->b, &stage->holds[1]);
   stage->size = fabs(at_third.force) + fabs(stage->end.force) +
                 kb * (fabs(total[0]) + fabs(total[1]) + fabs(u0 + stage->a) + fabs(u0 + stage->b));
-  stage->slope[0][0] = at_third.slope[0] + kb;
+  stage->slope[0][0] = at_third.slope[0] + kb * stage->holds[0];
   stage->slope[0][1] = at_third.slope[1];
   stage->slope[1][0] = stage->end.slope[0];
-  stage->slope[1][1] = stage->end.slope[1] + kb;
+  stage->slope[1][1] = stage->end.slope[1] + kb * stage->holds[1];
   for (int i = 0; i < 2; i++) {
     stage->chord[0][i] = stage->slope[0][i] + at_third.chord[i];
     stage->chord[1][i] = stage->slope[1][i] + stage->end.chord[i];
@@ -178,7 +193,7 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
                    ed_damper_force *out)
 {
   const int own = ed_damper_own_size(d);
-  const double h = path->h, kb = d->brace, u0 = committed[own];
+  const double h = path->h, kb = stiffness(d), u0 = committed[own];
   const double total[2] = {ed_path_u(path, THIRD * h), ed_path_u(path, h)};
   ed_stage stage;
   /* Between trials of one step the balance need only be better than the change from one to the next: the rest is made up to first
@@ -204,11 +219,13 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
   trial[own] = u0 + stage.b;
   trial[own + STRETCHING] = ed_path_v(path, h) - (5.0 * stage.b - 9.0 * stage.a) / (2.0 * h);
   trial[own + BENDING] = 2.0 * path->c[2] + 6.0 * path->c[3] * h - (3.0 * stage.b - 9.0 * stage.a) / (h * h);
-  out->force = kb * (total[1] - u0 - stage.b + by[0] * stage.residual[0] + by[1] * stage.residual[1]);
+  double holds;
+  out->force = kb * strained(d, total[1] - u0 - stage.b + by[0] * stage.residual[0] + by[1] * stage.residual[1], &holds);
   for (int i = 0; i < 2; i++) {
-    const double of_third = ed_path_u(&direction[i], THIRD * h), of_end = ed_path_u(&direction[i], h);
-    out->slope[i] = kb * (of_end - kb * (by[0] * of_third + by[1] * of_end));
-    out->chord[i] = kb * (of_end - kb * (by_chord[0] * of_third + by_chord[1] * of_end)) - out->slope[i];
+    const double of_third = stage.holds[0] * ed_path_u(&direction[i], THIRD * h);
+    const double of_end = stage.holds[1] * ed_path_u(&direction[i], h);
+    out->slope[i] = stage.holds[1] * kb * (of_end - kb * (by[0] * of_third + by[1] * of_end));
+    out->chord[i] = stage.holds[1] * kb * (of_end - kb * (by_chord[0] * of_third + by_chord[1] * of_end)) - out->slope[i];
   }
   return ED_OK;
 }
@@ -235,9 +252,9 @@ static void own_path(double u0, const double *turn, double end, ed_path *path, e
 
 /* Own deformation at which damper and brace carry the same at `total`: Newton kept between u_from and where the brace is idle. */
 static int meet(const ed_damper *d, const double *committed, double u0, const double *turn, double total_from, double total,
-                double *found, double *trial, ed_damper_force *out)
+                double *found, double *holds, double *trial, ed_damper_force *out)
 {
-  const double kb = d->brace, from = turn ? *turn : u0, full = from + total - total_from;
+  const double kb = stiffness(d), from = turn ? *turn : u0, full = from + total - total_from;
   double low = fmin(from, full), high = fmax(from, full), u = full;
   for (int i = 0; i < 2 * MOST_ITERATIONS; i++) {
     ed_path path, direction[2];
@@ -245,7 +262,7 @@ static int meet(const ed_damper *d, const double *committed, double u0, const do
     const int status = ed_damper_own_step(d, committed, &path, direction, trial, out);
     if (status != ED_OK)
       return status;
-    const double residual = out->force - kb * (total - u), slope = out->slope[1] + kb;
+    const double residual = out->force - kb * strained(d, total - u, holds), slope = out->slope[1] + kb * *holds;
     if (!isfinite(residual))
       return ED_E_NOT_FINITE;
     if (i == 0 && (d->law->softens || d->n_amendments > 0)) { /* the force may fall while the damper is deformed further */
@@ -270,29 +287,30 @@ static int hysteretic(const ed_damper *d, const double *committed, const ed_path
                       ed_damper_force *out)
 {
   const int own = ed_damper_own_size(d);
-  const double kb = d->brace, u0 = committed[own], end = ed_path_u(path, path->h);
-  double at[2], start = path->c[0], turn = 0.0, turned[2] = {0.0}, found;
+  const double u0 = committed[own], end = ed_path_u(path, path->h);
+  double at[2], start = path->c[0], turn = 0.0, turned[2] = {0.0}, found, holds;
   const int reversals = ed_path_reversals(path, at);
   /* Two reversals in one step: the way between them is left out, which only a step far too long would notice. What then goes on beyond
    * the first has not turned there. */
   const double at_turn = reversals > 0 ? ed_path_u(path, at[0]) : start;
   const int one = (end - at_turn) * (at_turn - start) < 0.0;
   if (one) {
-    const int status = meet(d, committed, u0, NULL, start, at_turn, &turn, trial, out);
+    const int status = meet(d, committed, u0, NULL, start, at_turn, &turn, &holds, trial, out);
     if (status != ED_OK)
       return status;
-    for (int i = 0; i < 2; i++)
+    const double kb = holds * stiffness(d);
+    for (int i = 0; kb > 0.0 && i < 2; i++)
       turned[i] = kb * ed_path_u(&direction[i], at[0]) / (out->slope[1] + kb);
     start = at_turn;
   }
-  const int status = meet(d, committed, u0, one ? &turn : NULL, start, end, &found, trial, out);
+  const int status = meet(d, committed, u0, one ? &turn : NULL, start, end, &found, &holds, trial, out);
   if (status != ED_OK)
     return status;
   trial[own] = found;
-  const double by_turn = one ? out->slope[0] : 0.0, stiffness = out->slope[1];
+  const double by_turn = one ? out->slope[0] : 0.0, own_slope = out->slope[1], kb = holds * stiffness(d);
   for (int i = 0; i < 2; i++) {
     const double of_end = ed_path_u(&direction[i], path->h);
-    out->slope[i] = kb * (of_end - (kb * of_end - by_turn * turned[i]) / (stiffness + kb));
+    out->slope[i] = kb > 0.0 ? kb * (of_end - (kb * of_end - by_turn * turned[i]) / (own_slope + kb)) : 0.0;
   }
   return ED_OK;
 }

@@ -8,12 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, int *status, char *message,
-                         int size)
+ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, double play, int *status,
+                         char *message, int size)
 {
   char text[ED_DAMPER_MESSAGE] = "out of memory";
   ed_damper *damper = malloc(sizeof *damper);
-  *status = damper ? ed_damper_prepare(damper, law, n_parameters, parameters, brace, text) : ED_E_MEMORY;
+  *status = damper ? ed_damper_prepare(damper, law, n_parameters, parameters, brace, play, text) : ED_E_MEMORY;
   if (*status == ED_OK)
     return damper;
   if (size > 0)
@@ -59,7 +59,7 @@ static ed_ode_system *system_for(const ed_damper *damper, int method, double tol
   *status = ED_OK;
   if (method == ED_DAMPER_BEST && ed_damper_has_exact_step(damper))
     return NULL;
-  if (!damper->law->rate || (damper->brace > 0.0 && !damper->law->takes_brace)) {
+  if (!damper->law->rate || damper->joint > 0.0 || (damper->brace > 0.0 && !damper->law->takes_brace)) {
     *status = ED_E_STATE;
     return NULL;
   }

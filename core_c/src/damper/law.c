@@ -48,7 +48,7 @@ int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, doubl
   return ED_E_ARGUMENT;
 }
 
-int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace,
+int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace, double play,
                       char message[ED_DAMPER_MESSAGE])
 {
   memset(damper, 0, sizeof *damper);
@@ -64,17 +64,27 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
   }
   if (!(brace >= 0.0) || !isfinite(brace))
     return ed_refuse_parameter(message, "brace", brace, "a stiffness above zero, or 0 for none");
+  if (!(play >= 0.0) || !isfinite(play))
+    return ed_refuse_parameter(message, "play", play, "a length above zero, or 0 for none");
+  if (play > 0.0 && brace == 0.0)
+    return ed_refuse_parameter(message, "play", play, "play stands with the stiffness of a brace");
   for (int i = 0; i < n_parameters; i++)
     if (!isfinite(parameters[i])) {
       snprintf(message, ED_DAMPER_MESSAGE, "law %s: parameter %d is not a finite number", damper->law->name, i + 1);
       return ED_E_NOT_FINITE;
     }
   damper->n_parameters = n_parameters;
-  damper->brace = brace;
+  *(play > 0.0 ? &damper->joint : &damper->brace) = brace;
+  damper->play = play;
   damper->rate_independent = damper->law->rate_independent;
   memcpy(damper->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
   int status = damper->law->prepare(damper, message);
-  if (status == ED_OK && brace > 0.0 && damper->law->with_brace) {
+  if (status == ED_OK && play > 0.0 && !ed_damper_has_exact_step(damper)) {
+    snprintf(message, ED_DAMPER_MESSAGE, "law %s is integrated without exact step, so that no play can stand in series with it",
+             damper->law->name);
+    status = ED_E_ARGUMENT;
+  }
+  if (status == ED_OK && damper->brace > 0.0 && damper->law->with_brace) {
     ed_damper_clear(damper);
     damper->law->with_brace(damper);
     status = damper->law->prepare(damper, message);

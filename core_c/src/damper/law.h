@@ -48,7 +48,8 @@ struct ed_damper {
   int n_ode, n_memory;
   int diagonal_ode;
   int without_step;     /* the exact step of its law does not hold for what it has beside: set by `prepare` */
-  double brace;         /* stiffness in series; 0: none (rigid) */
+  double brace;         /* stiffness in series; 0: none (rigid), or its pins have play */
+  double joint, play;   /* stiffness in series whose pins have play, from end to end; 0: none */
   int rate_independent; /* as its law, unless `prepare` finds that its parameters make it so, or amendments that they do not */
   ed_stop stop;   /* whom histories ask whether to stop */
   double been[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
@@ -91,7 +92,7 @@ struct ed_law {
 const ed_law *ed_law_of(int id);
 
 /* Prepares `damper` for a law; on failure `message` says why and nothing is to be freed. */
-int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace,
+int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace, double play,
                       char message[ED_DAMPER_MESSAGE]);
 void ed_damper_clear(ed_damper *damper);
 
@@ -109,10 +110,11 @@ static inline int ed_damper_has_exact_step(const ed_damper *damper)
   return damper->law->step != NULL && !damper->without_step;
 }
 
-/* Whether brace.c puts a brace in series with its exact step. */
+/* Whether brace.c puts a brace, or a joint with play, in series with its exact step. */
 static inline int ed_damper_is_braced(const ed_damper *damper)
 {
-  return damper->brace > 0.0 && ed_damper_has_exact_step(damper) && !damper->law->step_takes_brace;
+  return damper->joint > 0.0 ||
+         (damper->brace > 0.0 && ed_damper_has_exact_step(damper) && !damper->law->step_takes_brace);
 }
 
 /* Amendments (amendment.h). */

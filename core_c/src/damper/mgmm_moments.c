@@ -66,7 +66,7 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
                     double *dashpot, double *power, double *held, int *done)
 {
   *done = 0;
-  if (damper->law != &ed_mgmm || damper->brace > 0.0 || damper->n_amendments > 0)
+  if (damper->law != &ed_mgmm || damper->brace + damper->joint > 0.0 || damper->n_amendments > 0)
     return ED_E_STATE;
   int status = ed_check_samples(n, time, u, v, done);
   if (status != ED_OK)

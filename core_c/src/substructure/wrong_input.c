@@ -119,7 +119,7 @@ const char *ed_wrong_substructure(const ed_substructure_input *in)
     return "the compensator has another step than the loop";
   if (!(in->force_scale > 0.0) || !isfinite(in->force_scale) || !(in->deformation_scale > 0.0) || !isfinite(in->deformation_scale))
     return "the scales of the specimen must be above 0";
-  if (in->specimen->brace > 0.0)
+  if (in->specimen->brace + in->specimen->joint > 0.0)
     return "the specimen has a brace; what gives way in the rig is its own stiffness";
   return NULL;
 }

@@ -4,7 +4,7 @@
 #include <string.h>
 
 int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
-                    double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
+                    double play, double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient)
 {
   const char *shown = name ? name : "";
@@ -21,7 +21,8 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   }
   char message[ED_DAMPER_MESSAGE];
   ed_damper damper;
-  const int status = ed_damper_prepare(&damper, law, n_parameters, parameters, brace / (force_scale * deformation_scale), message);
+  const int status = ed_damper_prepare(&damper, law, n_parameters, parameters, brace / (force_scale * deformation_scale),
+                                       play * deformation_scale, message);
   if (status != ED_OK)
     return ed_model_refuse(model, status, "damper %s: %s", shown, status == ED_E_MEMORY ? "out of memory" : message);
   ed_device *devices = ed_model_grown(model->devices, model->n_devices, sizeof *devices);
