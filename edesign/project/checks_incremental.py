@@ -6,7 +6,9 @@ from collections.abc import Collection
 
 from edesign.project.checks_actions import check_drift
 from edesign.project.checks_names import ALL, check_names, check_records
+from edesign.project.hazard import YEAR
 from edesign.project.incremental import COLLAPSE, Incremental, LevelFactorStudy
+from edesign.project.life_cycle import CurveOfLevels, LifeCycle
 from edesign.project.problems import Keys, Problems, unknown_name
 from edesign.project.project import Project
 from edesign.project.records import record_of
@@ -44,3 +46,37 @@ def check_incremental(
         problems.at_key(
             (*keys, "limits", COLLAPSE), f"`{COLLAPSE}` is there without being asked for; choose another name"
         )
+    if incremental.life_cycle is not None:
+        _life_cycle((*keys, "life_cycle"), incremental, incremental.life_cycle, base, problems)
+
+
+def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Project, problems: Problems) -> None:
+    """Check that the hazard curve rises and that losses are of limits."""
+    curve, at = spec.hazard_curve, (*keys, "hazard_curve")
+    if isinstance(curve, CurveOfLevels):
+        for name, period in curve.levels.items():
+            if name not in base.hazard_levels:
+                problems.at_key((*at, "levels", name), unknown_name("level", name, base.hazard_levels))
+            _return_period((*at, "levels", name), period, problems)
+    else:
+        if isinstance(incremental, LevelFactorStudy):
+            message = "intensities are factors of a level here; give the return periods of `levels`"
+            problems.at_key((*at, "intensities"), message)
+        if len(curve.intensities) != len(curve.return_periods):
+            message = f"{len(curve.return_periods)} return periods for {len(curve.intensities)} intensities"
+            problems.at_value((*at, "return_periods"), message)
+        for i, period in enumerate(curve.return_periods):
+            _return_period((*at, "return_periods", i), period, problems)
+        for key, values in (("intensities", curve.intensities), ("return_periods", curve.return_periods)):
+            if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
+                problems.at_value((*at, key), "they must ascend: each greater than the one before it")
+    limits = (*incremental.limits, COLLAPSE)
+    for name in spec.losses:
+        if name not in limits:
+            problems.at_key((*keys, "losses", name), unknown_name("limit", name, limits))
+    _return_period((*keys, "years"), spec.years, problems)
+
+
+def _return_period(keys: Keys, seconds: float, problems: Problems) -> None:
+    if seconds < YEAR * (1.0 - 1e-9):
+        problems.at_value(keys, "this is shorter than a year; years are written like `475 years`")

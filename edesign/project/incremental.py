@@ -9,6 +9,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.base import Model, by_key, by_shape, refuse
 from edesign.project.hazard import LevelName
+from edesign.project.life_cycle import LifeCycle
 from edesign.project.measures import SHORT_NAMES, parse_measure_value
 from edesign.project.problems import unknown_name
 from edesign.project.several import Names, ShortName
@@ -87,6 +88,7 @@ class _Incremental(Model):
     collapse_drift: PositiveRatio = 0.10
     limits: dict[ShortName, Annotated[Limit, BeforeValidator(_limit)]] = {}
     free_vibration: Duration = 0.0
+    life_cycle: LifeCycle | None = None
 
     @property
     def intensities(self) -> tuple[float, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.incremental import COLLAPSE, Stripes, collect_stripes
+from edesign.assess.life_cycle import Exceedance, HazardCurve, Loss, exceedance, expected_loss
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
+from edesign.errors import InputError
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.summary import all_results
 from edesign.study.kinds import INCREMENTAL
@@ -20,6 +22,29 @@ DRIFT = "interstorey_drift"
 UNITS = {"m/s^2": ("g", STANDARD_GRAVITY), "1": ("1", 1.0)}
 """Unit of an intensity measure in the archive: how it is shown, and that in SI."""
 LABELS = {"spectral_acceleration": "spectral acceleration", "pga": "peak ground acceleration", "level_factor": "factor"}
+
+
+@dataclass(frozen=True)
+class LifeCycle:
+    """How often the limits of a variant are passed, and what that costs.
+
+    Attributes:
+        variant: of the frame.
+        years: looked at.
+        dispersion: of modelling, added to that of the records.
+        curve: None where there is none.
+        exceedances: by limit, of those that have a fragility.
+        loss: None where no losses are given or one of their limits has no fragility.
+        reason: why something is missing, "" otherwise.
+    """
+
+    variant: str
+    years: float
+    dispersion: float
+    curve: HazardCurve | None
+    exceedances: Mapping[str, Exceedance]
+    loss: Loss | None
+    reason: str = ""
 
 
 @dataclass(frozen=True)
@@ -36,6 +61,7 @@ class IncrementalResults:
             does not have, such as the strain of dampers of a bare frame.
         fragilities: of every variant and limit.
         states: how many histories are in each state, by variant.
+        life_cycle: of each variant, where the study asks for it.
     """
 
     name: str
@@ -46,6 +72,7 @@ class IncrementalResults:
     stripes: Mapping[str, Mapping[str, Stripes]]
     fragilities: tuple[LimitFragility, ...]
     states: Mapping[str, Mapping[str, int]]
+    life_cycle: tuple[LifeCycle, ...] = ()
 
     @property
     def measures(self) -> tuple[str, ...]:
@@ -90,9 +117,11 @@ def _study(about: Group, name: str, groups: Mapping[str, Group]) -> IncrementalR
             has = {key for key, one in collected.items() if np.isfinite(one.values).any()} | {DRIFT}
             stripes[variant] = {key: one for key, one in collected.items() if key in has}
             states[variant] = Counter(str(group.attributes.get("status")) for group in mine)
+    asked = about.attributes.get("life_cycle")
     unit = str(about.attributes["intensity_unit"])
     kind = str(about.attributes["intensity_measure"])
     shown = UNITS[unit][0]
+    fragilities = tuple(_fragilities(stripes, limits, about))
     return IncrementalResults(
         name=name,
         label=LABELS.get(kind, kind) + (f" ({shown})" if shown != "1" else ""),
@@ -100,8 +129,9 @@ def _study(about: Group, name: str, groups: Mapping[str, Group]) -> IncrementalR
         level=str(about.attributes.get("level") or ""),
         limits=limits,
         stripes=stripes,
-        fragilities=tuple(_fragilities(stripes, limits, about)),
+        fragilities=fragilities,
         states=states,
+        life_cycle=tuple(_life_cycle(variant, fragilities, about) for variant in stripes) if asked else (),
     )
 
 
@@ -123,3 +153,28 @@ def _fragilities(
             if measure in of:
                 found.append(limit_fragility(of[measure], limit, value, "capacities", at_level))
     return found
+
+
+def _life_cycle(variant: str, fragilities: Sequence[LimitFragility], about: Group) -> LifeCycle:
+    spec = about.attributes["life_cycle"]
+    years, dispersion = float(spec["years"]), float(spec["dispersion"])
+    row = [str(name) for name in about.coords["variant"].values].index(variant)
+    try:
+        rates = 1.0 / np.asarray(about.coords["hazard_return_period"].values, dtype=float)
+        points = np.asarray(about.variables["hazard_intensity"].values[row], dtype=float)
+        if not np.isfinite(points).all():
+            raise InputError("the variant has no period at which the hazard curve could be taken")
+        curve = HazardCurve(points, rates)
+    except InputError as error:
+        return LifeCycle(variant, years, dispersion, None, {}, None, str(error))
+    fits = {one.limit: one.fit for one in fragilities if one.variant == variant}
+    found = {name: exceedance(fit, curve, dispersion) for name, fit in fits.items() if fit is not None}
+    losses = {str(name): float(share) for name, share in spec["losses"].items()}
+    missing = [name for name in losses if name not in found]
+    loss, reason = None, ""
+    if missing:
+        reason = f"no expected loss without a fragility of {', '.join(missing)}"
+    elif losses:
+        rate = {name: one.rate for name, one in found.items()}
+        loss = expected_loss(rate, losses, years, float(spec["discount"]))
+    return LifeCycle(variant, years, dispersion, curve, found, loss, reason)

@@ -12,6 +12,9 @@ from edesign.report.incremental_results import UNITS, IncrementalResults, read_i
 from edesign.report.measure_columns import measure_title
 from edesign.report.table import Table, number, whole
 
+OUTSIDE = 0.2
+"""Share of a rate that comes from outside of the points of a hazard curve, from which on a note tells it."""
+
 
 def incremental_tables(archive: Archive, groups: Mapping[str, Group] | None = None) -> list[Table]:
     """Return fragilities, and intensities that fractions of the records need, of each incremental study of an archive.
@@ -30,7 +33,49 @@ def results_tables(results: IncrementalResults) -> list[Table]:
         limits, stripes = results.limits_of(measure), results.stripes_of(measure)
         if limits and stripes:
             tables.append(fractile_table(stripes, limits, results.unit))
+    if results.life_cycle:
+        tables += [exceedance_table(results), *loss_tables(results)]
     return tables
+
+
+def exceedance_table(results: IncrementalResults) -> Table:
+    """Return how often each limit is passed, a year and in the years that the study looks at."""
+    years = results.life_cycle[0].years
+    columns = ["variant", "limit", "rate [1/year]", "return period [years]", f"P in {number(years, 3)} years [%]"]
+    table = Table(f"{results.name}: exceedance of limits", columns, left=2)
+    for one in results.life_cycle:
+        for limit, found in one.exceedances.items():
+            cells = [f"{found.rate:.2e}", number(found.return_period, 3), number(100.0 * found.probability(years), 3)]
+            table.rows.append([one.variant, limit, *cells])
+            outside = {"below the first": found.below, "beyond the last": found.beyond}
+            for where, share in outside.items():
+                if share > OUTSIDE:
+                    message = f"{100.0 * share:.0f} % of the rate come from {where} point of the hazard curve"
+                    table.notes.append(f"{one.variant}, {limit}: {message}")
+        if one.reason:
+            table.notes.append(f"{one.variant}: {one.reason}")
+    dispersion = results.life_cycle[0].dispersion
+    if dispersion > 0.0:
+        table.notes.append(f"a dispersion of {number(dispersion, 2)} for modelling is added to that of the records")
+    return table
+
+
+def loss_tables(results: IncrementalResults) -> list[Table]:
+    """Return the expected losses of all variants, in per cent of the value of the building; [] without losses."""
+    having = [one for one in results.life_cycle if one.loss is not None]
+    if not having:
+        return []
+    years, first = having[0].years, having[0].loss
+    assert first is not None
+    columns = ["variant", "loss a year [%]", f"in {number(years, 3)} years, at present [%]"]
+    columns += [f"of it {limit} [%]" for limit in first.shares]
+    table = Table(f"{results.name}: expected loss, of the value of the building", columns)
+    for one in having:
+        loss = one.loss
+        assert loss is not None
+        cells = [number(100.0 * loss.annual, 3), number(100.0 * loss.present_value, 3)]
+        table.rows.append([one.variant, *cells, *(number(100.0 * share, 3) for share in loss.shares.values())])
+    return [table]
 
 
 def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", level: str = "") -> Table:

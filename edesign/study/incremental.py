@@ -10,7 +10,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
 from edesign.project.analyses import Analysis
+from edesign.project.hazard import YEAR
 from edesign.project.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
+from edesign.project.life_cycle import CurveOfLevels
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.execution import Execution, Prepared
@@ -72,8 +74,16 @@ def incremental_group(project: Project, study: Incremental, periods: Mapping[str
     coordinate(group, "variant", list(periods), "", "name of the variant")
     used = [getattr(study, "period", None) or period for period in periods.values()]
     group.add("period", ("variant",), _numbers(used), "s", "period of the spectral acceleration")
-    reference = [level_intensity(project, study, period) for period in used]
+    reference = [level_intensity(project, study, period, study.level) for period in used]
     group.add("level_intensity", ("variant",), _numbers(reference), unit, "intensity of the hazard level")
+    if study.life_cycle is not None:
+        _add_hazard_curve(group, project, study, used)
+        group.attributes["life_cycle"] = {
+            "years": study.life_cycle.years / YEAR,
+            "dispersion": study.life_cycle.dispersion,
+            "losses": dict(study.life_cycle.losses),
+            "discount": study.life_cycle.discount,
+        }
     limits = {name: [limit.measure, limit.value] for name, limit in study.limits.items()}
     group.attributes |= {
         "name": study.name,
@@ -84,6 +94,23 @@ def incremental_group(project: Project, study: Incremental, periods: Mapping[str
         "limits": limits,
     }
     return group
+
+
+def _add_hazard_curve(group: Group, project: Project, study: Incremental, periods: Sequence[float | None]) -> None:
+    """Add the points of the hazard curve: the rate of each, and its intensity for each variant."""
+    assert study.life_cycle is not None
+    curve = study.life_cycle.hazard_curve
+    if isinstance(curve, CurveOfLevels):
+        levels = sorted(curve.levels, key=lambda name: curve.levels[name])
+        years = [curve.levels[name] / YEAR for name in levels]
+        points = [_numbers([level_intensity(project, study, period, level) for level in levels]) for period in periods]
+    else:
+        years = [period / YEAR for period in curve.return_periods]
+        points = [np.array(curve.intensities) for _ in periods]
+    coordinate(group, "hazard_return_period", years, "year", "return period of a point of the hazard curve")
+    unit = "1" if isinstance(study, LevelFactorStudy) else "m/s^2"
+    label = "intensity that is exceeded once in the return period"
+    group.add("hazard_intensity", ("variant", "hazard_return_period"), np.array(points), unit, label)
 
 
 class _Periods:

@@ -53,20 +53,21 @@ def record_intensity(project: Project, study: Incremental, record: Record, perio
     return found
 
 
-def level_intensity(project: Project, study: Incremental, period: float | None) -> float | None:
-    """Return the intensity measure of the study's hazard level; None without a level.
+def level_intensity(project: Project, study: Incremental, period: float | None, level: str | None) -> float | None:
+    """Return the intensity measure of a hazard level; None without a level.
 
     Args:
         project: the validated project.
         study: what the study file says.
         period: of the spectral acceleration, s.
+        level: name of the level.
     """
-    if study.level is None or project.hazard is None:
+    if level is None or project.hazard is None:
         return None
     if isinstance(study, LevelFactorStudy):
-        return 1.0
+        return importance_factor(project.hazard, level) / importance_factor(project.hazard, study.level)
     at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
-    spectrum = replace(elastic_spectrum(project.hazard, study.level), damping=DAMPING)
+    spectrum = replace(elastic_spectrum(project.hazard, level), damping=DAMPING)
     return None if at is None else float(spectrum.acceleration(at))
 
 

@@ -95,3 +95,37 @@ SPECTRAL = "intensity: spectral_acceleration\n    period: 2.8 s\n    levels: {fr
 def test_what_is_wrong_is_told(small: str, change: tuple[str, str], words: str) -> None:
     found = "\n".join(problems_of(small, change))
     assert words in found
+
+
+CURVE = "hazard_curve: {intensities: [0.1 g, 0.4 g], return_periods: [95 years, 975 years]}"
+
+
+@pytest.mark.parametrize(
+    "life_cycle, words",
+    [
+        (CURVE, ""),
+        (f"{CURVE}, losses: {{LS: 20 %, collapse: 100 %}}, years: 50 years, dispersion: 0.3, discount: 3 %", ""),
+        ("losses: {LS: 20 %}", "12: incremental[0].life_cycle.hazard_curve: this key is missing"),
+        ("hazard_curve: {levels: {MCE: 475 years, DBE: 95 years}}", "levels.MCE: there is no level `MCE`"),
+        ("hazard_curve: {levels: {MCE: 475 years}}", "12: incremental[0].life_cycle.hazard_curve.levels: "),
+        (CURVE.replace("95 years", "95"), "the bare number `95` needs a unit"),
+        (CURVE.replace("95 years", "95 s"), "return_periods[0]: this is shorter than a year"),
+        (CURVE.replace("95 years, ", ""), "return_periods: "),
+        (CURVE.replace("95 years", "2000 years"), "return_periods: they must ascend"),
+        (CURVE.replace("0.1 g", "0.5 g"), "intensities: they must ascend"),
+        (CURVE.replace("95 years", "95 years, 475 years"), "3 return periods for 2 intensities"),
+        (f"{CURVE}, losses: {{LSS: 20 %}}", "losses.LSS: there is no limit `LSS`; did you mean `LS`?"),
+        (f"{CURVE}, losses: {{LS: 120 %}}", "120 %"),
+        (f"{CURVE}, years: 1 month", "this is shorter than a year"),
+        (f"{CURVE}, disperson: 0.3", "did you mean `dispersion`?"),
+    ],
+)
+def test_the_life_cycle(small: str, life_cycle: str, words: str) -> None:
+    after = "    free_vibration: 5 s\n"
+    found = "\n".join(problems_of(small, (after, f"{after}    life_cycle: {{{life_cycle}}}\n")))
+    assert words in found and bool(found) == bool(words)
+
+
+def test_intensities_of_factors_come_from_levels(small: str) -> None:
+    change = (SPECTRAL, f"intensity: level_factor\n    level: MCE\n    levels: [1, 2]\n    life_cycle: {{{CURVE}}}")
+    assert "intensities are factors of a level here" in "\n".join(problems_of(small, change))

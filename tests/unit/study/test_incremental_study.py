@@ -118,11 +118,11 @@ def test_intensities_of_each_measure(tmp_path: Path) -> None:
     assert 1.0 / record_intensity(project, factors, record, None) == pytest.approx(importance)
     # a_g S at the period 0, and the branch of constant velocity: EN 1998-1, 3.2.2.2
     ag_s = importance * 0.36 * STANDARD_GRAVITY * 1.15
-    assert level_intensity(project, peak, None) == pytest.approx(ag_s)
-    assert level_intensity(project, factors, None) == 1.0
+    assert level_intensity(project, peak, None, peak.level) == pytest.approx(ag_s)
+    assert level_intensity(project, factors, None, factors.level) == 1.0
     sa = spectral(["0.1 g", "0.2 g"], level="MCE")
-    assert level_intensity(project, sa, 1.2) == pytest.approx(ag_s * 2.5 * 0.6 / 1.2)
-    assert level_intensity(project, spectral(["0.1 g", "0.2 g"]), 1.2) is None
+    assert level_intensity(project, sa, 1.2, sa.level) == pytest.approx(ag_s * 2.5 * 0.6 / 1.2)
+    assert level_intensity(project, spectral(["0.1 g", "0.2 g"]), 1.2, None) is None
     with pytest.raises(InputError, match="no period"):
         record_intensity(project, sa, record, None)
     with pytest.raises(InputError, match="shake: the record has no pga"):
@@ -160,7 +160,7 @@ def test_the_group_of_the_study(tmp_path: Path) -> None:
     assert group.coords["intensity"].values == pytest.approx([0.1 * STANDARD_GRAVITY, 0.2 * STANDARD_GRAVITY])
     assert group.coords["intensity"].unit == "m/s^2"
     assert group.variables["period"].values.tolist()[:2] == [2.4, 1.2]
-    assert group.variables["level_intensity"].values[1] == level_intensity(project, sa, 1.2)
+    assert group.variables["level_intensity"].values[1] == level_intensity(project, sa, 1.2, sa.level)
     assert np.isnan(group.variables["period"].values[2]) and np.isnan(group.variables["level_intensity"].values[2])
     assert group.attributes["limits"] == {"LS": ["interstorey_drift", 0.025]}
     assert group.attributes["level"] == "MCE" and group.attributes["collapse_drift"] == 0.1

@@ -1,0 +1,86 @@
+"""Rates of exceedance and expected losses against quadrature, closed forms and simulation."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+from scipy.stats import norm
+
+from edesign.assess.fragility import Fragility
+from edesign.assess.life_cycle import HazardCurve, exceedance, expected_loss
+from edesign.errors import InputError
+
+BENT = HazardCurve(np.array([0.05, 0.2, 0.6, 1.5]), np.array([0.05, 0.01, 1e-3, 5e-5]))
+
+
+def fragility(theta: float, beta: float) -> Fragility:
+    return Fragility(theta, beta, 0.0, 0.0, 20, 0, 0.0)
+
+
+@pytest.mark.parametrize("beta", [0.2, 0.6])
+def test_a_straight_hazard_curve_has_the_closed_form(beta: float) -> None:
+    """H(theta) exp(k^2 beta^2 / 2), Cornell, Jalayer, Hamburger & Foutch (2002), Eq. 18."""
+    k, theta = 2.7, 0.4
+    im = np.array([0.1, 1.0])
+    curve = HazardCurve(im, im**-k / 475.0)
+    found = exceedance(fragility(theta, beta), curve)
+    assert found.rate == pytest.approx(theta**-k / 475.0 * math.exp(0.5 * (k * beta) ** 2), rel=1e-12)
+    assert found.return_period == 1.0 / found.rate
+    assert found.probability(50.0) == pytest.approx(1.0 - math.exp(-50.0 * found.rate), rel=1e-12)
+
+
+@pytest.mark.parametrize(("theta", "beta", "dispersion"), [(0.3, 0.4, 0.0), (0.8, 0.3, 0.35), (3.0, 0.5, 0.0)])
+def test_a_bent_hazard_curve_by_quadrature(theta: float, beta: float, dispersion: float) -> None:
+    whole = math.hypot(beta, dispersion)
+
+    def integrand(x: float) -> float:
+        return float(BENT.rate_of(theta * math.exp(x))) * norm.pdf(x / whole) / whole
+
+    corners = np.log(BENT.intensity / theta)
+    pieces = np.concatenate(([-12.0], corners[np.abs(corners) < 12.0], [12.0]))
+    parts = [quad(integrand, a, b, epsrel=1e-11)[0] for a, b in zip(pieces[:-1], pieces[1:], strict=True)]
+    found = exceedance(fragility(theta, beta), BENT, dispersion)
+    assert found.rate == pytest.approx(sum(parts), rel=1e-8)
+    assert found.below == pytest.approx(parts[0] / sum(parts), abs=1e-8)
+    assert found.beyond == pytest.approx(parts[-1] / sum(parts), abs=1e-8)
+
+
+def test_points_of_the_curve_are_met() -> None:
+    np.testing.assert_allclose(BENT.rate_of(BENT.intensity), BENT.rate, rtol=1e-12)
+    assert BENT.rate_of(np.sqrt(0.2 * 0.6)) == pytest.approx(np.sqrt(0.01 * 1e-3))
+
+
+@pytest.mark.parametrize(
+    ("intensity", "rate", "message"),
+    [
+        ([0.1], [0.01], "two points"),
+        ([0.2, 0.1], [0.01, 0.001], "ascend"),
+        ([0.1, 0.2], [0.01, 0.01], "the longer must be its return period"),
+    ],
+)
+def test_wrong_curves(intensity: list[float], rate: list[float], message: str) -> None:
+    with pytest.raises(InputError, match=message):
+        HazardCurve(np.array(intensity), np.array(rate))
+
+
+def test_expected_loss_is_the_mean_of_simulated_lives() -> None:
+    """Poisson arrivals of each state over 50 years, losses discounted to the present; 3 standard errors."""
+    rates, losses = {"LS": 0.01, "CP": 0.003, "collapse": 0.0008}, {"collapse": 1.0, "LS": 0.2, "CP": 0.6}
+    years, discount = 50.0, 0.04
+    found = expected_loss(rates, losses, years, discount)
+    assert found.annual == pytest.approx(0.01 * 0.2 + 0.003 * 0.4 + 0.0008 * 0.4, rel=1e-12)
+    assert sum(found.shares.values()) == pytest.approx(1.0)
+    rng = np.random.default_rng(5)
+    lives = np.zeros(200_000)
+    exactly = {"LS": 0.007, "CP": 0.0022, "collapse": 0.0008}  # in this state and no worse one
+    for state, rate in exactly.items():
+        number = rng.poisson(rate * years, lives.size)
+        life = np.repeat(np.arange(lives.size), number)
+        when = rng.uniform(0.0, years, life.size)
+        lives += np.bincount(life, losses[state] * np.exp(-discount * when), lives.size)
+    error = 3.0 * lives.std() / math.sqrt(lives.size)
+    assert abs(found.present_value - lives.mean()) < error
+    assert expected_loss(rates, losses, years).present_value == pytest.approx(years * found.annual)
