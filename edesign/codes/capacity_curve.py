@@ -1,0 +1,91 @@
+"""The capacity curve that nonlinear static procedures idealise: base shear against a displacement of the roof."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from edesign.errors import InputError
+
+SETTLED = 1e-9  # relative: to which displacements that depend on themselves are found
+
+
+@dataclass(frozen=True)
+class CapacityCurve:
+    """Points of a capacity curve, joined by straight lines.
+
+    Attributes:
+        displacement: of the control node, m, from 0 and ascending.
+        force: base shear, N, from 0.
+    """
+
+    displacement: np.ndarray
+    force: np.ndarray
+
+    def __post_init__(self) -> None:
+        d, f = self.displacement, self.force
+        if d.ndim != 1 or d.shape != f.shape or d.size < 2:
+            raise InputError("a capacity curve needs two points or more, each of a displacement and a base shear")
+        if not (d[0] == 0.0 and np.all(np.diff(d) > 0.0) and np.all(np.isfinite(f))):
+            raise InputError("the displacements of a capacity curve begin with 0 and ascend")
+        if not f[1] > f[0]:
+            raise InputError("the base shear does not rise with the displacement from the start of the capacity curve")
+
+    @property
+    def end(self) -> float:
+        """Its last displacement, m."""
+        return float(self.displacement[-1])
+
+    @cached_property
+    def peak(self) -> float:
+        """The displacement at the largest base shear, m; the first of several."""
+        return float(self.displacement[int(np.argmax(self.force))])
+
+    @property
+    def stiffness(self) -> float:
+        """Slope of its first part, N/m."""
+        return float((self.force[1] - self.force[0]) / (self.displacement[1] - self.displacement[0]))
+
+    def force_at(self, displacement: float) -> float:
+        """Base shear at a displacement up to the end, N."""
+        return float(np.interp(displacement, self.displacement, self.force))
+
+    def largest_up_to(self, displacement: float) -> float:
+        """The largest base shear up to a displacement, N."""
+        before = self.force[self.displacement < displacement]
+        return max(float(before.max()), self.force_at(displacement))
+
+    def energy(self, displacement: float) -> float:
+        """Work of the base shear up to a displacement, J: the area below the curve."""
+        before = self.displacement < displacement
+        d = np.append(self.displacement[before], displacement)
+        return float(np.trapezoid(np.append(self.force[before], self.force_at(displacement)), d))
+
+    def first_at(self, force: float) -> float:
+        """The first displacement at which the base shear is `force` (N, above 0 and at most its largest), m."""
+        at = int(np.argmax(self.force >= force))
+        d, f = self.displacement[at - 1 : at + 1], self.force[at - 1 : at + 1]
+        return float(d[0] + (force - f[0]) * (d[1] - d[0]) / (f[1] - f[0]))
+
+    def scaled(self, factor: float) -> CapacityCurve:
+        """Return the curve with displacements and forces times a factor."""
+        return CapacityCurve(factor * self.displacement, factor * self.force)
+
+
+def fitting(target: Callable[[float], float], most: float) -> float:
+    """Return the displacement that is the target of its own idealisation, or `most` if the target lies beyond.
+
+    Args:
+        target: the target displacement, m, from the displacement of the idealisation, m; above 0 at small ones.
+        most: the largest displacement of the idealisation, m.
+    """
+    if target(most) >= most:
+        return most
+    low, high = 0.0, most
+    while high - low > SETTLED * most:
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if target(middle) > middle else (low, middle)
+    return high
