@@ -44,6 +44,15 @@ class CapacityCurve:
         """The displacement at the largest base shear, m; the first of several."""
         return float(self.displacement[int(np.argmax(self.force))])
 
+    @cached_property
+    def _energies(self) -> np.ndarray:
+        parts = 0.5 * (self.force[1:] + self.force[:-1]) * np.diff(self.displacement)
+        return np.append(0.0, np.cumsum(parts))
+
+    @cached_property
+    def _largest(self) -> np.ndarray:
+        return np.maximum.accumulate(self.force)
+
     @property
     def stiffness(self) -> float:
         """Slope of its first part, N/m."""
@@ -55,20 +64,23 @@ class CapacityCurve:
 
     def largest_up_to(self, displacement: float) -> float:
         """The largest base shear up to a displacement, N."""
-        before = self.force[self.displacement < displacement]
-        return max(float(before.max()), self.force_at(displacement))
+        return max(float(self._largest[self._before(displacement)]), self.force_at(displacement))
 
     def energy(self, displacement: float) -> float:
         """Work of the base shear up to a displacement, J: the area below the curve."""
-        before = self.displacement < displacement
-        d = np.append(self.displacement[before], displacement)
-        return float(np.trapezoid(np.append(self.force[before], self.force_at(displacement)), d))
+        at = self._before(displacement)
+        rest = displacement - float(self.displacement[at])
+        return float(self._energies[at]) + 0.5 * (float(self.force[at]) + self.force_at(displacement)) * rest
 
     def first_at(self, force: float) -> float:
         """The first displacement at which the base shear is `force` (N, above 0 and at most its largest), m."""
-        at = int(np.argmax(self.force >= force))
+        at = int(np.searchsorted(self._largest, force))
         d, f = self.displacement[at - 1 : at + 1], self.force[at - 1 : at + 1]
         return float(d[0] + (force - f[0]) * (d[1] - d[0]) / (f[1] - f[0]))
+
+    def _before(self, displacement: float) -> int:
+        """The last point at a smaller displacement, 0 if there is none."""
+        return max(int(np.searchsorted(self.displacement, displacement)) - 1, 0)
 
     def scaled(self, factor: float) -> CapacityCurve:
         """Return the curve with displacements and forces times a factor."""
@@ -84,8 +96,11 @@ def fitting(target: Callable[[float], float], most: float) -> float:
     """
     if target(most) >= most:
         return most
-    low, high = 0.0, most
-    while high - low > SETTLED * most:
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if target(middle) > middle else (low, middle)
-    return high
+    return zero(lambda displacement: displacement - target(displacement), SETTLED * most, most)
+
+
+def zero(function: Callable[[float], float], low: float, high: float) -> float:
+    """Return where a function passes from below zero to above, to 1e-9 of `high`."""
+    from scipy.optimize import brentq  # which takes a tenth of a second to load
+
+    return float(brentq(function, low, high, xtol=SETTLED * high))

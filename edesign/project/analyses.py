@@ -8,9 +8,9 @@ from pydantic import Discriminator, Field, Tag
 
 from edesign.project.base import Model, by_key
 from edesign.project.damping import ModeNumber, State
+from edesign.project.pushover import Method, Pushover, Steps
 from edesign.project.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio
 
-Steps = Annotated[int, Field(ge=1, le=1_000_000)]
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]
 Label = Annotated[str, Field(max_length=64)]
 
@@ -44,13 +44,18 @@ class GravityAnalysis(_Analysis):
     steps: Steps = 10
 
 
-class PushoverAnalysis(_Analysis):
-    """Lateral load of a fixed pattern under gravity, up to a roof drift (roof displacement / height)."""
+class PushoverAnalysis(_Analysis, Pushover):
+    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement."""
 
     kind: Literal["pushover"]
-    pattern: Literal["first_mode", "uniform", "triangular"]
-    roof_drift: PositiveRatio
-    steps: Steps = 200
+
+
+class TargetAnalysis(_Analysis, Pushover):
+    """A pushover up to the target displacement of one method and level; part of the plan, no kind of the file."""
+
+    kind: Literal["target"]
+    method: Method
+    level: Label
 
 
 class HistoryAnalysis(_Analysis):
@@ -77,3 +82,6 @@ Analysis = Annotated[
     | Annotated[HistoryAnalysis, Tag("?kind=history")],
     Discriminator(by_key("kind")),
 ]
+
+PlannedAnalysis = Analysis | TargetAnalysis
+"""What a plan is made of."""

@@ -9,6 +9,7 @@ from typing import get_args
 from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.checks_frame import Selections
+from edesign.project.checks_pushover import check_pushover
 from edesign.project.damping import RayleighDamping
 from edesign.project.file_bytes import is_file, is_folder, is_there
 from edesign.project.matching import Matching
@@ -205,6 +206,7 @@ def _analyses(project: Project, problems: Problems) -> None:
             check_drift(project, problems, (*keys, "collapse_drift"), analysis.collapse_drift)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
+            check_pushover(project, problems, keys, analysis)
         if not isinstance(analysis, GravityAnalysis) and project.masses is None:
             message = f"the {analysis.kind} analysis `{analysis.name}` needs `masses`, and the file has none"
             problems.at_value(keys, message)

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError
-from edesign.project.analyses import Analysis, GravityAnalysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PlannedAnalysis, TargetAnalysis
 from edesign.project.project import Project
 from edesign.study.gravity import run_gravity
 from edesign.study.history import run_history
@@ -14,11 +14,12 @@ from edesign.study.modal import run_modal
 from edesign.study.motions import Motion
 from edesign.study.plan import labels
 from edesign.study.pushover import run_pushover
+from edesign.study.target import run_target
 
 
 def run_analysis(
     project: Project,
-    spec: Analysis,
+    spec: PlannedAnalysis,
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
     motion: Motion | None = None,
@@ -50,7 +51,7 @@ def run_analysis(
 
 def _run(
     project: Project,
-    spec: Analysis,
+    spec: PlannedAnalysis,
     progress: Callable[[int, int], None] | None,
     stop: Callable[[], bool] | None,
     motion: Motion | None,
@@ -61,4 +62,6 @@ def _run(
         return run_gravity(project, spec)
     if isinstance(spec, HistoryAnalysis):
         return run_history(project, spec, progress, stop, motion)
+    if isinstance(spec, TargetAnalysis):
+        return run_target(project, spec, progress, stop)
     return run_pushover(project, spec, progress, stop)

@@ -14,7 +14,7 @@ from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
@@ -36,7 +36,7 @@ from edesign.study.variants import variant_warnings
 ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
 
 
-def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found]:
+def check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
     """Read records, build the frame and look for the outputs, so that what is wrong shows before the first analysis.
 
     Args:
@@ -55,7 +55,7 @@ def check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found
     return _check_inputs(project, specs)
 
 
-def _check_inputs(project: Project, specs: Iterable[Analysis]) -> dict[str, Found]:
+def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
     specs = tuple(specs)
     if project.hazard is not None:
         checked_hazard(project)
@@ -124,7 +124,7 @@ def verification_records(study: Study, name: str) -> tuple[str, ...]:
     return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
 
 
-def _check_modes(project: Project, specs: tuple[Analysis, ...], most: int) -> None:
+def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int) -> None:
     """Check that no more modes are asked for than there are degrees of freedom with mass."""
     wanted: list[tuple[tuple[str | int, ...], int]] = [
         (("analyses", i, "modes"), spec.modes)

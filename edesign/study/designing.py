@@ -8,7 +8,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
 from edesign.errors import AnalysisError, EdesignError
 from edesign.one_thread import one_thread
-from edesign.project.analyses import Analysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
 from edesign.project.dampers import Dampers
 from edesign.project.designs import Verify
 from edesign.project.outputs import Outputs
@@ -52,7 +52,7 @@ def study_designs(study: Study, run: Execution) -> Prepared:
     nothing = Outputs(histories=())
     frames: dict[tuple[str, float | None, bool, bool], Project] = {}
 
-    def prepared(task: Task) -> tuple[Project, Analysis]:
+    def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
         design = study.variants[task.variant].design
         if design is not None and made[design].status != "completed":
             raise AnalysisError(f"its design `{design}` failed: {made[design].reason}")

@@ -12,7 +12,7 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.ground_motion.sources import Found
-from edesign.project.analyses import Analysis
+from edesign.project.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study.backends import Backend
 from edesign.study.backends.work import Result, Work
@@ -21,7 +21,7 @@ from edesign.study.outcome import Outcome
 from edesign.study.plan import Task
 from edesign.study.progress import Listener, Progress
 
-Prepared = Callable[[Task], tuple[Project, Analysis]]
+Prepared = Callable[[Task], tuple[Project, PlannedAnalysis]]
 """Gives the frame and the analysis of a task; raises an EdesignError if it cannot be run."""
 
 

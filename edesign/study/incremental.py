@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
-from edesign.project.analyses import Analysis
+from edesign.project.analyses import PlannedAnalysis
 from edesign.project.hazard import YEAR
 from edesign.project.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.life_cycle import CurveOfLevels
@@ -50,7 +50,7 @@ def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
         period = periods(studies[name], task, needed=True)
         return record_intensity(frames(task)[0], studies[name], run.motions[reference].record, period)
 
-    def prepared(task: Task) -> tuple[Project, Analysis]:
+    def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
         project, spec = frames(task)
         if task.stripe is None:
             return project, spec

@@ -9,11 +9,12 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
-from edesign.project.analyses import Analysis, HistoryAnalysis
+from edesign.project.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
 from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords
 from edesign.study.kinds import ANALYSES
+from edesign.study.pushover_parts import pushover_parts
 
 
 @dataclass(frozen=True)
@@ -50,7 +51,7 @@ class Task:
     """
 
     order: int
-    spec: Analysis
+    spec: PlannedAnalysis
     entry: str
     variant: str = ""
     temperature_C: float | None = None
@@ -86,7 +87,7 @@ class Task:
         return found
 
 
-def labels(spec: Analysis) -> dict[str, str | None]:
+def labels(spec: PlannedAnalysis) -> dict[str, str | None]:
     """Return name, kind, variant, record and level of an analysis; None where there is none."""
     return {
         "name": spec.name,
@@ -145,8 +146,10 @@ def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Ta
     return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
 
 
-def _parts(project: Project, spec: Analysis) -> list[Analysis]:
-    """The analysis itself, or for a suite one named ANALYSIS.ID for each of its recordings."""
+def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:
+    """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover."""
+    if isinstance(spec, PushoverAnalysis):
+        return pushover_parts(spec, tuple(project.hazard_levels))
     if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), SuiteRecords):
         return [spec]
     return [

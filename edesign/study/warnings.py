@@ -12,13 +12,24 @@ from typing import Literal
 from edesign.archive.dataset import Group
 
 ATTRIBUTE = "warnings"
-Kind = Literal["energy_error", "damper_strain", "brace_buckling", "column_buckling"]
+Kind = Literal[
+    "energy_error",
+    "damper_strain",
+    "brace_buckling",
+    "column_buckling",
+    "target_range",
+    "target_strength",
+    "target_damping",
+]
 
 ALIKE: Mapping[Kind, str] = {
     "energy_error": "the energy balance is doubtful",
     "damper_strain": "dampers strain beyond the tests of their law",
     "brace_buckling": "braces carry more compression than their buckling resistance",
     "column_buckling": "columns carry more compression than their buckling resistance",
+    "target_range": "capacity curves end before 150 % of the target displacement",
+    "target_strength": "the frame is too weak for the nonlinear static procedure of ASCE/SEI 41",
+    "target_damping": "target displacements do not count the damping of the dampers",
 }
 """What analyses with a warning of one kind have in common."""
 

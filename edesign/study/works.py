@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from edesign.archive.dataset import Group
-from edesign.project.analyses import Analysis
+from edesign.project.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.motions import Motion
@@ -13,7 +13,7 @@ from edesign.study.motions import Motion
 
 def analyse(
     project: Project,
-    spec: Analysis,
+    spec: PlannedAnalysis,
     motion: Motion | None,
     progress: Callable[[int, int], None],
     stop: Callable[[], bool],
@@ -24,7 +24,7 @@ def analyse(
 
 def analyse_stripe(
     project: Project,
-    spec: Analysis,
+    spec: PlannedAnalysis,
     motion: Motion | None,
     progress: Callable[[int, int], None],
     stop: Callable[[], bool],

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from edesign.codes.capacity_curve import SETTLED, CapacityCurve
+from edesign.codes.capacity_curve import SETTLED, CapacityCurve, zero
 
 SECANT = 0.6
 """The first line has the slope of the secant at this share of the yield strength. Source: FEMA 356, 3.3.3.2.4."""
@@ -66,10 +66,6 @@ def bilinear(curve: CapacityCurve, D_d: float) -> Bilinear:
         found = lines(V_y)
         return 0.5 * V_y * D_d + 0.5 * V_d * (D_d - found.D_y) - energy
 
-    if excess(most) <= SETTLED * energy:
+    if excess(most) <= SETTLED * energy or excess(SETTLED * most) >= 0.0:  # straight, or stiffening throughout
         return lines(most)
-    low, high = 0.0, most
-    while high - low > SETTLED * most:
-        middle = 0.5 * (low + high)
-        low, high = (low, middle) if excess(middle) > 0.0 else (middle, high)
-    return lines(high)
+    return lines(zero(excess, SETTLED * most, most))

@@ -1,0 +1,87 @@
+"""The response of a frame at a target displacement: pushed there, with all that follows from its capacity curve."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.codes.ec8.target_displacement import RANGE
+from edesign.project.analyses import TargetAnalysis
+from edesign.project.project import Project
+from edesign.project.pushover import METHODS
+from edesign.study.capacity import Capacity, Target, capacity, level_spectrum
+from edesign.study.push import Progress, Stop, push
+from edesign.study.recording import coordinate
+from edesign.study.warnings import AnalysisWarning, store_warnings
+
+ROUNDING = 1e-9  # of a displacement
+
+
+def run_target(
+    project: Project, spec: TargetAnalysis, progress: Progress | None = None, stop: Stop | None = None
+) -> Group:
+    """Find the capacity curve and the target displacement, and push the frame to it.
+
+    The results are those of the push to the target; one that the frame does not reach has failed. Of dampers the
+    spring that is left at rest acts: a push has no speed.
+
+    Raises:
+        AnalysisError: no equilibrium under gravity, no usable mode, or no capacity curve.
+        CoreError: the frame is a mechanism.
+    """
+    found = capacity(project, spec, progress, stop)
+    if found.push.response.status == "interrupted":
+        return found.push.group
+    target = found.target(spec.method, spec.level)
+    end = found.curve.end
+    if target.d_t > end * (1.0 + ROUNDING):
+        why = f" ({found.push.response.reason})" if found.push.response.reason else ""
+        reason = (
+            f"the target displacement of {target.d_t:.4g} m is beyond the end of the capacity curve at {end:.4g} m{why}"
+        )
+        group = Group(attributes={"status": "failed", "reason": reason})
+        group.attributes |= {key: found.push.group.attributes[key] for key in ("pattern", "direction", "statistics")}
+        warnings = []
+    else:
+        at = found.push.start + found.push.sign * target.d_t
+        pushed = push(project, spec, found.basis.loads, at, progress, stop)
+        group, warnings = pushed.group, _doubts(project, spec, found, target)
+    _store(group, spec, found, target)
+    store_warnings(group, warnings)
+    group.attributes |= {"method": spec.method, "spectrum_damping": level_spectrum(project, spec, spec.level).damping}
+    return group
+
+
+def _doubts(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
+    warnings = []
+    reached, wanted = found.curve.end, RANGE * target.d_t
+    if spec.method == "n2" and reached < wanted * (1.0 - ROUNDING):
+        text = (
+            f"the capacity curve ends at {reached:.4g} m, before {100 * RANGE:g} % of the target displacement, "
+            f"{wanted:.4g} m (EN 1998-1, 4.3.3.4.2.3)"
+        )
+        warnings.append(AnalysisWarning("target_range", text, wanted / reached))
+    if target.mu is not None and target.mu[0] > target.mu[1]:
+        text = (
+            f"mu_strength is {target.mu[0]:.3g}, more than mu_max = {target.mu[1]:.3g}: ASCE/SEI 41-17, 7.3.2.1, does "
+            "not permit the nonlinear static procedure; histories are needed"
+        )
+        warnings.append(AnalysisWarning("target_strength", text, target.mu[0] / target.mu[1]))
+    if found.push.frame.devices and spec.damping is None:
+        text = "the spectrum does not have the damping of the dampers; `damping` states that of frame and dampers"
+        warnings.append(AnalysisWarning("target_damping", text, 1.0))
+    return warnings
+
+
+def _store(group: Group, spec: TargetAnalysis, found: Capacity, target: Target) -> None:
+    for name, value, unit, label in target.values:
+        group.add(f"{spec.method}_{name}", (), value, unit, f"{METHODS[spec.method]}: {label}")
+    curve = found.curve
+    coordinate(group, "curve_point", np.arange(curve.displacement.size), "1", "point of the capacity curve")
+    label = "displacement of the control node since gravity, positive in the direction of the push"
+    group.add("curve_displacement", ("curve_point",), curve.displacement, "m", label)
+    group.add("curve_base_shear", ("curve_point",), curve.force, "N", "base shear in the direction of the push")
+    displacement, force = target.idealised
+    coordinate(group, "idealised_point", np.arange(len(force)), "1", "point of the idealised capacity curve")
+    group.add("idealised_displacement", ("idealised_point",), displacement, "m", label)
+    group.add("idealised_base_shear", ("idealised_point",), force, "N", "base shear of the idealised capacity curve")

@@ -1,0 +1,155 @@
+"""Capacity curves and target displacements of frames whose answers are known in closed form."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from unit.study.frames import PORTAL, project, shear_frame
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import build_frame
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.project import Project
+from edesign.project.pushover import GivenPattern
+from edesign.study.analyses import run_analysis
+from edesign.study.lateral_patterns import lateral_loads
+from edesign.study.plan import make_plan
+
+HAZARD = """\
+hazard:
+  code: ec8-2004
+  a_gR: @a@
+  ground: C
+  spectrum: 1
+  levels: {DBE: {gamma_I: 1.0}, MCE: {gamma_I: 1.5}}
+"""
+
+
+def results(made: Project) -> dict[str, Group]:
+    return {task.name: run_analysis(made, task.spec) for task in make_plan(made)}
+
+
+def shear(analysis: str, storeys: int) -> Project:
+    """A shear frame with a hazard."""
+    text = shear_frame("{name: g, kind: gravity}", storeys=storeys).text.replace("{name: g, kind: gravity}", analysis)
+    return project(text.replace("analyses:\n", HAZARD.replace("@a@", "0.1 g") + "analyses:\n"))
+
+
+def portal(acceleration: str, analysis: str) -> Project:
+    """The portal of `frames.PORTAL` with 20 t: k = 24 E I / h^3, four hinges of M_p."""
+    text = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
+    return project(f"{text}{HAZARD.replace('@a@', acceleration)}analyses:\n  - {analysis}\n")
+
+
+B, D, H, E, FY, MASS = 0.1, 0.2, 4.0, 210e9, 250e6, 20e3
+INERTIA = B * D**3 / 12 * (1 - 1 / 16**2)  # of 16 layers
+K = 24 * E * INERTIA / H**3
+V_P = 4 * FY * B * D**2 / 4 / H
+T = 2 * math.pi * math.sqrt(MASS / K)
+
+
+def test_n2_of_an_elastoplastic_portal() -> None:
+    """One mass: Gamma = 1, m* = 20 t. The curve bends at its hinges, so that T* is a little longer than T; at these
+    drifts elastic layers near the axis leave 0.4 % of V_P.
+
+    The target and the state follow from what the idealisation gives by Eq. B.10, as T* is below T_C.
+    """
+    made = portal("1 g", "{name: push, kind: pushover, pattern: uniform, targets: n2, direction: both}")
+    found = results(made)
+    assert list(found) == [f"push.{way}{target}" for way in ("right", "left") for target in ("", ".n2.DBE", ".n2.MCE")]
+    for level, factor in (("DBE", 1.0), ("MCE", 1.5)):
+        v = {
+            name[3:]: float(x.values) for name, x in found[f"push.right.n2.{level}"].variables.items() if "n2_" in name
+        }
+        assert (v["Gamma"], v["m"]) == pytest.approx((1.0, MASS))
+        assert v["F_y"] == pytest.approx(V_P, rel=0.005)
+        assert T < v["T"] < 1.05 * T
+        S_e = factor * 9.80665 * 1.15 * 2.5
+        q_u, d_et = S_e * MASS / v["F_y"], S_e * (v["T"] / (2 * math.pi)) ** 2
+        assert v["S_e"] == pytest.approx(S_e, rel=1e-12)
+        assert v["d_t"] == pytest.approx(d_et / q_u * (1 + (q_u - 1) * 0.6 / v["T"]), rel=1e-9)
+        state = found[f"push.right.n2.{level}"]
+        assert state.attributes["status"] == "completed" and state.attributes["level"] == level
+        assert state.variables["roof_displacement"].values[-1] == pytest.approx(v["d_t"], rel=1e-12)
+        left = found[f"push.left.n2.{level}"]
+        assert left.variables["roof_displacement"].values[-1] == pytest.approx(-v["d_t"], rel=1e-6)
+        assert left.variables["n2_d_t"].values == pytest.approx(v["d_t"], rel=1e-6)
+    curve = found["push.right"]
+    largest = float(found["push.right.n2.MCE"].variables["n2_d_t"].values)
+    assert curve.variables["control_displacement"].values[-1] == pytest.approx(1.5 * largest, rel=1e-3)
+
+
+def test_events_of_the_portal() -> None:
+    """The outer layers, centred at 15/16 of half the depth, yield at M_y = fy I / y; hinges rotate by u/h less M/(k h).
+
+    Each event stands in the first step at or after it.
+    """
+    made = portal("1 g", "{name: push, kind: pushover, pattern: uniform, roof_drift: 6 %, steps: 600}")
+    group = results(made)["push"]
+    what = group.variables["capacity_event_what"].values.tolist()
+    at = dict(zip(what, group.variables["capacity_event_displacement"].values.tolist(), strict=True))
+    step = 0.06 * H / 600
+    first_yield = 4 * FY * INERTIA / (D / 2 * 15 / 16) / H / K
+    assert 0.0 <= at["first yield of a column"] - first_yield < step
+    hinge = at["first hinge in a column"]
+    shear = np.interp(hinge, group.variables["control_displacement"].values, group.variables["base_shear"].values)
+    assert 0.0 <= (hinge - shear / K) / H - 0.001 < 1.01 * step / H
+    for name, drift in (("drift of IO, 0.7 %", 0.007), ("drift of LS, 2.5 %", 0.025), ("drift of CP, 5 %", 0.05)):
+        assert 0.0 <= at[name] - drift * H < 1.01 * step
+    assert "first yield of a beam" not in at  # it is elastic
+    assert "largest base shear" not in at  # no descent
+
+
+@pytest.mark.parametrize("method", ["n2", "fema356", "asce41"])
+def test_elastic_frames_move_by_the_spectrum(method: str) -> None:
+    """Under the first mode's forces an elastic frame moves in that mode: T* = T_1, d_t = Gamma S_De(T_1), 3 methods.
+
+    1 s divides: above it the coefficients are 1, below it the strength ratio of a frame without strength is near 1.
+    """
+    made = shear(
+        f"{{name: push, kind: pushover, pattern: first_mode, roof_drift: 1 %, targets: {method}, levels: DBE}}", 3
+    )
+    found = results(made)["push." + method + ".DBE"]
+    modes = results(shear_frame("{name: modes, kind: modal, modes: 1}", storeys=3))["modes"]
+    period = float(modes.variables["period"].values[0])
+    Gamma = float(modes.variables["participation_factor_x"].values[0])
+    S_De = float(elastic_spectrum(made.hazard, "DBE").displacement(period))
+    assert found.variables[f"{method}_d_t"].values == pytest.approx(Gamma * S_De, rel=1e-5)
+    assert found.attributes["status"] == "completed"
+
+
+def test_storey_shears_of_modes() -> None:
+    """Two equal storeys and masses: shapes (1, 1.618) and (1, -0.618), T_2/T_1 = 0.381966; shears by hand."""
+    made = shear("{name: g, kind: gravity}", 2)
+
+    modes = results(shear_frame("{name: modes, kind: modal, modes: 2}", storeys=2))["modes"]
+    S_e = elastic_spectrum(made.hazard).acceleration(modes.variables["period"].values)
+    shapes = np.array([[1.0, 1.6180340], [1.0, -0.6180340]])
+    Gamma = shapes.sum(axis=1) / (shapes**2).sum(axis=1)
+    forces = (Gamma * S_e)[:, None] * shapes
+    base, top = (math.hypot(*x) for x in (forces.sum(axis=1), forces[:, 1]))
+    loads = lateral_loads(made, build_frame(made), GivenPattern(modes=2))
+    assert loads["A2"] + loads["B2"] == pytest.approx(top / base, rel=1e-5)
+    assert sum(loads.values()) == pytest.approx(1.0, rel=1e-12)
+    floors = lateral_loads(made, build_frame(made), GivenPattern(floors=(1.0, 3.0)))
+    assert [floors[name] for name in ("A1", "B1", "A2", "B2")] == pytest.approx([0.125, 0.125, 0.375, 0.375])
+    second = lateral_loads(made, build_frame(made), GivenPattern(mode=2))
+    assert second["A1"] / second["A2"] == pytest.approx(-1.6180340, rel=1e-5)
+
+
+def test_a_target_beyond_the_curve_has_failed() -> None:
+    made = portal("1 g", "{name: push, kind: pushover, pattern: uniform, roof_drift: 2 %, targets: [n2, asce41]}")
+    found = results(made)
+    state = found["push.n2.MCE"].attributes
+    assert state["status"] == "failed"
+    assert "beyond the end of the capacity curve at 0.08 m" in state["reason"]
+    assert float(found["push.n2.MCE"].variables["n2_d_t"].values) > 0.08
+
+
+def test_a_curve_shorter_than_150_per_cent_is_told() -> None:
+    made = portal("0.5 g", "{name: push, kind: pushover, pattern: uniform, roof_drift: 2 %, targets: n2, levels: DBE}")
+    state = results(made)["push.n2.DBE"]
+    assert state.attributes["status"] == "completed"
+    assert [warning["kind"] for warning in state.attributes["warnings"]] == ["target_range"]
