@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from edesign.archive.dataset import Group
 from edesign.assess.judgement import statistic_of, within
 from edesign.assess.members import frame_members
 from edesign.assess.performance import By
 from edesign.assess.requirement import Requirement, performance_requirement, requirement_of
-from edesign.assess.sets import HistorySet, history_sets
+from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.checks_criteria import objective_level
 from edesign.project.criteria import Criterion, Objectives, PerformanceCriterion
@@ -65,6 +65,9 @@ def judge(
     A failed history counts as infinitely far beyond the limit: a mean or a maximum over it is not met, a median is as
     long as fewer than half of the histories failed.
 
+    States at target displacements are judged beside histories, those of each method apart, by their maximum over
+    patterns and directions (EN 1998-1:2004, 4.3.3.4.2.2(1) asks for several).
+
     Args:
         criteria: of the study.
         objectives: letters of Table 5.4.
@@ -72,7 +75,7 @@ def judge(
             not run has the status "not run".
         project: of the frame and the hazard levels.
     """
-    sets = history_sets(histories)
+    sets = (*history_sets(histories), *target_sets(histories))
     members = frame_members(project) if objectives or any(isinstance(c, PerformanceCriterion) for c in criteria) else {}
     verdicts = []
     for criterion in criteria:
@@ -99,6 +102,8 @@ def _chosen(sets: Sequence[HistorySet], variants: tuple[str, ...], levels: tuple
 
 
 def _verdict(asked: Requirement, found: HistorySet) -> Verdict:
+    if found.method is not None:
+        asked = replace(asked, statistic="maximum")
     places = {name: asked.place(group) for name, group in found.completed.items()}
     values = {name: place.value if (place := places.get(name)) is not None else None for name in found.histories}
     there = {name: value for name, value in values.items() if value is not None}
@@ -118,7 +123,7 @@ def _verdict(asked: Requirement, found: HistorySet) -> Verdict:
     return Verdict(
         asked.name,
         asked.words,
-        found.variant,
+        found.label,
         found.level,
         asked.statistic,
         value,

@@ -9,7 +9,7 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.assess.measures import located_measure
 from edesign.assess.members import FrameMember, Kind, member_usages
-from edesign.assess.sets import HistorySet
+from edesign.assess.sets import TARGET, HistorySet
 from edesign.assess.statistics import STATISTICS, statistics
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 
@@ -65,6 +65,8 @@ class SetPerformance:
 def drift_performance(group: Group, level: str, storeys: Collection[int] | None = None) -> Usage | None:
     """Return the drifts of a history over those of a level; None if it has no residual drift.
 
+    A state at a target displacement has none, and is judged by its transient drift alone.
+
     Args:
         group: results of the history.
         level: IO, LS or CP.
@@ -78,6 +80,8 @@ def drift_performance(group: Group, level: str, storeys: Collection[int] | None 
     ):
         place = located_measure(group, measure, storeys)
         if place is None:
+            if measure.startswith("residual") and group.attributes.get("kind") == TARGET:
+                continue
             return None
         found.append(Usage(place.value / limit, governing, place.storey))
     return max(found, key=lambda usage: usage.ratio)

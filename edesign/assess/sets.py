@@ -1,4 +1,4 @@
-"""Histories that belong together: one variant at one hazard level."""
+"""Histories, and states at target displacements, that belong together: one variant at one hazard level."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from functools import cached_property
 from edesign.archive.dataset import Group
 from edesign.assess.measures import MEASURES, response_measures
 from edesign.assess.statistics import Statistics, statistics
+from edesign.project.pushover import METHODS, Method
 
 NOT_RUN = "not run"
 """Status of a history that was planned and has no result yet."""
@@ -16,13 +17,27 @@ DAMAGED = "damaged"
 """Status of a history whose result the archive has, but damaged."""
 
 
+TARGET = "target"
+"""Kind of the analyses that push a frame to a target displacement."""
+
+
 @dataclass(frozen=True)
 class HistorySet:
-    """All histories of a variant at a level, by name; completed ones, failed ones, and those that have not run."""
+    """All histories of a variant at a level, by name; completed ones, failed ones, and those that have not run.
+
+    Attributes:
+        method: of target displacements, whose states stand in the place of histories; None: they are histories.
+    """
 
     variant: str
     level: str
     histories: dict[str, Group] = field(default_factory=dict)
+    method: Method | None = None
+
+    @property
+    def label(self) -> str:
+        """The variant in tables: `bare`, or `bare by N2`."""
+        return f"{self.variant} by {METHODS[self.method]}".strip() if self.method else self.variant
 
     @property
     def completed(self) -> dict[str, Group]:
@@ -83,6 +98,21 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
             variant = f"{variant} at {float(temperature):g} degC".strip()
         key = (variant, str(about.get("level") or ""))
         found.setdefault(key, HistorySet(*key)).histories[name] = group
+    return tuple(found.values())
+
+
+def target_sets(groups: Mapping[str, Group]) -> tuple[HistorySet, ...]:
+    """Sort the states at target displacements by variant, level and method; everything else is left out."""
+    found: dict[tuple[str, str, Method], HistorySet] = {}
+    for name, group in groups.items():
+        about = group.attributes
+        if about.get("kind") != TARGET:
+            continue
+        variant, level = (str(about.get(key) or "") for key in ("variant", "level"))
+        method = next((one for one in METHODS if about.get("method") == one), None)
+        if method is not None:
+            key = (variant, level, method)
+            found.setdefault(key, HistorySet(variant, level, method=method)).histories[name] = group
     return tuple(found.values())
 
 

@@ -8,8 +8,10 @@ from edesign.project.checks_designs import check_design
 from edesign.project.checks_incremental import check_incremental
 from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.checks_outputs import check_member
+from edesign.project.checks_pushover import check_pushover
 from edesign.project.designs import Verify
 from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.pushover import Pushovers
 from edesign.project.records import record_of
 from edesign.project.study import Histories, Study, Variant
 
@@ -27,11 +29,14 @@ def check_study(study: Study, problems: Problems) -> None:
         _histories(study, problems, ("histories", i), histories)
     for i, incremental in enumerate(study.incremental):
         check_incremental(("incremental", i), incremental, base, tuple(study.variants), problems)
-    _incremental_names(study, problems)
+    for i, pushovers in enumerate(study.pushovers):
+        _pushovers(study, problems, ("pushovers", i), pushovers)
+    _own_names(study, problems)
     check_criteria((), study.criteria, study.objectives, base, tuple(study.variants), problems)
     _outputs(study, problems)
-    if (study.histories or study.incremental) and base.masses is None:
-        problems.at_key(("project",), f"histories need `masses`, and {base.path} has none")
+    for what, items in (("histories", study.histories or study.incremental), ("pushovers", study.pushovers)):
+        if items and base.masses is None:
+            problems.at_key(("project",), f"{what} need `masses`, and {base.path} has none")
     for key in ("damping", "integration"):
         if (study.histories or study.incremental) and getattr(base, key) is None:
             problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none")
@@ -81,16 +86,25 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
                 problems.at_key((*keys, "temperatures"), message)
 
 
-def _incremental_names(study: Study, problems: Problems) -> None:
-    """Names of incremental studies stand in names of analyses, beside those of levels, and of modes and gravity."""
-    names = [incremental.name for incremental in study.incremental]
+def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:
+    if pushovers.variants != (ALL,):
+        check_names(problems, (*keys, "variants"), "variant", pushovers.variants, study.variants)
+    check_drift(study.base, problems, (*keys, "roof_drift"), pushovers.roof_drift)
+    check_pushover(study.base, problems, keys, pushovers)
+
+
+def _own_names(study: Study, problems: Problems) -> None:
+    """Names that stand in names of analyses after that of the variant, beside levels, modes and gravity."""
+    places = [(("incremental", i), item.name) for i, item in enumerate(study.incremental)]
+    places += [(("pushovers", i), item.name) for i, item in enumerate(study.pushovers)]
+    names = [name for _, name in places]
     taken = {*study.base.hazard_levels, "modes", "gravity"}
-    for i, name in enumerate(names):
+    for i, (keys, name) in enumerate(places):
         if name in names[:i]:
-            problems.at_value(("incremental", i, "name"), f"`{name}` comes twice")
+            problems.at_value((*keys, "name"), f"`{name}` comes twice")
         elif name in taken:
             message = f"analyses are named `VARIANT.{name}` already; choose another name"
-            problems.at_value(("incremental", i, "name"), message)
+            problems.at_value((*keys, "name"), message)
 
 
 def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:

@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.base import Model, by_shape
 from edesign.project.damping import ModeNumber
-from edesign.project.several import Names, several
+from edesign.project.several import Names, ShortName, several
 from edesign.project.units import Factor, PositiveRatio
 
 Steps = Annotated[int, Field(ge=1, le=1_000_000)]
@@ -78,6 +78,13 @@ class Pushover(Model):
     def directions(self) -> tuple[Direction, ...]:
         """The directions in which the frame is pushed."""
         return ("right", "left") if self.direction == "both" else (self.direction,)
+
+
+class Pushovers(Pushover):
+    """Pushovers of variants of a study, named VARIANT.NAME."""
+
+    name: ShortName = "push"
+    variants: Names = ("all",)
 
 
 def pattern_name(pattern: Pattern) -> str:

@@ -16,6 +16,7 @@ from edesign.project.file_model import FileModel
 from edesign.project.incremental import Incremental
 from edesign.project.outputs import HistoryKind
 from edesign.project.project import Identifier, Project
+from edesign.project.pushover import Pushovers
 from edesign.project.several import Names, ShortName, several
 from edesign.project.temperature import Temperature
 from edesign.project.units import Duration, PositiveFactor, PositiveRatio
@@ -91,6 +92,7 @@ class Study(FileModel):
     modal: Modal = Modal()
     histories: tuple[Histories, ...] = ()
     incremental: tuple[Incremental, ...] = ()
+    pushovers: tuple[Pushovers, ...] = ()
     criteria: Criteria = ()
     objectives: Objectives = ()
     outputs: StudyOutputs = StudyOutputs()
@@ -140,7 +142,7 @@ class Study(FileModel):
         """Where the archive goes unless the command line says otherwise."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
 
-    def variants_of(self, histories: Histories | Incremental) -> tuple[str, ...]:
-        """Names of the variants that histories are of, in the order of the file."""
+    def variants_of(self, histories: Histories | Incremental | Pushovers) -> tuple[str, ...]:
+        """Names of the variants that histories or pushovers are of, in the order of the file."""
         wanted = histories.variants
         return tuple(self.variants) if wanted == ("all",) else tuple(n for n in self.variants if n in wanted)

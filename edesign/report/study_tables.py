@@ -9,12 +9,13 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import frame_members
-from edesign.assess.sets import history_sets
+from edesign.assess.sets import TARGET, history_sets
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.design_tables import design_tables
 from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
+from edesign.report.pushover_tables import target_tables
 from edesign.report.summary import all_results, ending, statistics
 from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
@@ -39,12 +40,14 @@ def study_tables(archive: Archive) -> list[Table]:
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
     tables = [plan_table(archive, groups), *designs_tables(archive), *statistics_tables(sets)]
+    targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
+    tables += target_tables(study.base, groups)
     if study.criteria:
-        tables.append(verdicts_table(judge(study.criteria, (), histories, study.base)))
+        tables.append(verdicts_table(judge(study.criteria, (), histories | targets, study.base)))
     if sets:
         tables += performance_tables(sets, frame_members(study.base))
     if study.objectives:
-        verdicts = judge((), study.objectives, histories, study.base)
+        verdicts = judge((), study.objectives, histories | targets, study.base)
         tables.append(objectives_table(verdicts, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     return [table for table in tables if table.rows or table.notes]

@@ -10,9 +10,10 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
-from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
+from edesign.report.archived import archived_project, is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
+from edesign.report.pushover_tables import events_table, target_tables
 from edesign.report.record_tables import tables_of
 from edesign.report.study_tables import study_tables
 from edesign.report.summary import all_results, entry, find, input_warnings, results
@@ -27,7 +28,12 @@ PROFILE_COLUMNS = (
     ("floor a [m/s2]", "floor_acceleration", 1.0),
 )
 EVENTS_SHOWN = 20
-ABSCISSAE = {"gravity": "load factor", "pushover": "roof u [m]", "history": "time [s]"}  # what steps are taken in
+ABSCISSAE = {  # what steps are taken in
+    "gravity": "load factor",
+    "pushover": "roof u [m]",
+    "target": "roof u [m]",
+    "history": "time [s]",
+}
 
 
 def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
@@ -59,8 +65,10 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
                 raise
     groups = all_results(archive)
     entries = [entry(name, group) for name, group in groups.items()]
+    kinds = {item["kind"] for item in entries}
     tables = [_heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
+    tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
     tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
     return [table for table in tables if table.rows or table.notes]
 
@@ -84,6 +92,8 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
         damper_stiffness_table(name, group),
         measures_table(entries),
         profile_table(name, group),
+        events_table({name: group}),
+        *target_tables(None, {name: group}),
         each_damper_table(name, group),
     ]
     tables += [statistics_table(entries), fallbacks_table(name, group)]

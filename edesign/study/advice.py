@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
-from edesign.project.analyses import HistoryAnalysis
+from edesign.project.analyses import HistoryAnalysis, TargetAnalysis
 from edesign.project.checks_criteria import objective_level
 from edesign.project.checks_designs import design_warnings
 from edesign.project.materials import ElasticMaterial
@@ -103,7 +103,7 @@ def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:
     planned = {
         (task.variant, task.spec.level)
         for task in plan
-        if isinstance(task.spec, HistoryAnalysis) and task.stripe is None
+        if isinstance(task.spec, (HistoryAnalysis, TargetAnalysis)) and task.stripe is None
     }
     verified = {
         name for design in study.designs.values() if design.verify is not None for name in design.verify.criteria

@@ -14,11 +14,12 @@ from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
+from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
+from edesign.project.pushover import GivenPattern, Pushover
 from edesign.project.records import SuiteRecords, record_of
 from edesign.project.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
@@ -100,9 +101,16 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     members = details.members if details is not None else ()
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
     found = _check_inputs(base, [*(task.spec for task in plan), *histories])
-    modes = study.modal.modes
-    if modes is not None and modes > (most := mode_count(study.base)):
-        raise InputError(f"{study.where('modal', 'modes')}: modal.modes: {_no_mode(modes, most)}")
+    wanted: list[tuple[tuple[str | int, ...], int]] = []
+    if study.modal.modes is not None:
+        wanted.append((("modal", "modes"), study.modal.modes))
+    for i, item in enumerate(study.pushovers):
+        wanted += [(("pushovers", i, "pattern"), count) for count in _pattern_modes(item)]
+    if wanted:
+        most = mode_count(study.base)
+        for keys, count in wanted:
+            if count > most:
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
     for name in designs:
         try:
             check_sizing(study.base, name, study.designs[name], study.folder)
@@ -131,6 +139,9 @@ def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int
         for i, spec in enumerate(project.analyses)
         if spec in specs and isinstance(spec, ModalAnalysis)
     ]
+    for i, spec in enumerate(project.analyses):
+        if isinstance(spec, PushoverAnalysis):
+            wanted += [(("analyses", i, "pattern"), count) for count in _pattern_modes(spec)]
     damping = project.damping
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         if isinstance(damping, RayleighDamping):
@@ -140,6 +151,12 @@ def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int
     for keys, count in wanted:
         if count > most:
             raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
+
+
+def _pattern_modes(pushover: Pushover) -> list[int]:
+    """How many modes the patterns of a pushover need."""
+    given = [pattern for pattern in pushover.pattern if isinstance(pattern, GivenPattern)]
+    return [count for pattern in given if (count := pattern.mode or pattern.modes) is not None]
 
 
 def _no_mode(count: int, most: int) -> str:

@@ -7,24 +7,26 @@ from dataclasses import replace
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
-from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis
+from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PushoverAnalysis
 from edesign.project.incremental import Incremental, LevelFactorStudy
 from edesign.project.problems import keys_text, unknown_name
+from edesign.project.pushover import Pushover, Pushovers
 from edesign.project.study import Histories, Study
 from edesign.study.intensity import intensity_text
 from edesign.study.plan import Stripe, Task, selected
+from edesign.study.pushover_parts import pushover_parts
 
 MODES, GRAVITY = "modes", "gravity"
 USUAL_MODES = 3
 
 
 def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
-    """List the analyses of a study: modes and gravity of each variant, histories, histories of incremental studies.
+    """List the analyses of a study: modes and gravity of each variant, pushovers, histories, incremental studies.
 
     Args:
         study: the validated study.
         only: names to which the plan is restricted: analyses, or VARIANT.LEVEL or VARIANT.STUDY for all their
-            histories; all if empty.
+            histories, VARIANT.PUSHOVER for all its parts; all if empty.
 
     Raises:
         InputError: a name in `only` or a recording does not exist, or two histories are the same.
@@ -33,7 +35,8 @@ def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
     for name in study.variants:
         tasks += _of_variant(study, name)
     names = {task.name for task in tasks}
-    blocks = [(("histories", i), _of_histories(study, i, item)) for i, item in enumerate(study.histories)]
+    blocks = [(("pushovers", i), _of_pushovers(study, item)) for i, item in enumerate(study.pushovers)]
+    blocks += [(("histories", i), _of_histories(study, i, item)) for i, item in enumerate(study.histories)]
     blocks += [(("incremental", i), _of_incremental(study, i, item)) for i, item in enumerate(study.incremental)]
     for keys, block in blocks:
         for task in block:
@@ -64,6 +67,15 @@ def _of_variant(study: Study, name: str) -> Iterator[Task]:
         yield Task(0, spec, spec.name, name)
     gravity = GravityAnalysis.model_construct(kind="gravity", name=f"{name}.{GRAVITY}", variant=name, dampers=dampers)
     yield Task(0, gravity, gravity.name, name)
+
+
+def _of_pushovers(study: Study, pushovers: Pushovers) -> Iterator[Task]:
+    values = {key: getattr(pushovers, key) for key in Pushover.model_fields}
+    for variant in study.variants_of(pushovers):
+        entry, dampers = f"{variant}.{pushovers.name}", study.variants[variant].dampers != "none"
+        spec = PushoverAnalysis.model_construct(kind="pushover", name=entry, variant=variant, dampers=dampers, **values)
+        for part in pushover_parts(spec, tuple(study.base.hazard_levels)):
+            yield Task(0, part, entry, variant)
 
 
 def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Task]:

@@ -15,7 +15,7 @@ RANGE = 1.5
 """The capacity curve reaches to this multiple of the target displacement. Source: EN 1998-1:2004, 4.3.3.4.2.3(1)."""
 
 LARGEST_RATIO = 3.0
-"""d_t* need not exceed this multiple of d_et*. Source: EN 1998-1:2004, Annex B.5(2)b, Eq. B.12."""
+"""d_t* need not exceed this multiple of d_et*. Source: EN 1998-1:2004, Annex B.5(2), Note to Eq. B.12."""
 
 
 @dataclass(frozen=True)

@@ -25,6 +25,7 @@ from edesign.report.page.sections.inputs import inputs
 from edesign.report.page.sections.modes import modes
 from edesign.report.page.sections.moment_rotation import moment_rotation
 from edesign.report.page.sections.provenance import provenance
+from edesign.report.page.sections.pushover import pushover
 from edesign.report.page.sections.response import response
 from edesign.report.page.sections.summary import summary
 from edesign.report.page.sections.temperature import temperature
@@ -37,6 +38,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     ground_motion,
     modes,
     design,
+    pushover,
     response,
     performance,
     hinges,

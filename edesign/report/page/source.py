@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.assess.sets import HistorySet, history_sets, measure_statistics
+from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
 from edesign.errors import EdesignError
 from edesign.project.building.building import Building
@@ -67,6 +67,11 @@ class Source:
             return history_sets(self.groups)
         there = read_histories(self.archive)
         return history_sets({name: group.without(*ALONG_TIME) for name, group in there.items()})
+
+    @cached_property
+    def targets(self) -> tuple[HistorySet, ...]:
+        """The states at target displacements by variant, level and method."""
+        return target_sets(self.groups)
 
     @cached_property
     def statistics(self) -> list[tuple[HistorySet, dict[str, Statistics]]]:

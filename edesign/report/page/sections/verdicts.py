@@ -13,9 +13,10 @@ from edesign.report.verdict_tables import objectives_table, performance_tables, 
 def judged(source: Source) -> tuple[tuple[Verdict, ...], list[Table]]:
     """Return the verdicts on the criteria, and the tables of criteria and objectives; nothing where none are given."""
     study, project = source.study, source.project
-    if study is None or project is None or not source.sets:
+    if study is None or project is None or not (source.sets or source.targets):
         return (), []
-    histories = {name: group for found in source.sets for name, group in found.histories.items()}
+    sets = (*source.sets, *source.targets)
+    histories = {name: group for found in sets for name, group in found.histories.items()}
     verdicts = judge(study.criteria, (), histories, project)
     tables = [verdicts_table(verdicts)] if verdicts else []
     if study.objectives:

@@ -1,0 +1,24 @@
+"""Pushovers: capacity curves, events, target displacements, and the response at them."""
+
+from __future__ import annotations
+
+from edesign.report.page.section import Folded, Part, Section
+from edesign.report.page.source import Source
+from edesign.report.pushover_figures import pushover_figures
+from edesign.report.pushover_tables import events_table, target_tables
+
+
+def pushover(source: Source) -> Section:
+    """What the frame resists when it is pushed, and where earthquakes of each level push it."""
+    pictures = source.pictures(pushover_figures)
+    events = events_table(source.groups)
+    parts: list[Part] = [*pictures]
+    parts += [Folded("Events along the capacity curves", (events,))] if events.rows else []
+    parts += target_tables(source.project, source.groups)
+    intro = "A push has no speed: dampers give what is left of them at rest." if _damped(source) else ""
+    return Section("pushover", "Pushovers", (intro,) if intro else (), tuple(parts))
+
+
+def _damped(source: Source) -> bool:
+    kinds = ("pushover", "target")
+    return any("damper" in group.coords for group in source.groups.values() if group.attributes.get("kind") in kinds)
