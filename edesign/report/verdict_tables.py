@@ -20,6 +20,7 @@ from edesign.report.text import wrapped
 
 ENOUGH_FOR_MEANS = 7
 """Histories from which on codes let the mean response count: EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4."""
+TARGETS = "Of target displacements the usage is the maximum over patterns and directions."
 ANSWERS = {True: "met", False: "not met", None: "open"}
 
 
@@ -122,6 +123,8 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                     _governs(verdict),
                 ]
             )
+            if verdict.statistic == "maximum" and TARGETS not in table.notes:
+                table.notes.append(TARGETS)
             about = [part for part in (verdict.remark, _missing(verdict)) if part]
             if about:
                 table.notes.append(

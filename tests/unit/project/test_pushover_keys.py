@@ -1,0 +1,83 @@
+"""Keys of pushovers that are wrong: the place, what was seen, what is allowed."""
+
+from __future__ import annotations
+
+import pytest
+from unit.study.frames import project
+from unit.study.test_target_displacements import HAZARD, PORTAL
+
+from edesign.project import ProjectError
+from edesign.study.plan import make_plan
+
+HEAD = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
+WITH = HEAD + HAZARD.replace("@a@", "1 g")
+
+
+def text(pushover: str, head: str = WITH) -> str:
+    return f"{head}analyses:\n  - {{name: push, kind: pushover, {pushover}}}\n"
+
+
+def plan(pushover: str) -> list[str]:
+    return [task.name for task in make_plan(project(text(pushover)))]
+
+
+def test_what_pushovers_stand_for() -> None:
+    assert plan("pattern: uniform, roof_drift: 1 %") == ["push"]
+    assert plan("pattern: [uniform, {modes: 2}, {mode: 2}, {floors: [1]}], roof_drift: 1 %") == [
+        "push.uniform",
+        "push.modes_2",
+        "push.mode_2",
+        "push.floors",
+    ]
+    assert plan("pattern: uniform, direction: both, targets: [n2, asce41], levels: MCE") == [
+        "push.right",
+        "push.right.n2.MCE",
+        "push.right.asce41.MCE",
+        "push.left",
+        "push.left.n2.MCE",
+        "push.left.asce41.MCE",
+    ]
+    assert plan("pattern: {floors: [1]}, targets: fema356") == ["push", "push.fema356.DBE", "push.fema356.MCE"]
+
+
+@pytest.mark.parametrize(
+    ("pushover", "head", "message"),
+    [
+        ("pattern: uniform", WITH, "roof_drift: this key is missing; or give `targets`"),
+        ("pattern: unifrom, roof_drift: 1 %", WITH, "`unifrom` is unknown; did you mean `uniform`?"),
+        ("pattern: [], roof_drift: 1 %", WITH, "pattern: the list is empty"),
+        ("pattern: [uniform, uniform], roof_drift: 1 %", WITH, "`uniform` comes twice"),
+        (
+            "pattern: {mode: 1, modes: 2}, roof_drift: 1 %",
+            WITH,
+            "a pattern has one of the keys `mode`, `modes`, `floors`",
+        ),
+        ("pattern: {}, roof_drift: 1 %", WITH, "a pattern has one of the keys `mode`, `modes`, `floors`"),
+        ("pattern: {mode: 0}, roof_drift: 1 %", WITH, "it must be at least 1"),
+        ("pattern: {modes: 1}, roof_drift: 1 %", WITH, "it must be at least 2"),
+        ("pattern: {shape: 1}, roof_drift: 1 %", WITH, "shape: unknown key"),
+        ("pattern: {floors: [1, 2]}, roof_drift: 1 %", WITH, "2 shares for 1 floors"),
+        ("pattern: {floors: [0]}, roof_drift: 1 %", WITH, "all shares are zero"),
+        ("pattern: {floors: [-1]}, roof_drift: 1 %", WITH, "floors[0]"),
+        ("pattern: {modes: 2}, roof_drift: 1 %", HEAD, "need the spectrum of a `hazard`"),
+        ("pattern: {mode: 2}, targets: n2", WITH, "target displacements are of the first mode"),
+        ("pattern: uniform, targets: n2", HEAD, "target displacements need `hazard` with `levels`"),
+        ("pattern: uniform, targets: asce42", WITH, "`asce42` is unknown; did you mean `asce41`?"),
+        ("pattern: uniform, targets: [n2, n2]", WITH, "`n2` comes twice"),
+        ("pattern: uniform, targets: n2, levels: DBF", WITH, "did you mean `DBE`?"),
+        ("pattern: uniform, targets: n2, site_class: D", WITH, "this is of the method `asce41`"),
+        ("pattern: uniform, roof_drift: 1 %, levels: DBE", WITH, "this is of target displacements"),
+        ("pattern: uniform, roof_drift: 1 %, damping: 10 %", WITH, "this is of target displacements"),
+        ("pattern: uniform, roof_drift: 1 %, direction: up", WITH, "`up` is unknown"),
+        ("pattern: uniform, targets: n2, damping: 5", WITH, "damping"),
+        ("pattern: uniform, roof_drift: 60 %", WITH, "is beyond 31.2 %"),
+    ],
+)
+def test_wrong_keys(pushover: str, head: str, message: str) -> None:
+    written = text(pushover, head)
+    place = written[: written.index("- {name")].count("\n") + 1
+    with pytest.raises(ProjectError) as caught:
+        project(written)
+    line = str(caught.value).splitlines()[0]
+    assert message in line
+    assert line.startswith(f"project.yaml:{place}:")
