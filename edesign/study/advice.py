@@ -7,12 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
-from edesign.project.analyses import HistoryAnalysis, TargetAnalysis
+from edesign.project.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.checks_criteria import objective_level
 from edesign.project.checks_designs import design_warnings
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import listed
 from edesign.project.project import Project
+from edesign.project.pushover import Pushover, pattern_name
 from edesign.project.sections import ElasticSection
 from edesign.project.study import Study
 from edesign.study.buckling import slender_braces
@@ -23,6 +24,7 @@ from edesign.study.plausibility import implausible
 from edesign.study.structure import make_frame
 from edesign.study.variants import variant_warnings
 
+MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
@@ -36,7 +38,8 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     Raises:
         InputError: the frame cannot be built, or a law has no parameters at its temperature.
     """
-    return [*frame_warnings(project, records), *law_warnings(project)]
+    pushed = [spec for spec in project.analyses if isinstance(spec, PushoverAnalysis)]
+    return [*frame_warnings(project, records), *law_warnings(project), *pattern_warnings(pushed)]
 
 
 def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
@@ -87,7 +90,19 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     """
     found = frame_warnings(study.base, records)
     found += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
-    return [*found, *variant_warnings(study, plan)]
+    return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+
+
+def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
+    """Say which of the two patterns of EN 1998-1, 4.3.3.4.2.2(1), the targets of the N2 method lack."""
+    names = [pattern_name(pattern) for spec in pushovers if "n2" in spec.targets for pattern in spec.pattern]
+    modal = [name for name in names if name in MODAL or name.startswith("modes_")]
+    missing = ["`uniform`"] * ("uniform" not in names) + ["a modal one such as `first_mode`"] * (not modal)
+    if not names or not missing:
+        return []
+    return [
+        f"N2: EN 1998-1, 4.3.3.4.2.2(1), asks for a uniform and a modal pattern; {' and '.join(missing)} is missing"
+    ]
 
 
 def record_warnings(records: Mapping[str, Record]) -> list[str]:

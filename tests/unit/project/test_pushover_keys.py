@@ -7,6 +7,7 @@ from unit.study.frames import project
 from unit.study.test_target_displacements import HAZARD, PORTAL
 
 from edesign.project import ProjectError
+from edesign.study.advice import pattern_warnings
 from edesign.study.plan import make_plan
 
 HEAD = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
@@ -81,3 +82,18 @@ def test_wrong_keys(pushover: str, head: str, message: str) -> None:
     line = str(caught.value).splitlines()[0]
     assert message in line
     assert line.startswith(f"project.yaml:{place}:")
+
+
+@pytest.mark.parametrize(
+    ("pattern", "missing"),
+    [
+        ("uniform", "a modal one such as `first_mode` is missing"),
+        ("first_mode", "`uniform` is missing"),
+        ("[uniform, triangular]", ""),
+        ("{floors: [1]}", "`uniform` and a modal one such as `first_mode` is missing"),
+    ],
+)
+def test_patterns_that_en_1998_asks_for(pattern: str, missing: str) -> None:
+    found = pattern_warnings(project(text(f"pattern: {pattern}, targets: [n2, asce41]")).analyses)
+    assert [line.partition("; ")[2] for line in found] == ([missing] if missing else [])
+    assert pattern_warnings(project(text(f"pattern: {pattern}, targets: asce41")).analyses) == []
