@@ -25,7 +25,7 @@ from edesign.report.incremental_figures import incremental_figures
 from edesign.report.mode_figures import mode_figures
 from edesign.report.moment_rotation_figures import moment_rotation_figures
 from edesign.report.profile_figures import profile_figures
-from edesign.report.pushover_figures import pushover_figures
+from edesign.report.pushover_figures import hinge_figures, pushover_figures
 from edesign.report.record_figures import record_figures
 from edesign.report.response_figures import response_figures
 from edesign.report.temperature_figures import temperature_figures
@@ -57,6 +57,7 @@ FIGURES = (
     mode_figures,
     design_figures,
     pushover_figures,
+    hinge_figures,
     profile_figures,
     frame_figures,
     axial_figures,

@@ -14,6 +14,7 @@ from edesign.assess.sets import TARGET
 from edesign.codes.ec8 import ElasticSpectrum
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.project import Project
+from edesign.project.pushover import METHODS
 from edesign.report.archived import archived_project
 from edesign.report.captions import file_name
 from edesign.report.figures import (
@@ -25,6 +26,8 @@ from edesign.report.figures import (
     legend_label,
     styled,
 )
+from edesign.report.frame_figures import Hinges, hinge_figure, plastic_rotations
+from edesign.report.histories import names_of
 from edesign.study.kinds import ANALYSES
 
 if TYPE_CHECKING:
@@ -47,6 +50,8 @@ MARKERS = {
 
 DASHES = {"right": (), "left": (4, 1.5)}
 LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
+HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
+ELEVATIONS = 4  # side by side
 COLUMNS = 3  # of panels, of four panels two
 
 
@@ -105,6 +110,27 @@ def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         )
         chosen = [one for one in found if one.variant == variant]
         yield file_name("n2", variant), caption, adrs_figure(project, chosen)
+
+
+def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Plastic rotations of the frame at its target displacements, by method and level: name, caption, figure."""
+    project = archived_project(archive)
+    panels: dict[tuple[str, str], list[Hinges]] = {}
+    for name in archive.names(ANALYSES):
+        about = archive.group_attributes(f"{ANALYSES}/{name}")
+        if about.get("kind") == TARGET and about.get("status") == "completed":
+            method, level = str(about.get("method")), str(about.get("level"))
+            group = archive.view(f"{ANALYSES}/{name}")
+            title = name.removesuffix(f".{method}.{level}")
+            one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")))
+            panels.setdefault((method, level), []).append(one)
+    for (method, level), found in panels.items():
+        words = next(text for key, text in METHODS.items() if key == method)
+        caption = f"Plastic rotations of member ends at the target displacements of {words} at {level}."
+        for first in range(0, len(found), ELEVATIONS):
+            if project is not None:
+                figure = hinge_figure(project.frame, found[first : first + ELEVATIONS])
+                yield file_name("target_hinges", method, level), caption, figure
 
 
 @styled
@@ -192,14 +218,15 @@ def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
             color = VARIANTS[levels.index(level) % len(VARIANTS)]
             values = _of_n2(one.group)
             right = max(right, 1.6e3 * max(values["d_t_oscillator"], values["d_et"]))
-            top = max(top, float(spectra[level].acceleration(spectra[level].parameters.T_C)))
+            plateau = float(spectra[level].acceleration(spectra[level].parameters.T_C))
+            top = max(top, min(1.1 * plateau, HIGHEST * max(values["S_e"], values["F_y"] / values["m"])))
             _oscillator(here, one.group, values, color)
             T = np.linspace(0.0, LONGEST, 400)
             here.plot(1e3 * spectra[level].displacement(T), spectra[level].acceleration(T), color=color)
         here.set_title(push, loc="left")
     for here in axes:
         here.set_xlim(0.0, right)
-        here.set_ylim(0.0, 1.1 * top)
+        here.set_ylim(0.0, top)
     label_outer(axes, columns, "displacement (mm)", "acceleration (m/s²)")
     handles = [
         Line2D([], [], color=VARIANTS[i % len(VARIANTS)], label=legend_label(f"elastic spectrum, {level}"))

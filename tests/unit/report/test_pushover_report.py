@@ -117,7 +117,7 @@ def test_tables_of_one_analysis(archive: Path) -> None:
 def test_figures_and_page(archive: Path) -> None:
     with open_archive(archive) as opened:
         figures = {name: figure for name, _, figure in all_figures(opened)}
-    assert {"capacity_curves", "n2_bare", "n2_damped"} <= set(figures)
+    assert {"capacity_curves", "n2_bare", "n2_damped", "target_hinges_asce41_MCE"} <= set(figures)
     panels = [axis.get_title(loc="left") for axis in figures["capacity_curves"].axes]
     assert panels == ["bare", "damped"]
     assert len([axis for axis in figures["n2_bare"].axes if axis.get_visible()]) == 4

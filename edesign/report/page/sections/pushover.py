@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.report.page.section import Folded, Part, Section
 from edesign.report.page.source import Source
-from edesign.report.pushover_figures import pushover_figures
+from edesign.report.pushover_figures import hinge_figures, pushover_figures
 from edesign.report.pushover_tables import events_table, target_tables
 
 
@@ -15,6 +15,8 @@ def pushover(source: Source) -> Section:
     parts: list[Part] = [*pictures]
     parts += [Folded("Events along the capacity curves", (events,))] if events.rows else []
     parts += target_tables(source.project, source.groups)
+    hinges = source.pictures(hinge_figures)
+    parts += [Folded("Plastic rotations at the target displacements", hinges)] if hinges else []
     intro = "A push has no speed: dampers give what is left of them at rest." if _damped(source) else ""
     return Section("pushover", "Pushovers", (intro,) if intro else (), tuple(parts))
 
