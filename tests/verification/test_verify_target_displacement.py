@@ -133,7 +133,7 @@ def test_two_lines_of_a_straight_curve() -> None:
 
 
 def test_factors_by_hand() -> None:
-    """ASCE/SEI 41-17, Eqs. 7-29, 7-30; FEMA 356, 3.3.3.3.2; worked by hand."""
+    """ASCE/SEI 41-17, Eqs. 7-29 and 7-30; FEMA 356, 3.3.3.3.2, whose C_1 and C_3 UFC 3-310-03A, 5-4, has too."""
     assert asce41.inelastic_factor(4.0, 0.5, 60.0) == pytest.approx(1.2)
     assert asce41.inelastic_factor(4.0, 0.1, 60.0) == pytest.approx(1 + 3 / (60 * 0.04))
     assert asce41.inelastic_factor(4.0, 1.01, 60.0) == 1.0
