@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 
 from edesign.codes.capacity_curve import CapacityCurve, fitting
-from edesign.codes.fema356.idealisation import Bilinear, bilinear
-from edesign.codes.fema356.target_displacement import CoefficientTarget, effective_mass_factor, strength_ratio
+from edesign.codes.fema356.idealisation import Bilinear
+from edesign.codes.fema356.target_displacement import CoefficientTarget, demand
 from edesign.codes.spectrum import Spectrum
 
 SITE_FACTORS = {"A": 130.0, "B": 130.0, "C": 90.0, "D": 60.0, "E": 60.0, "F": 60.0}
@@ -107,14 +107,9 @@ def target_displacement(
     """
 
     def found(D_d: float) -> CoefficientTarget:
-        lines = bilinear(curve, D_d)
-        T_e = lines.effective_period(period)
-        S_a = float(spectrum.acceleration(T_e))
-        C_m = effective_mass_factor(storeys, period)
-        ratio = strength_ratio(S_a, lines.V_y, mass, C_m)
-        C_1, C_2 = inelastic_factor(ratio, T_e, SITE_FACTORS[site_class]), degradation_factor(ratio, T_e)
-        d_t = C_0 * C_1 * C_2 * S_a * (T_e / (2.0 * math.pi)) ** 2
-        return CoefficientTarget(lines, T_e, S_a, C_0, C_1, C_2, 1.0, C_m, ratio, d_t)
+        at = demand(curve, D_d, period, mass, storeys, spectrum)
+        C_1 = inelastic_factor(at.ratio, at.T_e, SITE_FACTORS[site_class])
+        return at.target(C_0, C_1, degradation_factor(at.ratio, at.T_e))
 
     target = found(fitting(lambda D_d: found(D_d).d_t, curve.peak))
     return target, strength_limit(curve, target.idealisation, target.T_e)

@@ -99,6 +99,34 @@ def strength_ratio(S_a: float, V_y: float, mass: float, C_m: float) -> float:
     return S_a * mass * C_m / V_y
 
 
+@dataclass(frozen=True)
+class Demand:
+    """What the coefficients of a target displacement are taken from; attributes as of `CoefficientTarget`."""
+
+    idealisation: Bilinear
+    T_e: float
+    S_a: float
+    C_m: float
+    ratio: float
+
+    def target(self, C_0: float, C_1: float, C_2: float, C_3: float = 1.0) -> CoefficientTarget:
+        """Return d_t = C_0 C_1 C_2 C_3 S_a (T_e / 2 pi)^2.
+
+        Source: FEMA 356, Eq. 3-15; ASCE/SEI 41-17, Eq. 7-28.
+        """
+        d_t = C_0 * C_1 * C_2 * C_3 * self.S_a * (self.T_e / (2.0 * math.pi)) ** 2
+        return CoefficientTarget(self.idealisation, self.T_e, self.S_a, C_0, C_1, C_2, C_3, self.C_m, self.ratio, d_t)
+
+
+def demand(curve: CapacityCurve, D_d: float, period: float, mass: float, storeys: int, spectrum: Spectrum) -> Demand:
+    """Return the demand on a frame whose curve is idealised up to D_d (m); others as of `target_displacement`."""
+    lines = bilinear(curve, D_d)
+    T_e = lines.effective_period(period)
+    S_a = float(spectrum.acceleration(T_e))
+    C_m = effective_mass_factor(storeys, period)
+    return Demand(lines, T_e, S_a, C_m, strength_ratio(S_a, lines.V_y, mass, C_m))
+
+
 def target_displacement(
     curve: CapacityCurve, period: float, C_0: float, mass: float, storeys: int, spectrum: Spectrum, T_S: float
 ) -> CoefficientTarget:
@@ -119,13 +147,8 @@ def target_displacement(
     """
 
     def found(D_d: float) -> CoefficientTarget:
-        lines = bilinear(curve, D_d)
-        T_e = lines.effective_period(period)
-        S_a = float(spectrum.acceleration(T_e))
-        C_m = effective_mass_factor(storeys, period)
-        R = strength_ratio(S_a, lines.V_y, mass, C_m)
-        C_1, C_3 = inelastic_factor(R, T_e, T_S), second_order_factor(R, T_e, lines.alpha)
-        d_t = C_0 * C_1 * C_3 * S_a * (T_e / (2.0 * math.pi)) ** 2
-        return CoefficientTarget(lines, T_e, S_a, C_0, C_1, 1.0, C_3, C_m, R, d_t)
+        at = demand(curve, D_d, period, mass, storeys, spectrum)
+        C_1 = inelastic_factor(at.ratio, at.T_e, T_S)
+        return at.target(C_0, C_1, 1.0, second_order_factor(at.ratio, at.T_e, at.idealisation.alpha))
 
     return found(fitting(lambda D_d: found(D_d).d_t, curve.end))
