@@ -87,7 +87,7 @@ def test_asce_41(results_of: Results, push: str) -> None:
 @pytest.mark.parametrize("push", PUSHES)
 @pytest.mark.parametrize("method", ["n2", "fema356", "asce41"])
 def test_the_frame_stands_on_its_curve_at_the_target(results_of: Results, push: str, method: str) -> None:
-    """Monotonic paths with other steps meet: 1e-4 of the base shear, by straight lines between a hundred points."""
+    """Monotonic paths with other steps meet: 5e-4 of the base shear, by straight lines between sixty points."""
     state = results_of(CASE, f"{push}.{method}.MCE")
     d, v = curve(results_of(CASE, push))
     d_t = float(state.variables[f"{method}_d_t"].values)
