@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Protocol
+from collections.abc import Mapping
+from typing import Protocol, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
+
+from edesign.codes.motion_sets import SetRules
 
 
 class Spectrum(Protocol):
@@ -22,6 +25,21 @@ class Spectrum(Protocol):
     @property
     def zero_period(self) -> float:
         """Acceleration at period zero, the peak acceleration of the ground surface (a_g S in EN 1998-1), m/s2."""
+
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """Corner periods by the names that the code gives them, s; empty where the spectrum has none."""
+
+    @property
+    def set_rules(self) -> SetRules:
+        """What the code asks of a set of motions that stands for the spectrum."""
+
+    def with_damping(self, damping: float) -> Self:
+        """Return the spectrum of the same action for another ratio of critical damping.
+
+        Raises:
+            InputError: the code has no spectrum of this damping.
+        """
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Pseudo-acceleration, m/s2, in the shape of `period` (s, at least 0)."""

@@ -1,4 +1,4 @@
-"""The best k of many records: EC8's criteria hold, the mean spectrum is near the target, and the scatter is small.
+"""The best k of many records: the code's criteria hold, their mean is near the target, and their scatter is small.
 
 The deviation of the mean spectrum is that of REXEL (Iervolino, Galasso & Cosenza 2010, Bulletin of Earthquake
 Engineering 8, 339-362), the search that of Jayaram, Lin & Baker (2011, Earthquake Spectra 27, 797-815): greedy, then
@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes import Spectrum
-from edesign.codes.ec8.accelerograms import AccelerogramCheck, check_accelerograms, check_periods, period_band
+from edesign.codes.motion_sets import SetCheck, SetRules
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
@@ -36,7 +36,7 @@ class Selection:
         deviation: rms of mean_after / target - 1 over the band.
         scatter: rms over the band of the records' standard deviation (population) / target.
         largest_deviation: largest |mean_after / target - 1| over the band.
-        before, after: the criteria of EC8 for the chosen ones unscaled and scaled.
+        before, after: the criteria of the code for the chosen ones unscaled and scaled.
         exhaustive: every admissible choice was compared; otherwise greedy with exchanges.
     """
 
@@ -49,8 +49,8 @@ class Selection:
     deviation: float
     scatter: float
     largest_deviation: float
-    before: AccelerogramCheck
-    after: AccelerogramCheck
+    before: SetCheck
+    after: SetCheck
     exhaustive: bool
 
 
@@ -66,11 +66,11 @@ def select(
 ) -> Selection:
     """Choose the `count` records that do best; the same input gives the same choice.
 
-    A choice that meets the criteria of EC8 goes before one that does not; among those the smaller
+    A choice that meets the criteria of the target's code goes before one that does not; among those the smaller
     deviation2 + scatter_weight scatter2 goes first; where none meets them, the one that falls short by least.
 
     Args:
-        periods: shape (n_T,), s, as for `check_accelerograms`; they may reach beyond 0.2 T_1 to 2 T_1.
+        periods: shape (n_T,), s, as for `SetRules.check`; they may reach beyond its band.
         spectra: pseudo-acceleration at 5 % damping as recorded, shape (n, n_T), m/s2.
         pgas: peak ground acceleration as recorded, shape (n,), m/s2.
         target: elastic spectrum at 5 % damping.
@@ -84,7 +84,7 @@ def select(
     """
     options = options or SelectionOptions()
     T, library_psa, pga = (np.asarray(values, dtype=float) for values in (periods, spectra, pgas))
-    check_accelerograms(T, library_psa, pga, target, T_1)  # raises for shapes and periods
+    target.set_rules.check(T, library_psa, pga, target, T_1)  # raises for shapes and periods
     if np.any(library_psa <= 0.0) or np.any(pga <= 0.0):
         raise InputError("a candidate has a spectral ordinate of zero: it cannot be scaled to a target")
     limit = options.max_per_event
@@ -112,16 +112,16 @@ def select_records(
         InputError: as `select`.
     """
     options = options or SelectionOptions()
-    T = selection_periods(T_1, options)
+    T = selection_periods(target.set_rules, T_1, options)
     spectra = np.array([psa(record.acceleration, record.time_step, T) for record in records])
     return select(T, spectra, np.array([record.pga for record in records]), target, T_1, count, options, events)
 
 
-def selection_periods(T_1: float, options: SelectionOptions) -> np.ndarray:
-    """Return the periods of EC8's check, and beyond them those of the band of the options, equally dense; s."""
-    inner = check_periods(T_1)
+def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) -> np.ndarray:
+    """Return the periods of the code's check, and beyond them those of the band of the options, equally dense; s."""
+    inner = rules.check_periods(T_1)
     step = inner[1] / inner[0]
-    low, high = options.band or period_band(T_1)
+    low, high = options.band or rules.period_band(T_1)
     below = max(0, int(np.ceil(np.log(inner[0] / low) / np.log(step) - 1e-9)))
     above = max(0, int(np.ceil(np.log(high / inner[-1]) / np.log(step) - 1e-9)))
     left = inner[0] * step ** np.arange(-below, 0)
@@ -146,8 +146,9 @@ def _selection(library: Library, found: tuple[int, ...], scaling: Scaling, exhau
     mean = np.mean(scaled, axis=0)
     ratio = scaled[:, library.band] / library.target[library.band]
     off = np.mean(ratio, axis=0) - 1.0
-    before = check_accelerograms(library.periods, raw, library.pga[chosen], library.spectrum, library.T_1)
-    after = check_accelerograms(library.periods, scaled, factors * library.pga[chosen], library.spectrum, library.T_1)
+    rules = library.spectrum.set_rules
+    before = rules.check(library.periods, raw, library.pga[chosen], library.spectrum, library.T_1)
+    after = rules.check(library.periods, scaled, factors * library.pga[chosen], library.spectrum, library.T_1)
     return Selection(
         chosen=found,
         factors=factors,

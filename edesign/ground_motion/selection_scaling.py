@@ -9,7 +9,6 @@ from typing import Literal
 import numpy as np
 
 from edesign.codes import Spectrum
-from edesign.codes.ec8.accelerograms import LOWEST_RATIO, in_band, period_band
 from edesign.errors import InputError
 
 _MARGIN = 1e-9  # relative: what the common factor adds so that rounding cannot undo a criterion
@@ -22,9 +21,9 @@ class SelectionOptions:
     Attributes:
         scaling: `none`; `individual`, each record by its own factor to the geometric mean ratio of 1 over the band;
             `common`, all by one factor; `both`, the individual factors times a common one. The common factor is the
-            one of least misfit that meets EC8's criteria.
+            one of least misfit that meets the criteria of the code.
         scale_bounds: least and largest factor of a record.
-        band: ends of the periods over which misfit counts, s; None for 0.2 T_1 to 2 T_1.
+        band: ends of the periods over which misfit counts, s; None for that of the code's criteria.
         scatter_weight: of the scatter's square beside the square of the mean's deviation, at least 0.
         max_per_event: how many records of one earthquake at most; None for any number.
         exhaustive_limit: up to how many combinations all are compared.
@@ -57,7 +56,7 @@ class Scaling:
     Attributes:
         common: common factor, shape (m,).
         factors: of the records, common factor included, shape (m, k).
-        shortfall: what is missing to EC8's criteria b and c, relative, 0 where they hold, shape (m,).
+        shortfall: what is missing to the code's criteria on the mean, relative, 0 where they hold, shape (m,).
         misfit: deviation2 + scatter_weight scatter2, shape (m,).
     """
 
@@ -82,24 +81,26 @@ class Library:
         self.periods, self.psa, self.pga = periods, psa, pga
         self.spectrum, self.T_1, self.options = spectrum, T_1, options
         self.target = spectrum.acceleration(periods)
-        low, high = options.band or period_band(T_1)
+        rules = spectrum.set_rules
+        low, high = options.band or rules.period_band(T_1)
         self.band = (periods >= low * (1.0 - 1e-9)) & (periods <= high * (1.0 + 1e-9))
         if not np.any(self.band) or low < periods[0] * (1.0 - 1e-9) or high > periods[-1] * (1.0 + 1e-9):
             raise InputError(f"the periods do not cover the band from {low:g} s to {high:g} s")
-        checked = in_band(periods, T_1)
+        checked = rules.in_band(periods, T_1)
         self._own = self._own_factors()
         scaled = self._own[:, None] * psa / self.target
         self._fit = scaled[:, self.band]
         self._checked = scaled[:, checked]
-        self._peaks = self._own * pga / spectrum.zero_period
+        self._peaks = self._own * pga / spectrum.zero_period if rules.has_zero_period else None
 
     def scale(self, choices: np.ndarray) -> Scaling:
         """Scale choices, shape (m, k) of indices, as the options say."""
         fit = self._fit[choices]
         mean, variance = np.mean(fit, axis=1), np.var(fit, axis=1)
         square = np.mean(mean**2, axis=1) + self.options.scatter_weight * np.mean(variance, axis=1)
-        lowest = np.min(np.mean(self._checked[choices], axis=1), axis=1) / LOWEST_RATIO
-        held = np.minimum(lowest, np.mean(self._peaks[choices], axis=1))  # below 1: a criterion fails by that much
+        held = np.min(np.mean(self._checked[choices], axis=1), axis=1) / self.spectrum.set_rules.least_ratio
+        if self._peaks is not None:
+            held = np.minimum(held, np.mean(self._peaks[choices], axis=1))  # below 1: a criterion fails by that much
         common = np.ones(len(choices))
         own = self._own[choices]
         if self.options.scaling in ("common", "both"):

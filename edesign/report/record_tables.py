@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
+from edesign.codes.ec8 import SET_RULES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
@@ -24,7 +25,6 @@ MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the hea
     ("D5-95 [s]", "duration_5_95", 1.0),
 )
 DIGITS = 3
-OF_THE_MEAN = ("3.2.3.1.2(4)b", "3.2.3.1.2(4)c")  # criteria that one factor on all records can satisfy
 NEGLIGIBLE = 1e-7  # m, m/s: far below what any recorder resolves
 
 
@@ -136,7 +136,11 @@ def misfit_table(groups: Mapping[str, Group]) -> Table:
 
 def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
     """Return the criteria of the code one by one."""
-    table = Table(f"{name}: EN 1998-1:2004", ("clause", "criterion", "required", "found", "verdict"), left=2)
+    table = Table(
+        f"{name}: {about.get('criteria_of', SET_RULES.code)}",
+        ("clause", "criterion", "required", "found", "verdict"),
+        left=2,
+    )
     for found in about["criteria"]:
         verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]
         values = [_with_unit(found[key], found["unit"]) for key in ("required", "value")]
@@ -144,7 +148,8 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         table.rows.append([found["clause"], text, *values, verdict])
     factor = about.get("suite_factor", 1.0)
     if factor != 1.0:
-        missed = any(found["passed"] is False for found in about["criteria"] if found["clause"] in OF_THE_MEAN)
+        of_mean = about.get("criteria_of_mean", (SET_RULES.clauses.zero_period, SET_RULES.clauses.mean))
+        missed = any(found["passed"] is False for found in about["criteria"] if found["clause"] in of_mean)
         why = "the most allowed, and a criterion is missed" if missed else "so that the mean satisfies the criteria"
         table.notes.append(f"all records times {factor:.4f}, {why}")
     return table

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
-from edesign.codes.ec8.accelerograms import DAMPING
+from edesign.codes.motion_sets import DAMPING
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.record import Record
@@ -67,7 +65,7 @@ def level_intensity(project: Project, study: Incremental, period: float | None, 
     if isinstance(study, LevelFactorStudy):
         return importance_factor(project.hazard, level) / importance_factor(project.hazard, study.level)
     at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
-    spectrum = replace(elastic_spectrum(project.hazard, level), damping=DAMPING)
+    spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
     return None if at is None else float(spectrum.acceleration(at))
 
 

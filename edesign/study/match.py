@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -14,8 +14,8 @@ from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.codes.ec8 import Criterion
-from edesign.codes.ec8.accelerograms import DAMPING
-from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.codes.motion_sets import DAMPING
+from edesign.codes.spectrum import Spectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.plausibility import unusual_scales
@@ -53,7 +53,7 @@ class MatchSummary:
 
 def match_recordings(
     recordings: Mapping[str, Found],
-    target: ElasticSpectrum,
+    target: Spectrum,
     options: MatchOptions,
     archive_path: str | os.PathLike[str],
     fundamental_period: float | None = None,
@@ -148,7 +148,7 @@ class Choice:
 
 def choose_recordings(
     recordings: Mapping[str, Found],
-    target: ElasticSpectrum,
+    target: Spectrum,
     options: MatchOptions,
     fundamental_period: float,
     count: int,
@@ -167,7 +167,7 @@ def choose_recordings(
     Raises:
         InputError: there are not so many.
     """
-    at_5_percent = replace(target, damping=DAMPING)
+    at_5_percent = target.with_damping(DAMPING)
     settings = SelectionOptions(scale_bounds=options.scale_bounds, band=options.periods, max_per_event=max_per_event)
     names = list(recordings)
     events = [recordings[name].event or name for name in names]

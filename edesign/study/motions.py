@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
-from edesign.codes.ec8.accelerograms import DAMPING
-from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.codes.motion_sets import DAMPING
+from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
@@ -54,7 +54,7 @@ class Motion:
         return self.match.matched if self.match else self.found.record
 
 
-def fit(reference: str, found: Found, target: ElasticSpectrum, options: MatchOptions) -> Motion:
+def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -> Motion:
     """Fit a recording to a spectrum; what cannot be fitted is kept with the reason as the motion's `failure`."""
     try:
         return Motion(reference, found, match_record(found.record, target, options))
@@ -63,15 +63,15 @@ def fit(reference: str, found: Found, target: ElasticSpectrum, options: MatchOpt
         return Motion(reference, found, failure=f"{reference} cannot be fitted to the spectrum: {reason}")
 
 
-def raise_suite(motions: Sequence[Motion], target: ElasticSpectrum, fundamental_period: float | None) -> list[Motion]:
+def raise_suite(motions: Sequence[Motion], target: Spectrum, fundamental_period: float | None) -> list[Motion]:
     """Multiply the fitted records of a suite by the one factor with which their mean satisfies the code.
 
-    Source: EN 1998-1:2004, 3.2.3.1.2(4).
+    Source: the rules of the target's code for a set, such as EN 1998-1:2004, 3.2.3.1.2(4).
     """
     matches = [motion.match for motion in motions if motion.match is not None]
     if not matches:
         return list(motions)
-    factor = suite_factor(matches, replace(target, damping=DAMPING), fundamental_period)
+    factor = suite_factor(matches, target.with_damping(DAMPING), fundamental_period)
     return [replace(motion, match=raised(motion.match, factor)) if motion.match else motion for motion in motions]
 
 

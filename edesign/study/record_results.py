@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.codes.ec8 import Criterion
-from edesign.codes.ec8.accelerograms import DAMPING, check_accelerograms, check_periods
-from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.codes.motion_sets import DAMPING
+from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching import Match
@@ -22,7 +22,6 @@ from edesign.project.records import SuiteRecords, record_of
 from edesign.study.kinds import RECORDS
 from edesign.study.motions import Motion
 
-MEAN_SPECTRUM = "3.2.3.1.2(4)c"  # clause of the criterion that depends on the period
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
 
@@ -61,7 +60,7 @@ def project_record_groups(
 
 def criteria(
     motions: Sequence[Motion],
-    target: ElasticSpectrum,
+    target: Spectrum,
     fundamental_period: float | None,
     variant_periods: Mapping[str, float] | None = None,
 ) -> tuple[Criterion, ...]:
@@ -70,43 +69,47 @@ def criteria(
     Args:
         motions: those that could not be fitted are left out.
         target: the elastic spectrum.
-        fundamental_period: T1 of the structure, s; None leaves the criterion on 0.2 T1 to 2 T1 open.
+        fundamental_period: T1 of the structure, s; None leaves the criterion on the mean spectrum open.
         variant_periods: T1 of other structures that the set acts on, s, by name; each adds that criterion.
 
-    Source: EN 1998-1:2004, 3.2.3.1.2(4).
+    Source: the rules of the target's code for a set, such as EN 1998-1:2004, 3.2.3.1.2(4).
     """
     matches = [motion.match for motion in motions if motion.match is not None]
     if not matches:
         return ()
-    others = variant_periods or {}
+    others, clause = variant_periods or {}, target.set_rules.clauses.mean
     verdicts = list(_checked(matches, target, fundamental_period))
-    of_mean = next(i for i, verdict in enumerate(verdicts) if verdict.clause == MEAN_SPECTRUM)
+    of_mean = [i for i, verdict in enumerate(verdicts) if verdict.clause == clause]
     if others:
-        verdicts[of_mean] = replace(verdicts[of_mean], text=f"{verdicts[of_mean].text}, bare frame")
+        for i in of_mean:
+            verdicts[i] = replace(verdicts[i], text=f"{verdicts[i].text}, bare frame")
     names: dict[float, list[str]] = {}
     for name, period in others.items():
         names.setdefault(period, []).append(name)
     for period, of in reversed(names.items()):  # the period shows in the band of the text
-        (found,) = (verdict for verdict in _checked(matches, target, period) if verdict.clause == MEAN_SPECTRUM)
-        verdicts.insert(of_mean + 1, replace(found, text=f"{found.text}, {', '.join(of)}"))
+        found = [verdict for verdict in _checked(matches, target, period) if verdict.clause == clause]
+        after = of_mean[-1] + 1
+        verdicts[after:after] = [replace(verdict, text=f"{verdict.text}, {', '.join(of)}") for verdict in found]
     return tuple(verdicts)
 
 
-def _checked(
-    matches: Sequence[Match], target: ElasticSpectrum, fundamental_period: float | None
-) -> tuple[Criterion, ...]:
+def _checked(matches: Sequence[Match], target: Spectrum, fundamental_period: float | None) -> tuple[Criterion, ...]:
+    rules = target.set_rules.of(matched=matches[0].method != "scale")
     records = [match.matched for match in matches]
-    periods = check_periods(fundamental_period) if fundamental_period is not None else PERIODS
+    periods = rules.check_periods(fundamental_period) if fundamental_period is not None else PERIODS
     spectra = [psa(record.acceleration, record.time_step, periods, DAMPING) for record in records]
     peaks = [record.pga for record in records]
-    at_5_percent = replace(target, damping=DAMPING)  # which is what the clause compares
-    verdicts = check_accelerograms(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
+    at_5_percent = target.with_damping(DAMPING)  # which is what the codes compare
+    verdicts = rules.check(periods, spectra, peaks, at_5_percent, fundamental_period).criteria
+    if fundamental_period is None:
+        return verdicts
     first, last = float(matches[0].periods[0]), float(matches[0].periods[-1])
-    if fundamental_period is None or first <= 0.2 * fundamental_period and 2.0 * fundamental_period <= last:
+    low, high = rules.period_band(fundamental_period)
+    if first <= low and high <= last:
         return verdicts
     outside = f"; fitted were {first:g} s to {last:g} s only"
     return tuple(
-        replace(verdict, detail=verdict.detail + outside) if verdict.clause == MEAN_SPECTRUM else verdict
+        replace(verdict, detail=verdict.detail + outside) if verdict.clause == rules.clauses.mean else verdict
         for verdict in verdicts
     )
 
@@ -124,7 +127,7 @@ def failed_criteria(name: str, group: Group) -> list[str]:
 def suite_groups(
     name: str,
     motions: Sequence[Motion],
-    target: ElasticSpectrum | None = None,
+    target: Spectrum | None = None,
     verdicts: Sequence[Criterion] = (),
     order: int = 0,
     warnings: Sequence[str] = (),
@@ -156,6 +159,10 @@ def suite_groups(
             group.add(key, ("period",), values, "m/s^2", label)
         group.attributes |= {"target": target.label, "fitted": len(fitted), "suite_factor": fitted[0].suite_factor}
         group.attributes["criteria"] = [asdict(verdict) for verdict in verdicts]
+        rules = target.set_rules
+        group.attributes["criteria_of"] = rules.code
+        # those that one factor on all records can satisfy
+        group.attributes["criteria_of_mean"] = [rules.clauses.zero_period, rules.clauses.mean]
     yield f"{RECORDS}/{name}", group
     for place, motion in enumerate(motions):
         yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)

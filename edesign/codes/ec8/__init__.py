@@ -1,6 +1,6 @@
 """EN 1998-1:2004, Eurocode 8: the seismic action, what accelerograms must satisfy, analysis and steel frames."""
 
-from edesign.codes.ec8.accelerograms import AccelerogramCheck, check_accelerograms, check_periods
+from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.design import DesignSpectrum, vertical_design_spectrum
 from edesign.codes.ec8.displacement import LongPeriodSpectrum
@@ -10,17 +10,15 @@ from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameter
 from edesign.codes.ec8.vertical import VerticalSpectrum
 
 __all__ = [
-    "AccelerogramCheck",
     "Criterion",
     "DesignSpectrum",
     "ElasticSpectrum",
     "HorizontalParameters",
     "LongPeriodSpectrum",
     "NationalParameters",
+    "SET_RULES",
     "VerticalParameters",
     "VerticalSpectrum",
-    "check_accelerograms",
-    "check_periods",
     "countries",
     "damping_correction",
     "national_parameters",

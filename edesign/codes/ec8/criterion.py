@@ -8,6 +8,9 @@ ROUNDING = 1e-9
 """Share of a limit by which rounding may miss it: a suite scaled to a_g S exactly must not fail by the last bits."""
 
 
+_NAMED = ("EN ", "ASCE ", "NTC ")  # a clause of another standard than EN 1998-1 begins with its name
+
+
 @dataclass(frozen=True)
 class Criterion:
     """One rule and what was found.
@@ -35,7 +38,7 @@ class Criterion:
     @property
     def reference(self) -> str:
         """The clause with its standard."""
-        return self.clause if self.clause.startswith("EN ") else f"EN 1998-1, {self.clause}"
+        return self.clause if self.clause.startswith(_NAMED) else f"EN 1998-1, {self.clause}"
 
     def __post_init__(self) -> None:
         """Make numbers and truth values of numpy plain ones: `passed is False` must hold for both."""

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.ec8.branches import checked_periods
 from edesign.codes.ec8.elastic import ElasticSpectrum
+from edesign.codes.motion_sets import SetRules
 from edesign.codes.names import unknown
 from edesign.errors import InputError
 
@@ -76,6 +79,20 @@ class LongPeriodSpectrum:
     def zero_period(self) -> float:
         """a_g S, m/s2."""
         return self.elastic.zero_period
+
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """T_B to T_F, s."""
+        return {**self.elastic.corners, "T_E": self.T_E, "T_F": self.T_F}
+
+    @property
+    def set_rules(self) -> SetRules:
+        """Those of the elastic spectrum."""
+        return self.elastic.set_rules
+
+    def with_damping(self, damping: float) -> Self:
+        """Return the spectrum of the same action for another ratio of critical damping."""
+        return type(self)(self.elastic.with_damping(damping))
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
         """Return S_De(T), m, in the shape of `period` (s); Eqs. 3.7, A.1 and A.2."""

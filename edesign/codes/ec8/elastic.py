@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.codes.ec8.branches import checked_action, displacement_of, four_branches
 from edesign.codes.ec8.parameters import HorizontalParameters
+from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 
 
@@ -73,6 +77,21 @@ class ElasticSpectrum:
     def zero_period(self) -> float:
         """a_g S, m/s2."""
         return self.gamma_I * (self.a_gR * self.parameters.S)
+
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """T_B, T_C and T_D, s."""
+        p = self.parameters
+        return {"T_B": p.T_B, "T_C": p.T_C, "T_D": p.T_D}
+
+    @property
+    def set_rules(self) -> SetRules:
+        """The rules of 3.2.3.1."""
+        return SET_RULES
+
+    def with_damping(self, damping: float) -> Self:
+        """Return the spectrum of the same action for another ratio of critical damping."""
+        return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_e(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5."""

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.codes.ec8.branches import checked_action, displacement_of, four_branches
 from edesign.codes.ec8.elastic import damping_correction
 from edesign.codes.ec8.parameters import VerticalParameters
+from edesign.codes.motion_sets import SetRules
 
 
 @dataclass(frozen=True)
@@ -42,6 +46,21 @@ class VerticalSpectrum:
     def zero_period(self) -> float:
         """a_vg, m/s2."""
         return self.gamma_I * (self.a_gR * self.parameters.ratio)
+
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """T_B, T_C and T_D, s."""
+        p = self.parameters
+        return {"T_B": p.T_B, "T_C": p.T_C, "T_D": p.T_D}
+
+    @property
+    def set_rules(self) -> SetRules:
+        """The rules of 3.2.3.1."""
+        return SET_RULES
+
+    def with_damping(self, damping: float) -> Self:
+        """Return the spectrum of the same action for another ratio of critical damping."""
+        return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_ve(T), m/s2, in the shape of `period` (s); Eqs. 3.8-3.11."""

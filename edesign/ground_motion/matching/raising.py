@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.codes.ec8.accelerograms import DAMPING, LOWEST_RATIO, check_periods
+from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching.result import Match, misfit
@@ -24,15 +24,17 @@ def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period:
     Args:
         matches: the records of the suite.
         target: elastic spectrum of 5 % damping.
-        fundamental_period: T1 of the structure, s; None: only the zero-period value counts.
+        fundamental_period: T1 of the structure, s; None: only the zero-period value counts, if at all.
 
-    Source: EN 1998-1:2004, 3.2.3.1.2(4)b and c.
+    Source: the rules of the target's code for a set: EN 1998-1:2004, 3.2.3.1.2(4)b and c, of its own spectra.
     """
-    needed = [target.zero_period / float(np.mean([match.matched.pga for match in matches]))]
+    rules, needed = target.set_rules.of(matched=matches[0].method != "scale"), [1.0]
+    if rules.has_zero_period:
+        needed.append(target.zero_period / float(np.mean([match.matched.pga for match in matches])))
     if fundamental_period is not None:
-        periods = check_periods(fundamental_period)
+        periods = rules.check_periods(fundamental_period)
         mean = np.mean([psa(m.matched.acceleration, m.matched.time_step, periods, DAMPING) for m in matches], axis=0)
-        needed.append(float(np.max(LOWEST_RATIO * target.acceleration(periods) / mean)))
+        needed.append(float(np.max(rules.least_ratio * target.acceleration(periods) / mean)))
     largest = max(needed)
     return 1.0 if largest <= 1.0 else min(largest * _MARGIN, MOST)
 

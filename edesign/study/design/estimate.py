@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8 import ElasticSpectrum
+from edesign.codes.spectrum import Spectrum
+from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.damping import NoDamping
-from edesign.project.designs import Design
+from edesign.project.designs import Design, SimplifiedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, storey_shears
 from edesign.study.design.damping import strain_energy_damping
@@ -21,7 +22,7 @@ _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left
 class Action:
     """What shakes the frame: a spectrum, and the damping that the frame has without dampers."""
 
-    spectrum: ElasticSpectrum
+    spectrum: Spectrum
     inherent_damping: float
 
 
@@ -50,14 +51,20 @@ def make_action(project: Project, spec: Design) -> Action | None:
     """The action of a design's hazard level; None if it names none.
 
     Raises:
-        InputError: the hazard of the project is wrong.
+        InputError: the hazard of the project is wrong, or its spectrum has no T_C for the lateral force method.
     """
     if spec.level is None:
         return None
     ratio = spec.inherent_damping
     if ratio is None:
         ratio = 0.0 if project.damping is None or isinstance(project.damping, NoDamping) else project.damping.ratio
-    return Action(elastic_spectrum(checked_hazard(project), spec.level), ratio)
+    spectrum = elastic_spectrum(checked_hazard(project), spec.level)
+    if isinstance(spec, SimplifiedDesign) and "T_C" not in spectrum.corners:
+        raise InputError(
+            f"{project.where('hazard', 'code')}: hazard.code: a simplified design is by the lateral force method "
+            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none, take another method"
+        )
+    return Action(spectrum, ratio)
 
 
 def estimate(
@@ -86,7 +93,7 @@ def estimate(
     damping = np.minimum(action.inherent_damping + strain_energy_damping(modes, stiffness)[kept], 1.0)
     omega = modes.omega[kept]
     spectral = [
-        float(replace(action.spectrum, damping=float(zeta)).displacement(2.0 * np.pi / w))
+        float(action.spectrum.with_damping(float(zeta)).displacement(2.0 * np.pi / w))
         for zeta, w in zip(damping, omega, strict=True)
     ]
     peak = modes.participation[kept] * np.array(spectral)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -123,8 +123,8 @@ def static_response(
     moduli, at_places, modes = at_own_frequency(building, material, lambda moduli: k_D, brace, start)
     frequency = modes.first_frequency
     added = float(strain_energy_damping(modes, at_places)[0])
-    spectrum = replace(action.spectrum, damping=min(action.inherent_damping + added, 1.0))
-    corner = spectrum.parameters.T_C
+    spectrum = action.spectrum.with_damping(min(action.inherent_damping + added, 1.0))
+    corner = spectrum.corners["T_C"]
     across = frame.influence > 0.0
     mass = np.where(across, frame.mass, 0.0)
     factor = correction_factor(1.0 / frequency, corner, building.heights.size)
@@ -139,7 +139,7 @@ def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) 
     """What is allowed but outside the method's recommendations."""
     found = design_warnings(spec)
     period = 1.0 / sizing.frequency
-    if not is_applicable(period, action.spectrum.parameters.T_C):
+    if not is_applicable(period, action.spectrum.corners["T_C"]):
         found.append(
             f"the first period of {period:.3g} s is longer than the lateral force method allows "
             "(EN 1998-1, 4.3.3.2.1(2): 4 T_C and 2 s); verify the design by histories"

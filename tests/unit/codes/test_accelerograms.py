@@ -8,9 +8,11 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8 import AccelerogramCheck, Criterion, check_accelerograms, check_periods
+from edesign.codes.ec8 import SET_RULES, Criterion
+from edesign.codes.motion_sets import SetCheck
 from edesign.errors import InputError
 
+check_accelerograms, check_periods = SET_RULES.check, SET_RULES.check_periods
 NUMBER, ZERO_PERIOD, MEAN, STATIONARY, USE = range(5)
 T = check_periods(1.0)  # 0.2 s to 2 s
 
@@ -30,13 +32,13 @@ class Flat:
         return self.acceleration(period) * (np.asarray(period) / (2.0 * np.pi)) ** 2
 
 
-def check(levels: list[float], pgas: list[float] | None = None, **more: object) -> AccelerogramCheck:
+def check(levels: list[float], pgas: list[float] | None = None, **more: object) -> SetCheck:
     """Records with flat spectra of these levels, m/s2."""
     spectra = np.array(levels)[:, None] * np.ones(T.size)
     return check_accelerograms(T, spectra, pgas or [1.0] * len(levels), Flat(), 1.0, **more)  # type: ignore[arg-type]
 
 
-def found(result: AccelerogramCheck, which: int) -> tuple[float | None, float | None, bool | None]:
+def found(result: SetCheck, which: int) -> tuple[float | None, float | None, bool | None]:
     criterion = result.criteria[which]
     return criterion.required, criterion.value, criterion.passed
 
@@ -123,9 +125,7 @@ def test_seven_records_allow_the_mean() -> None:
 
 
 def test_a_rule_that_only_informs_hides_no_failure() -> None:
-    result = AccelerogramCheck(
-        (Criterion("x", "x", 1.0, 0.5, "", False), Criterion("y", "y", 1, 1, "", None)), 1.0, 1.0
-    )
+    result = SetCheck((Criterion("x", "x", 1.0, 0.5, "", False), Criterion("y", "y", 1, 1, "", None)), 1.0, 1.0)
     assert not result.passed
 
 

@@ -7,7 +7,7 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from edesign.codes.ec8 import ElasticSpectrum, check_periods, national_parameters
+from edesign.codes.ec8 import SET_RULES, ElasticSpectrum, national_parameters
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
@@ -15,7 +15,7 @@ from edesign.ground_motion.selection import Selection, select, select_records, s
 from edesign.ground_motion.selection_scaling import SelectionOptions
 
 T_1 = 1.0
-T = check_periods(T_1)
+T = SET_RULES.check_periods(T_1)
 TARGET = ElasticSpectrum(3.0, national_parameters().horizontal(1, "C"))
 WEIGHT = SelectionOptions().scatter_weight
 
@@ -177,7 +177,7 @@ def test_two_records_never_meet_the_code() -> None:
 
 def test_the_band_of_misfit_may_be_wider_than_that_of_the_code() -> None:
     options = SelectionOptions(band=(0.05, 6.0))
-    periods = selection_periods(T_1, options)
+    periods = selection_periods(SET_RULES, T_1, options)
     assert periods[0] <= 0.05 and periods[-1] >= 6.0
     assert np.max(periods[1:] / periods[:-1]) < 1.012
     np.testing.assert_allclose(periods[(periods > 0.1999) & (periods < 2.0001)], T, rtol=1e-12)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from edesign.codes.ec8 import ElasticSpectrum, check_accelerograms, check_periods, national_parameters
+from edesign.codes.ec8 import SET_RULES, ElasticSpectrum, national_parameters
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.raising import MOST, raised, suite_factor
 from edesign.ground_motion.response_spectrum import psa
@@ -24,10 +24,10 @@ def matches() -> list[Match]:
 
 
 def failed_clauses(matches: list[Match]) -> set[str]:
-    periods = check_periods(T_1)
+    periods = SET_RULES.check_periods(T_1)
     records = [match.matched for match in matches]
     spectra = [psa(record.acceleration, record.time_step, periods) for record in records]
-    check = check_accelerograms(periods, spectra, [record.pga for record in records], TARGET, T_1)
+    check = SET_RULES.check(periods, spectra, [record.pga for record in records], TARGET, T_1)
     return {criterion.clause for criterion in check.failed}
 
 
