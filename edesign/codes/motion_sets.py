@@ -86,6 +86,7 @@ class SetRules:
         least_ratio: of mean to target spectrum in the band.
         greatest_ratio: of the same; None where the code has no such limit.
         least_ratio_matched: of sets whose motions were fitted in shape; None: as `least_ratio`.
+        fewer: what holds with fewer motions than `number_for_mean`.
         note: what is said of the mean spectrum: assumptions on a plane frame.
     """
 
@@ -99,6 +100,7 @@ class SetRules:
     longest: float = 0.0
     greatest_ratio: float | None = None
     least_ratio_matched: float | None = None
+    fewer: str = "the most unfavourable response counts"
     note: str = ""
 
     @property
@@ -277,6 +279,6 @@ class SetRules:
 
     def _use_of_results(self, count: int) -> Criterion:
         enough = count >= self.number_for_mean
-        detail = "the mean of the responses may be used" if enough else "the most unfavourable response counts"
+        detail = "the mean of the responses may be used" if enough else self.fewer
         text = "number of histories for which the mean response counts"
         return Criterion(self.clauses.use, text, self.number_for_mean, float(count), "", None, detail)

@@ -27,6 +27,10 @@ class Spectrum(Protocol):
         """Acceleration at period zero, the peak acceleration of the ground surface (a_g S in EN 1998-1), m/s2."""
 
     @property
+    def last_period(self) -> float:
+        """The longest period that has an ordinate, s; infinite where the last branch has no end."""
+
+    @property
     def corners(self) -> Mapping[str, float]:
         """Corner periods by the names that the code gives them, s; empty where the spectrum has none."""
 
@@ -46,3 +50,14 @@ class Spectrum(Protocol):
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
         """Relative displacement, m, in the shape of `period` (s, at least 0)."""
+
+
+class DesignOrdinates(Protocol):
+    """A spectrum reduced for elastic analysis, by q or R."""
+
+    @property
+    def label(self) -> str:
+        """Name for plots and tables."""
+
+    def acceleration(self, period: ArrayLike) -> np.ndarray:
+        """Design acceleration, m/s2, in the shape of `period` (s, at least 0)."""

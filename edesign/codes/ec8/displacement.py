@@ -81,6 +81,11 @@ class LongPeriodSpectrum:
         return self.elastic.zero_period
 
     @property
+    def last_period(self) -> float:
+        """Infinite: the last branch has no end."""
+        return math.inf
+
+    @property
     def corners(self) -> Mapping[str, float]:
         """T_B to T_F, s."""
         return {**self.elastic.corners, "T_E": self.T_E, "T_F": self.T_F}

@@ -79,6 +79,11 @@ class ElasticSpectrum:
         return self.gamma_I * (self.a_gR * self.parameters.S)
 
     @property
+    def last_period(self) -> float:
+        """Infinite: the last branch has no end."""
+        return math.inf
+
+    @property
     def corners(self) -> Mapping[str, float]:
         """T_B, T_C and T_D, s."""
         p = self.parameters

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
@@ -46,6 +47,11 @@ class VerticalSpectrum:
     def zero_period(self) -> float:
         """a_vg, m/s2."""
         return self.gamma_I * (self.a_gR * self.parameters.ratio)
+
+    @property
+    def last_period(self) -> float:
+        """Infinite: the last branch has no end."""
+        return math.inf
 
     @property
     def corners(self) -> Mapping[str, float]:

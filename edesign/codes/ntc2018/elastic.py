@@ -50,6 +50,11 @@ class _Spectrum:
         return damping_correction(self.damping)
 
     @property
+    def last_period(self) -> float:
+        """Infinite: the last branch has no end."""
+        return math.inf
+
+    @property
     def set_rules(self) -> SetRules:
         """The rules of 3.2.3.6 for the limit state."""
         return self.rules
