@@ -10,7 +10,7 @@ import typer
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.project.hazard import Hazard
+    from edesign.project.hazard_base import Hazard
     from edesign.project.project import Project
     from edesign.project.units import Kind
 
@@ -66,7 +66,7 @@ def hazard(project: Project | None, options: dict[str, str | None], level: str |
     Raises:
         InputError: project and options exclude each other, or a value is wrong; the message names the option.
     """
-    from edesign.ground_motion.hazard import checked_hazard, importance_factor
+    from edesign.ground_motion.hazard import checked_hazard, factor_of_level
 
     given = {key: value for key, value in options.items() if value is not None}
     if project is not None:
@@ -74,7 +74,7 @@ def hazard(project: Project | None, options: dict[str, str | None], level: str |
             raise InputError(f"{_flag(next(iter(given)))}: the project file says this; leave the option out")
         found = checked_hazard(project)
         if level is not None:
-            importance_factor(found, level)
+            factor_of_level(found, level)
         return found, level
     if level is not None:
         raise InputError("--level: only with --project; without one, --gamma gives the importance")
@@ -85,15 +85,20 @@ def _from_options(given: dict[str, str]) -> Hazard:
     import yaml
 
     from edesign.ground_motion.hazard import elastic_spectrum
-    from edesign.project.hazard import Hazard
+    from edesign.project.hazard import OTHER_CODES, EC8Hazard
     from edesign.project.yaml_file import check_model
 
     data: dict[str, Any] = {"code": "ec8-2004", "spectrum": "1", **{k: v for k, v in given.items() if k != "gamma"}}
+    if data["code"] in OTHER_CODES:
+        raise InputError(
+            f"--code: the options give an action of `ec8-2004`; write that of `{data['code']}` as `hazard` of a "
+            "project file, and name it by --project"
+        )
     for key in ("spectrum",):
         data[key] = int(data[key]) if str(data[key]).isdigit() else data[key]
     if "gamma" in given:
         data["levels"] = {GIVEN: _importance(given["gamma"])}
-    found, problems = check_model(yaml.safe_dump(data, sort_keys=False), Hazard, "seismic action", "code: ec8-2004")
+    found, problems = check_model(yaml.safe_dump(data, sort_keys=False), EC8Hazard, "seismic action", "code: ec8-2004")
     if found is None:
         lines = [f"{_flag(problem.keys_text)}: {problem.message}" for problem in problems.found]
         raise InputError("\n".join(lines) + "\n(the seismic action comes from --project, or from these options)")

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.criterion import ROUNDING, Criterion
+from edesign.codes.criterion import ROUNDING, Criterion
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
@@ -151,6 +151,15 @@ class SetRules:
             raise InputError(f"{points} points from {low:g} s to {high:g} s are more than 5 % apart")
         return periods
 
+    def missing(self, target: Spectrum, T_1: float | None) -> str:
+        """Return why the mean spectrum cannot be compared with a target; "" if it can."""
+        if T_1 is None:
+            return "T_1 is not known"
+        _, high = self.period_band(T_1)
+        if high > target.last_period * (1.0 + ROUNDING):
+            return f"the target ends at {target.last_period:g} s, before the {high:.3g} s of the band"
+        return ""
+
     def in_band(self, periods: np.ndarray, T_1: float) -> np.ndarray:
         """Return which periods count for the mean spectrum, shape of `periods`, bool.
 
@@ -208,13 +217,14 @@ class SetRules:
             raise InputError("spectra and peak accelerations must be finite and at least zero")
         if not math.isclose(target.damping, DAMPING, rel_tol=1e-9):
             raise InputError(f"the target spectrum must have 5 % damping, not {100.0 * target.damping:g} %")
-        count, extremes = psa.shape[0], None if T_1 is None else self._extremes(T, psa, target, T_1)
+        count, missing = psa.shape[0], self.missing(target, T_1)
+        extremes = None if T_1 is None or missing else self._extremes(T, psa, target, T_1)
         criteria = [self._number(count)]
         if self.has_zero_period:
             criteria.append(self._zero_period(float(np.mean(pga)), target.zero_period))
-        criteria.append(self._least(extremes, T_1))
+        criteria.append(self._least(extremes, T_1, missing))
         if self.greatest_ratio is not None:
-            criteria.append(self._greatest(extremes, T_1, self.greatest_ratio))
+            criteria.append(self._greatest(extremes, T_1, self.greatest_ratio, missing))
         if self.clauses.stationary:
             criteria.append(self._stationary(artificial_durations or ()))
         criteria.append(self._use_of_results(count))
@@ -239,30 +249,29 @@ class SetRules:
         passed = mean >= a_g_S * (1.0 - ROUNDING)
         return Criterion(self.clauses.zero_period, text, a_g_S, mean, "m/s2", passed)
 
-    def _least(self, extremes: tuple[float, float, float, float] | None, T_1: float | None) -> Criterion:
+    def _least(self, extremes: tuple[float, float, float, float] | None, T_1: float | None, missing: str) -> Criterion:
         text, limit = "lowest ratio of mean 5 % spectrum to elastic spectrum", self.least_ratio
         if extremes is None or T_1 is None:
-            return self._open(text, limit)
+            return self._open(text, limit, missing)
         at, lowest = extremes[:2]
         passed = lowest >= limit * (1.0 - ROUNDING)
         detail = f"at T = {at:.3g} s" + (f"; {self.note}" if self.note else "")
         return Criterion(self.clauses.mean, self._over_band(text, T_1), limit, lowest, "", passed, detail)
 
     def _greatest(
-        self, extremes: tuple[float, float, float, float] | None, T_1: float | None, limit: float
+        self, extremes: tuple[float, float, float, float] | None, T_1: float | None, limit: float, missing: str
     ) -> Criterion:
         text = "greatest ratio of mean 5 % spectrum to elastic spectrum"
         if extremes is None or T_1 is None:
-            return self._open(text, limit)
+            return self._open(text, limit, missing)
         at, greatest = extremes[2:]
         passed = greatest <= limit * (1.0 + ROUNDING)
         return Criterion(
             self.clauses.mean, self._over_band(text, T_1), limit, greatest, "", passed, f"at T = {at:.3g} s"
         )
 
-    def _open(self, text: str, limit: float) -> Criterion:
-        text = f"{text} from {self.band_text}"
-        return Criterion(self.clauses.mean, text, limit, None, "", None, "T_1 is not known")
+    def _open(self, text: str, limit: float, missing: str) -> Criterion:
+        return Criterion(self.clauses.mean, f"{text} from {self.band_text}", limit, None, "", None, missing)
 
     def _over_band(self, text: str, T_1: float) -> str:
         low, high = self.period_band(T_1)

@@ -1,15 +1,16 @@
-"""The codes that edesign knows, by the name that a project file gives them."""
+"""The codes of the seismic action that edesign knows, by the name that a project file gives them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
 
-from edesign.codes.ec8.design import DesignSpectrum
-from edesign.codes.ec8.elastic import ElasticSpectrum
-from edesign.codes.ec8.national import NationalParameters, countries, national_parameters
+from edesign.codes.asce7.ground_motions import set_rules
+from edesign.codes.ec8.accelerograms import SET_RULES
+from edesign.codes.motion_sets import SetRules
 from edesign.codes.names import unknown
+from edesign.codes.ntc2018.accelerograms import ULTIMATE
 
 
 @dataclass(frozen=True)
@@ -19,23 +20,22 @@ class Code:
     Attributes:
         name: as in a project file.
         title: for people.
-        countries: names of the countries whose parameters are known.
-        national: parameters of a country by name, the recommended ones for None.
-        elastic, design: the spectra; the elastic one is a `Spectrum`.
+        set_rules: for a set of motions, of ultimate limit states where the code tells them apart.
     """
 
     name: str
     title: str
-    countries: Callable[[], tuple[str, ...]]
-    national: Callable[[str | None], NationalParameters]
-    elastic: type[ElasticSpectrum]
-    design: type[DesignSpectrum]
+    set_rules: SetRules
 
 
 codes: Mapping[str, Code] = MappingProxyType(
     {
-        "ec8-2004": Code(
-            "ec8-2004", "EN 1998-1:2004", countries, national_parameters, elastic=ElasticSpectrum, design=DesignSpectrum
+        code.name: code
+        for code in (
+            Code("ec8-2004", "EN 1998-1:2004", SET_RULES),
+            Code("ntc-2018", "NTC 2018", ULTIMATE),
+            Code("asce7-16", "ASCE/SEI 7-16", set_rules("7-16")),
+            Code("asce7-22", "ASCE/SEI 7-22", set_rules("7-22")),
         )
     }
 )

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import get_args
 
 from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
+from edesign.project.checks_files import check_file
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_pushover import check_pushover
 from edesign.project.damping import RayleighDamping
-from edesign.project.file_bytes import is_file, is_folder, is_there
+from edesign.project.file_bytes import is_folder
+from edesign.project.hazard_base import Hazard
 from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.processing import Step
@@ -144,15 +146,6 @@ def check_record_files(
                 problems.at_value((*keys, "folders", i), message)
 
 
-def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
-    """Check that a file is there that `what` names; returns whether it is."""
-    if not is_there(path):
-        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what})")
-    elif not is_file(path):
-        problems.at_value(keys, f"`{path}` is not a file")
-    return is_file(path)
-
-
 def _matching(project: Project, match: Matching | None, keys: Keys, problems: Problems) -> None:
     if match is None:
         return
@@ -161,10 +154,56 @@ def _matching(project: Project, match: Matching | None, keys: Keys, problems: Pr
     elif project.hazard.damping >= 1.0:
         message = "a record is fitted to this spectrum; its damping must be less than critical, below 100 %"
         problems.at_value(("hazard", "damping"), message)
+    if project.hazard is not None:
+        _fitted_level(project.hazard, match, keys, problems)
     if match.periods[0] >= match.periods[1]:
         problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
     if match.scale_bounds[0] > match.scale_bounds[1]:
         problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first")
+
+
+def _fitted_level(hazard: Hazard, match: Matching, keys: Keys, problems: Problems) -> None:
+    """Which of the levels a record is fitted to, where each has a spectrum of its own."""
+    if match.level is not None and not hazard.own_shapes:
+        message = (
+            "the levels have spectra of one shape, and records fitted to it are scaled to each; leave this key out"
+        )
+        problems.at_key((*keys, "level"), message)
+    elif match.level is not None and match.level not in hazard.levels:
+        problems.at_value((*keys, "level"), unknown_name("level", match.level, hazard.levels))
+    elif match.level is None and hazard.own_shapes and len(hazard.levels) > 1:
+        message = f"this key is missing; each level has a spectrum of its own: {listed(hazard.levels)}"
+        problems.under(keys, "level", message)
+
+
+def fitted_level(project: Project, record: str) -> str | None:
+    """Return the only level that a record is fitted to; None: it is not fitted, or to a shape that all levels have."""
+    match, hazard = project.records[record].match, project.hazard
+    if match is None or hazard is None or not hazard.own_shapes:
+        return None
+    return match.level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
+
+
+def check_fitted_levels(
+    keys: Keys, records: Iterable[str], levels: Sequence[str], project: Project, problems: Problems
+) -> None:
+    """Check that records which are fitted to the spectrum of one level are used at no other.
+
+    Args:
+        keys: where the levels stand in the file of the problems.
+        records: names of fitted records of the project; those that are fitted to a shape of all levels pass.
+        levels: at which they are used.
+        project: that has them.
+        problems: collects what is wrong.
+    """
+    for name in records:
+        only = fitted_level(project, name)
+        for i, level in enumerate(levels):
+            if only is not None and level in project.hazard_levels and level != only:
+                message = (
+                    f"`{name}` is fitted to the spectrum of `{only}`, which has another shape than that of `{level}`"
+                )
+                problems.at_item(keys, i, f"{message}; match another record to it")
 
 
 def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems) -> None:
@@ -244,6 +283,7 @@ def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAn
     elif not analysis.level:
         message = f"this key is missing; {fitted} and scaled to a level of it: {listed(levels)}"
         problems.under(keys, "level", message)
+    check_fitted_levels((*keys, "level"), (analysis.record,), (analysis.level,), project, problems)
     for key in ("pga", "scale"):
         if getattr(analysis, key) is not None:
             problems.at_key((*keys, key), f"{fitted}; its `level` says the scale")

@@ -8,7 +8,7 @@ from collections.abc import Collection, Sequence
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_names import check_names
 from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, Objectives
-from edesign.project.hazard import YEAR, Hazard, Level
+from edesign.project.hazard_base import Hazard
 from edesign.project.measures import MEASURE_KINDS
 from edesign.project.problems import Keys, Problems, did_you_mean, keys_text
 from edesign.project.project import Project
@@ -69,21 +69,15 @@ def check_criteria(
 def objective_level(letter: str, hazard: Hazard | None) -> str | None:
     """Return the name of the hazard level of an objective, None if the project has none.
 
-    A level counts with its probability in 50 years, or with that of its return period T, 1 - exp(-50 years / T); levels
-    given by a factor or an importance class have no probability.
+    A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
+    by a factor or an importance class have none.
     """
     wanted = OBJECTIVE_PROBABILITY[letter]
-    for name, level in (hazard.levels if hazard is not None else {}).items():
-        probability = _probability(level)
+    for name in hazard.levels if hazard is not None else ():
+        probability = hazard.probability(name) if hazard is not None else None
         if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
             return name
     return None
-
-
-def _probability(level: Level) -> float | None:
-    if level.probability is not None:
-        return level.probability
-    return None if level.return_period is None else -math.expm1(-50.0 * YEAR / level.return_period)
 
 
 def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from edesign.project.checks_actions import check_drift
+from edesign.project.checks_actions import check_drift, check_fitted_levels
 from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.hazard import YEAR
 from edesign.project.incremental import COLLAPSE, Incremental, LevelFactorStudy
@@ -32,6 +32,8 @@ def check_incremental(
     if incremental.level is not None and incremental.level not in base.hazard_levels:
         problems.at_value((*keys, "level"), unknown_name("level", incremental.level, base.hazard_levels))
     if isinstance(incremental, LevelFactorStudy):
+        fitted = [name for name in map(record_of, incremental.records) if name in base.records]
+        check_fitted_levels((*keys, "level"), fitted, (incremental.level,), base, problems)
         for i, name in enumerate(map(record_of, incremental.records)):
             if name in base.records and base.records[name].match is None:
                 message = (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.checks_actions import check_drift
+from edesign.project.checks_actions import check_drift, check_fitted_levels
 from edesign.project.checks_criteria import check_criteria
 from edesign.project.checks_designs import check_design
 from edesign.project.checks_incremental import check_incremental
@@ -76,6 +76,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
             problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record")
     if histories.levels is not None:
         check_names(problems, (*keys, "levels"), "level", histories.levels, base.hazard_levels)
+        check_fitted_levels((*keys, "levels"), fitted, histories.levels, base, problems)
     elif fitted:
         message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
         problems.under(keys, "levels", f"{message}: {listed(base.hazard_levels)}")

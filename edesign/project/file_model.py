@@ -116,6 +116,10 @@ class FileModel(Model):
             self._contents[path] = read(path)
         return self._contents[path]
 
+    def lend_contents(self, taker: Callable[[Path, dict[Path, bytes]], None]) -> None:
+        """Let a part of this file that names files of its own share the folder and the contents."""
+        taker(self.folder, self._contents)
+
     def yaml_content(self, file: str, what: str) -> bytes:
         """Return the content of a YAML file that this one names, as `content`.
 

@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.base import Model, by_key, by_shape, refuse
-from edesign.project.hazard import LevelName
+from edesign.project.hazard_base import LevelName
 from edesign.project.life_cycle import LifeCycle
 from edesign.project.measures import SHORT_NAMES, parse_measure_value
 from edesign.project.problems import unknown_name

@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Discriminator, Field, Tag
 
 from edesign.project.base import Model
-from edesign.project.hazard import YEAR, LevelName
+from edesign.project.hazard_base import YEAR, LevelName
 from edesign.project.several import ShortName
 from edesign.project.units import Factor, PositiveAcceleration, PositiveTime, UnitRatio
 

@@ -61,7 +61,7 @@ def parse_project(
         check_frame(project, problems, profiles)
         check_actions(project, problems, files)
         check_dampers(project, problems)
-        check_hazard(project.hazard, problems)
+        check_hazard(project.hazard, project, problems, files)
         check_outputs(project, problems)
     if project is None or problems.found:
         raise ProjectError(path, problems.found)

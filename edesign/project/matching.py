@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 
 from edesign.project.base import Model, refuse
+from edesign.project.hazard_base import LevelName
 from edesign.project.units import PositiveFactor, PositiveTime
 
 
@@ -24,10 +25,13 @@ FactorBounds = Annotated[tuple[PositiveFactor, PositiveFactor], BeforeValidator(
 class Matching(Model):
     """Fit of a record to the 5 % (or other) elastic spectrum of the `hazard` at gamma_I = 1.
 
+    Where each level of the hazard has a spectrum of its own, `level` says which.
+
     `method` is `wavelets` (time domain), `frequency` (Fourier transform) or `scale` (one factor, shape unchanged);
     `periods` (s) is the band of the fit, `scale_bounds` limits the constant factor.
     """
 
+    level: LevelName | None = None
     method: Literal["wavelets", "frequency", "scale"] = "wavelets"
     periods: PeriodBand = Field(default=(0.05, 6.0))
     scale_bounds: FactorBounds = Field(default=(0.1, 10.0))

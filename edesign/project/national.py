@@ -25,16 +25,22 @@ def _psi(value: Any) -> tuple[float, float, float]:
     return psi_0, psi_1, psi_2
 
 
-def _importance(value: Any) -> Any:
+def by_importance(value: Any) -> Any:
+    """Check that the factor of class II is 1, by which all others are defined."""
     if isinstance(value, dict) and "II" in value and value["II"] != 1.0:
         raise refuse("gamma_I of class II is 1.0 by definition (EN 1998-1, 4.2.5(5)P)", "II")
     return value
 
 
+Psi = Annotated[tuple[float, float, float], BeforeValidator(_psi)]
+"""psi_0, psi_1 and psi_2."""
+
+
 class VerticalSpectrumParameters(Model):
-    """a_vg / a_g and the corner periods of the vertical spectrum (EN 1998-1, 3.2.2.3(1)P), s."""
+    """a_vg / a_g, corner periods (s) and largest amplification of the vertical spectrum (EN 1998-1, 3.2.2.3(1)P)."""
 
     ratio: PositiveFactor | None = None
+    F_0: PositiveFactor | None = None
     T_B: PositiveTime | None = None
     T_C: PositiveTime | None = None
     T_D: PositiveTime | None = None
@@ -65,13 +71,13 @@ class NationalValues(Model):
 
     vertical: VerticalSpectrumParameters | None = None
     lower_bound_factor: UnitRatio | None = None
-    importance_factors: Annotated[dict[ImportanceClass, PositiveFactor], BeforeValidator(_importance)] | None = None
+    importance_factors: Annotated[dict[ImportanceClass, PositiveFactor], BeforeValidator(by_importance)] | None = None
     phi: dict[Occupancy, UnitRatio] | None = None
     displacement_reduction: dict[ImportanceClass, PositiveRatio] | None = None
     low_ductility_q: Annotated[float, Field(ge=1.0, le=2.0)] | None = None
     material_overstrength: Annotated[float, Field(ge=1.0)] | None = None
     post_buckling: UnitRatio | None = None
-    psi: dict[Category, Annotated[tuple[float, float, float], BeforeValidator(_psi)]] | None = None
+    psi: dict[Category, Psi] | None = None
     action_factors: ActionFactors | None = None
     resistance_factors: ResistanceFactors | None = None
 

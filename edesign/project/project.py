@@ -10,13 +10,13 @@ from typing import Annotated, Any, ClassVar, Self
 from pydantic import Field, PrivateAttr
 
 from edesign.project.analyses import Analysis
-from edesign.project.base import FormatVersion
+from edesign.project.base import FormatVersion, Model
 from edesign.project.dampers import Dampers
 from edesign.project.damping import Damping
 from edesign.project.elements import Elements
 from edesign.project.file_model import FileModel
 from edesign.project.frame import Frame
-from edesign.project.hazard import Hazard, Level
+from edesign.project.hazard import AnyHazard
 from edesign.project.integration import Integration
 from edesign.project.loads import Loads
 from edesign.project.masses import Masses
@@ -49,7 +49,7 @@ class Project(RecordFiles, FileModel):
     damping: Damping | None = None
     integration: Integration | None = None
     validity: Validity = Validity()
-    hazard: Hazard | None = None
+    hazard: AnyHazard | None = None
     records: dict[Identifier, Record] = {}
     analyses: Annotated[tuple[Analysis, ...], Field(min_length=1)]
     outputs: Outputs = Outputs()
@@ -71,6 +71,10 @@ class Project(RecordFiles, FileModel):
         """Return the project without the contents of files that were read so far."""
         found = self.model_copy()
         found._contents = {}
+        if self.hazard is not None and any(self.hazard.files()):
+            found = found.model_copy(update={"hazard": self.hazard.model_copy()})
+            assert found.hazard is not None
+            found.lend_contents(found.hazard.lend)
         return found
 
     @property
@@ -84,7 +88,7 @@ class Project(RecordFiles, FileModel):
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
 
     @property
-    def hazard_levels(self) -> Mapping[str, Level]:
+    def hazard_levels(self) -> Mapping[str, Model]:
         """The levels of the hazard by name; none without a hazard."""
         return self.hazard.levels if self.hazard is not None else {}
 

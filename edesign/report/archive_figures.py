@@ -21,6 +21,7 @@ from edesign.report.design_figures import design_figures
 from edesign.report.energy_figures import energy_figures
 from edesign.report.figures import check_format, garbage_between_figures, save
 from edesign.report.frame_figures import frame_figures
+from edesign.report.hazard_figures import hazard_figures
 from edesign.report.incremental_figures import incremental_figures
 from edesign.report.mode_figures import mode_figures
 from edesign.report.moment_rotation_figures import moment_rotation_figures
@@ -53,6 +54,7 @@ def substructure_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]
 FIGURES = (
     building_drawings,
     substructure_drawings,
+    hazard_figures,
     record_figures,
     mode_figures,
     design_figures,

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from edesign.archive.reader import Archive
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
+from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.file_model import FileModel
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
@@ -54,7 +55,7 @@ def archived_texts(archive: Archive) -> dict[str, str]:
 
 
 def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
-    """Return a project by its archived text, which takes its law files from the archive as well.
+    """Return a project by its archived text, which takes the files of laws and hazard from the archive as well.
 
     Args:
         texts: of the archive.
@@ -64,6 +65,8 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
         InputError: the text is not that of a project of this version.
     """
     project = parse_project(texts.get("project_text", ""), path, BuildingSections(), files=False)
+    for keys, file in project.hazard.files() if project.hazard is not None else ():
+        take_text(project, file, texts.get(text_name(keys)))
     laws = project.dampers.laws if project.dampers is not None else {}
     for name, law in laws.items():
         if law.file is not None:

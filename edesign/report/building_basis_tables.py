@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.codes.ec8.criterion import ROUNDING
+from edesign.codes.criterion import ROUNDING
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.table import Table, number

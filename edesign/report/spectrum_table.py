@@ -8,8 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.codes.ec8 import DesignSpectrum
-from edesign.codes.spectrum import Spectrum
+from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
@@ -77,7 +76,7 @@ def draw_spectra(
     records: Mapping[str, Record],
     band: tuple[float, float],
     path: Path,
-    design: DesignSpectrum | None = None,
+    design: DesignOrdinates | None = None,
 ) -> None:
     """Draw the spectra of the code and those of records.
 

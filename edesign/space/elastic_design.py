@@ -8,8 +8,8 @@ from dataclasses import dataclass, fields, replace
 import numpy as np
 
 from edesign.building.steel_section import steel_section
+from edesign.codes.criterion import Criterion
 from edesign.codes.ec8 import DesignSpectrum
-from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.ec8.second_order import NEGLIGIBLE
 from edesign.codes.en1990.combinations import Combination, characteristic, fundamental, seismic
@@ -19,7 +19,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.plausible import unusual
-from edesign.project.hazard import Hazard
+from edesign.project.hazard import EC8Hazard
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
@@ -445,7 +445,7 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
     return replace(modes, **{field.name: getattr(modes, field.name)[:count] for field in fields(modes)})
 
 
-def _hazard(building: Building) -> Hazard:
+def _hazard(building: Building) -> EC8Hazard:
     if building.hazard is None:
         raise InputError(
             f"{building.where('hazard')}: hazard: this block is missing; docs/building_file.md explains it"

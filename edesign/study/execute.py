@@ -17,6 +17,7 @@ from edesign.stopping import stoppable
 from edesign.study.backends import Backend
 from edesign.study.backends.work import Result, Work
 from edesign.study.execution import Execution, Job, Prepared
+from edesign.study.hazard_results import hazard_groups
 from edesign.study.interrupt import stop_on_signals
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, match_options, project_motions
@@ -111,6 +112,8 @@ def execute(
 
 
 def _carry_out(run: Execution) -> None:
+    for place, group in hazard_groups(run.job.project.hazard):
+        run.archive(place, group)
     run.motions = _prepare_records(run)
     if run.stopped():
         return

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.codes.motion_sets import DAMPING
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
+from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.analyses import ModalAnalysis
@@ -43,7 +43,7 @@ def record_intensity(project: Project, study: Incremental, record: Record, perio
             raise InputError(
                 f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels"
             )
-        found = 1.0 / importance_factor(project.hazard, study.level)
+        found = 1.0 / factor_of_level(project.hazard, study.level)
     else:
         found = _spectral_acceleration(project, study, record, period)
     if found <= 0.0:

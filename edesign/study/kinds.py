@@ -4,8 +4,8 @@ STUDY = "study"
 BUILDING = "building"
 SUBSTRUCTURE = "substructure"
 
-ANALYSES, DESIGNS, INCREMENTAL, RECORDS = "analyses", "designs", "incremental", "records"
-"""Groups of an archive: analyses, designs of dampers, what describes incremental studies, records and suites."""
+ANALYSES, DESIGNS, INCREMENTAL, RECORDS, HAZARD = "analyses", "designs", "incremental", "records", "hazard"
+"""Groups of an archive: analyses, designs of dampers, incremental studies, records and suites, the seismic action."""
 
 DIRECT = "direct analysis"
 """In the place of a variant, or of the compensator of a substructure test: the structure without laboratory."""

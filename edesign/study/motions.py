@@ -8,14 +8,15 @@ from dataclasses import dataclass, replace
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError, InputError
-from edesign.ground_motion.hazard import elastic_spectrum, importance_factor
+from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
-from edesign.ground_motion.matching.match import check_record, constant_factor
+from edesign.ground_motion.matching.match import check_band, check_record, constant_factor
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis
+from edesign.project.checks_actions import fitted_level
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
@@ -132,14 +133,14 @@ def project_motions(
         options = match_options(project, reference)
         if options is None or project.hazard is None:
             return Motion(reference, found)
-        return fit(reference, found, elastic_spectrum(project.hazard), options)
+        return fit(reference, found, target_spectrum(project, reference), options)
 
     motions = prepare_motions(recordings, prepare, workers, each, stop)
     for name, spec in project.records.items():
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         if not isinstance(spec, SuiteRecords) or spec.match is None or project.hazard is None or not members:
             continue
-        for motion in raise_suite(members, elastic_spectrum(project.hazard), fundamental_period()):
+        for motion in raise_suite(members, target_spectrum(project, name), fundamental_period()):
             motions[motion.name] = motion
     return motions
 
@@ -154,12 +155,22 @@ def match_options(project: Project, reference: str) -> MatchOptions | None:
     )
 
 
+def target_spectrum(project: Project, reference: str) -> Spectrum:
+    """Return the spectrum that the project fits a recording to: one shape for all levels, or that of a level.
+
+    Raises:
+        InputError: the hazard of the project is wrong.
+    """
+    assert project.hazard is not None, "match_options tells"
+    return elastic_spectrum(project.hazard, fitted_level(project, record_of(reference)))
+
+
 def expected_scale(project: Project, reference: str, found: Found) -> float:
     """Return the factor that the fit of a recording begins with; 1 for one that is not fitted."""
     options = match_options(project, reference)
     if options is None or project.hazard is None:
         return 1.0
-    return constant_factor(found.record, elastic_spectrum(project.hazard), options)
+    return constant_factor(found.record, target_spectrum(project, reference), options)
 
 
 def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
@@ -179,6 +190,7 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
             continue
         try:
             check_record(found.record, options)
+            check_band(target_spectrum(project, reference), options)
         except InputError as error:
             name = record_of(reference)
             faults.append(f"{project.where('records', name, 'match')}: records.{name}.match: {error}")
@@ -187,7 +199,7 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
 
 
 def level_factor(project: Project, spec: HistoryAnalysis) -> float:
-    """Return the importance factor of the history's hazard level; 1 for recordings that are not fitted."""
+    """Return the factor of the history's hazard level on what recordings are fitted to; 1 for those that are not."""
     if project.hazard is None or match_options(project, spec.record) is None:
         return 1.0
-    return importance_factor(project.hazard, spec.level)
+    return factor_of_level(project.hazard, spec.level)

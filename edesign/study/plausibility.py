@@ -60,7 +60,7 @@ def _period(project: Project, period: float) -> str:
     q d/H. More than 0.3 is not allowed, and stands for a frame that falls rather than sways.
     """
     height = project.frame.height
-    q = project.hazard.behaviour_factor if project.hazard is not None else None
+    q = project.hazard.q if project.hazard is not None else None
     q = q or LEAST_BEHAVIOUR_FACTOR
     low, high = STIFF * height**0.75 / TEN_TIMES, 2.0 * math.sqrt(SENSITIVITY * height / q)
     if period > high:

@@ -19,6 +19,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.hdf5 import library_versions
 from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
+from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.designs import FileProperties
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -44,11 +45,12 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
     """Return the SHA-256 of all that a run reads.
 
     Args:
-        project: its text counts, and the files of its laws of dampers.
+        project: its text counts, and the files of its laws of dampers and of its hazard.
         records: SHA-256 of the samples of each record, by name.
     """
     parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
     parts += [_checksum(file, content) for file, content in _law_files(project).values()]
+    parts += [_checksum(file, content) for file, content in _hazard_files(project).values()]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
@@ -84,6 +86,11 @@ def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
     }
 
 
+def _hazard_files(project: Project) -> dict[str, tuple[str, bytes]]:
+    """Name and content of the files of the hazard, by the name of their text in the archive."""
+    return hazard_files(project.hazard) if project.hazard is not None else {}
+
+
 def _checksum(file: str, content: bytes) -> str:
     return f"{Path(file).name} {hashlib.sha256(content).hexdigest()}"
 
@@ -115,6 +122,8 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
     group.add("project_text", (), project.text, "", "text of the project file")
     for name, file in _law_files(project).items():
         _add_file(group, f"law_text_{name}", "law file", *file)
+    for name, file in _hazard_files(project).items():
+        _add_file(group, name, "hazard file", *file)
     return group
 
 

@@ -12,7 +12,6 @@ from edesign.archive.dataset import Group, Variable
 from edesign.codes.ec8 import Criterion
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
-from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching import Match
 from edesign.ground_motion.plausibility import doubts
@@ -20,7 +19,7 @@ from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
 from edesign.project.records import SuiteRecords, record_of
 from edesign.study.kinds import RECORDS
-from edesign.study.motions import Motion
+from edesign.study.motions import Motion, target_spectrum
 
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
@@ -51,7 +50,7 @@ def project_record_groups(
             yield f"{RECORDS}/{name}", record_group(motions[name], order, warnings.get(name, ()))
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
-        target = elastic_spectrum(project.hazard) if project.hazard and spec.match else None
+        target = target_spectrum(project, name) if project.hazard and spec.match else None
         verdicts: tuple[Criterion, ...] = ()
         if target is not None:
             verdicts = criteria(members, target, fundamental_period(), variant_periods.get(name, {}))

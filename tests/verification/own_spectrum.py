@@ -19,6 +19,7 @@ class Own:
     ripple: float = 0.0
     damping: float = 0.05
     label: str = "its own spectrum"
+    last_period: float = np.inf
 
     @property
     def zero_period(self) -> float:

@@ -38,6 +38,7 @@ class Times:
     factor: float
     damping: float = 0.05
     label: str = "target times a factor"
+    last_period: float = np.inf
 
     @property
     def zero_period(self) -> float:

@@ -1,7 +1,7 @@
 """EN 1998-1:2004, Eurocode 8: the seismic action, what accelerograms must satisfy, analysis and steel frames."""
 
+from edesign.codes.criterion import Criterion
 from edesign.codes.ec8.accelerograms import SET_RULES
-from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.design import DesignSpectrum, vertical_design_spectrum
 from edesign.codes.ec8.displacement import LongPeriodSpectrum
 from edesign.codes.ec8.elastic import ElasticSpectrum, damping_correction

@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.criterion import Criterion, at_most
+from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.names import unknown
 from edesign.codes.quantities import check_not_negative, check_positive
 

@@ -28,6 +28,7 @@ class DesignSpectrum:
         gamma_I: importance factor.
         beta: lower bound factor; beyond T_C the spectrum is at least beta a_g.
         label: for plots and tables.
+        F_0: largest amplification, 2.5 (vertical too, 3.2.2.5(5)).
 
     Source: EN 1998-1:2004, 3.2.2.5(4)P, Eqs. 3.13-3.16; thesis Eqs. 5.1-5.4.
     """
@@ -39,6 +40,7 @@ class DesignSpectrum:
     gamma_I: float = 1.0
     beta: float = 0.2
     label: str = "EN 1998-1 design"
+    F_0: float = 2.5
 
     def __post_init__(self) -> None:
         checked_action(self.a_gR, self.gamma_I)
@@ -52,7 +54,7 @@ class DesignSpectrum:
         """Return the design spectrum of the same action; the damping of `elastic` does not enter."""
         p = elastic.parameters
         label = label or f"EN 1998-1 design, q = {q:g}"
-        return cls(elastic.a_gR, p.S, (p.T_B, p.T_C, p.T_D), q, elastic.gamma_I, beta, label)
+        return cls(elastic.a_gR, p.S, (p.T_B, p.T_C, p.T_D), q, elastic.gamma_I, beta, label, p.F_0)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_d(T), m/s2, in the shape of `period` (s); Eqs. 3.13-3.16."""
@@ -79,7 +81,7 @@ class DesignSpectrum:
 
     def _shape(self, period: ArrayLike) -> np.ndarray:
         """S_d(T) / a_g without the lower bound."""
-        return self.S * four_branches(period, self.corners, start=2.0 / 3.0, plateau=2.5 / self.q)
+        return self.S * four_branches(period, self.corners, start=2.0 / 3.0, plateau=self.F_0 / self.q)
 
 
 def vertical_design_spectrum(

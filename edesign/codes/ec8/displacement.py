@@ -102,7 +102,7 @@ class LongPeriodSpectrum:
     def displacement(self, period: ArrayLike) -> np.ndarray:
         """Return S_De(T), m, in the shape of `period` (s); Eqs. 3.7, A.1 and A.2."""
         T = checked_periods(period)
-        plateau = 2.5 * self.elastic.eta
+        plateau = self.elastic.parameters.F_0 * self.elastic.eta
         beyond = np.interp(T, (self.T_E, self.T_F), (plateau, 1.0))
         return np.where(T <= self.T_E, self.elastic.displacement(T), design_ground_displacement(self.elastic) * beyond)
 

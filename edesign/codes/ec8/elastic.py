@@ -101,7 +101,7 @@ class ElasticSpectrum:
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_e(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5."""
         p = self.parameters
-        shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=2.5 * self.eta)
+        shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=p.F_0 * self.eta)
         return self.gamma_I * (self.a_gR * p.S * shape)
 
     def displacement(self, period: ArrayLike) -> np.ndarray:

@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.criterion import Criterion
+from edesign.codes.criterion import Criterion
 from edesign.codes.quantities import check_not_negative, check_positive
 from edesign.errors import InputError
 

@@ -254,10 +254,27 @@ def national_parameters(country: str | None = None) -> NationalParameters:
     return NationalParameters(country, {**parameters, **_read(country)})
 
 
+def parameters_of_file(country: str, entries: Mapping[str, Mapping[str, Any]]) -> NationalParameters:
+    """Return the parameters of a country from the entries of a file of the user; the rest is as recommended.
+
+    Args:
+        country: its name, for messages.
+        entries: value, unit, clause and source by name, as in the files of the package, and checked.
+    """
+    return NationalParameters(country, {**_read(_RECOMMENDED), **_parameters(entries, country)})
+
+
+def data_text(name: str) -> str:
+    """Return the text of a data file of the package, such as that of "greece"."""
+    return resources.files("edesign.codes.ec8").joinpath(f"data/{name}.yaml").read_text(encoding="utf-8")
+
+
 def _read(name: str) -> dict[str, Parameter]:
-    text = resources.files("edesign.codes.ec8").joinpath(f"data/{name}.yaml").read_text(encoding="utf-8")
-    entries = yaml.safe_load(text)
+    return _parameters(yaml.safe_load(data_text(name)), name)
+
+
+def _parameters(entries: Mapping[str, Mapping[str, Any]], origin: str) -> dict[str, Parameter]:
     return {
-        key: Parameter(key, entry["value"], entry.get("unit", ""), str(entry["clause"]), entry["source"], name)
+        key: Parameter(key, entry["value"], entry.get("unit", ""), str(entry["clause"]), entry["source"], origin)
         for key, entry in entries.items()
     }

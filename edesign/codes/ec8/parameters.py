@@ -21,6 +21,7 @@ class HorizontalParameters:
         S: soil factor.
         T_B, T_C: ends of the branch of constant acceleration, s.
         T_D: beginning of the branch of constant displacement, s.
+        F_0: largest amplification at 5 % damping, 2.5 in Eqs. 3.2-3.5.
     """
 
     ground: str
@@ -29,9 +30,11 @@ class HorizontalParameters:
     T_B: float
     T_C: float
     T_D: float
+    F_0: float = 2.5
 
     def __post_init__(self) -> None:
         _positive("S", self.S, "")
+        _positive("F_0", self.F_0, "")
         _ordered(self.T_B, self.T_C, self.T_D)
 
 
@@ -43,6 +46,7 @@ class VerticalParameters:
         spectrum_type: 1 or 2.
         ratio: a_vg / a_g.
         T_B, T_C, T_D: corner periods, s.
+        F_0: largest amplification at 5 % damping, 3.0 in Eqs. 3.8-3.11.
     """
 
     spectrum_type: int
@@ -50,14 +54,16 @@ class VerticalParameters:
     T_B: float
     T_C: float
     T_D: float
+    F_0: float = 3.0
 
     def __post_init__(self) -> None:
+        _positive("F_0", self.F_0, "")
         _positive("a_vg / a_g", self.ratio, "")
         _ordered(self.T_B, self.T_C, self.T_D)
 
 
 def horizontal_of(table: Mapping[int, Any], spectrum_type: int, ground: str) -> HorizontalParameters:
-    """Return a row of a table {type: {ground: {S, T_B, T_C, T_D}}}.
+    """Return a row of a table {type: {ground: {S, T_B, T_C, T_D}}}, where F_0 may stand too.
 
     Raises:
         InputError: no such type or ground; S1 and S2 need a study of their own, 3.1.2(4)P.
@@ -74,7 +80,7 @@ def horizontal_of(table: Mapping[int, Any], spectrum_type: int, ground: str) -> 
 
 
 def vertical_of(table: Mapping[int, Any], spectrum_type: int) -> VerticalParameters:
-    """Return a row of a table {type: {ratio, T_B, T_C, T_D}}.
+    """Return a row of a table {type: {ratio, T_B, T_C, T_D}}, where F_0 may stand too.
 
     Raises:
         InputError: no such type.

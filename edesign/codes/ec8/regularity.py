@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.codes.ec8.criterion import Criterion, at_least, at_most
+from edesign.codes.criterion import Criterion, at_least, at_most
 from edesign.codes.quantities import check_not_negative, check_positive
 from edesign.errors import InputError
 

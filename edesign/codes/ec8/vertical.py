@@ -71,7 +71,7 @@ class VerticalSpectrum:
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_ve(T), m/s2, in the shape of `period` (s); Eqs. 3.8-3.11."""
         p = self.parameters
-        plateau = 3.0 * damping_correction(self.damping)
+        plateau = p.F_0 * damping_correction(self.damping)
         shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=plateau)
         return self.gamma_I * (self.a_gR * p.ratio * shape)
 

@@ -102,6 +102,19 @@ def constant_factor(record: Record, target: Spectrum, options: MatchOptions) -> 
     return _scale(record, _ordinates(target, periods, options)[0], periods, options)[0]
 
 
+def check_band(target: Spectrum, options: MatchOptions) -> None:
+    """Check that a target has ordinates over the band to be matched.
+
+    Raises:
+        InputError: it ends before.
+    """
+    if options.periods[1] > target.last_period:
+        raise InputError(
+            f"the band ends at {options.periods[1]:g} s, and {target.label} at {target.last_period:g} s; end the band "
+            "there"
+        )
+
+
 def check_record(record: Record, options: MatchOptions) -> None:
     """Check that a record reaches over the band to be matched.
 
@@ -153,6 +166,7 @@ def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> 
             f"the target {target.label} is a spectrum of {100 * target.damping:g} % damping, "
             f"but {100 * options.damping:g} % are to be matched"
         )
+    check_band(target, options)
     wanted, zero_period = np.asarray(target.acceleration(periods), dtype=float), float(target.zero_period)
     good = np.isfinite(wanted) & (wanted > 0.0)
     if not np.all(good):

@@ -31,7 +31,7 @@ def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period:
     rules, needed = target.set_rules.of(matched=matches[0].method != "scale"), [1.0]
     if rules.has_zero_period:
         needed.append(target.zero_period / float(np.mean([match.matched.pga for match in matches])))
-    if fundamental_period is not None:
+    if fundamental_period is not None and not rules.missing(target, fundamental_period):
         periods = rules.check_periods(fundamental_period)
         mean = np.mean([psa(m.matched.acceleration, m.matched.time_step, periods, DAMPING) for m in matches], axis=0)
         needed.append(float(np.max(rules.least_ratio * target.acceleration(periods) / mean)))

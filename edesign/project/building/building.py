@@ -20,7 +20,7 @@ from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.supports import Springs, Support, springs_of
 from edesign.project.file_model import FileModel
-from edesign.project.hazard import Hazard
+from edesign.project.hazard import BuildingHazard
 from edesign.project.project import Identifier
 from edesign.project.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.units import PositiveDensity, PositiveLength, PositiveStress
@@ -101,7 +101,7 @@ class Building(FileModel):
     materials: dict[Identifier, Steel]
     loads: Loads = Loads()
     masses: Masses | None = None
-    hazard: Hazard | None = None
+    hazard: BuildingHazard | None = None
     design: Design | None = None
 
     _path: Path = PrivateAttr(default=Path("building.yaml"))

@@ -16,7 +16,7 @@ def check_design(building: Building, problems: Problems) -> None:
         building: read without schema problems.
         problems: collects what is wrong.
     """
-    check_hazard(building.hazard, problems)
+    check_hazard(building.hazard, building, problems)
     hazard, design = building.hazard, building.design
     if hazard is not None and hazard.behaviour_factor is not None:
         message = "a building has a behaviour factor in each direction; give `q` under design.systems"

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.project.checks_actions import check_file
 from edesign.project.checks_dampers import check_law
+from edesign.project.checks_files import check_file
 from edesign.project.dampers import DamperLaw
 from edesign.project.problems import Keys, Problems, unknown_name
 from edesign.project.substructure.rts_file import RtsFile

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from edesign.project.checks_actions import check_file
+from edesign.project.checks_files import check_file
 from edesign.project.loader import load_project
 from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project

@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable
 from itertools import groupby
 
+from edesign.codes.ec8 import ElasticSpectrum
+from edesign.codes.ntc2018 import NtcSpectrum
+from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError
-from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.hazard import action_of
 from edesign.project.damping import ModalDamping, RayleighDamping
-from edesign.project.hazard import Hazard
+from edesign.project.hazard_base import Hazard
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.loads import BeamLoad
 from edesign.project.materials import ElasticMaterial
@@ -42,21 +45,32 @@ def project_rows(project: Project) -> Rows:
 
 
 def hazard_rows(hazard: Hazard) -> Rows:
-    """Return the reference action and the levels; nothing if the code does not know them."""
+    """Return the action and the levels; nothing if the code does not know them, or a file of theirs is not at hand."""
+    action = action_of(hazard)
     try:
-        reference = elastic_spectrum(hazard)
-        levels = {level: elastic_spectrum(hazard, level) for level in hazard.levels}
+        spectra = {level: action.elastic(level) for level in hazard.levels}
+        reference = None if hazard.own_shapes else action.elastic(None)
+        facts = {level: action.facts(level) for level in hazard.levels}
     except EdesignError:
         return []
-    shape = reference.parameters
-    corners = f"S = {shape.S:g}, T_B = {shape.T_B:g} s, T_C = {shape.T_C:g} s, T_D = {shape.T_D:g} s"
-    rows = [("Reference action", reference.label), ("Spectrum", f"{corners}; {100 * reference.damping:g} % damping")]
-    for level, spectrum in levels.items():
-        given = hazard.levels[level].probability
-        chance = f"{100 * given:g} % in 50 years, " if given is not None else ""
+    rows = [] if reference is None else [("Reference action", reference.label), ("Spectrum", _shape(reference))]
+    for level, spectrum in spectra.items():
         ground = f"peak ground acceleration {plain(spectrum.zero_period / STANDARD_GRAVITY)} g"
-        rows.append((level, f"{chance}gamma_I = {plain(spectrum.gamma_I)}, {ground}"))
+        shape = (_shape(spectrum),) if hazard.own_shapes else ()
+        rows.append((level, ", ".join(part for part in (facts[level], ground, *shape) if part)))
+    first = next(iter(spectra.values()), reference)
+    if first is not None:
+        rows.append(("Criteria for a set of motions", first.set_rules.code))
     return rows
+
+
+def _shape(spectrum: Spectrum) -> str:
+    """Site factor and corner periods, or what a table spans, and damping."""
+    factor = f"S = {spectrum.parameters.S:g}, " if isinstance(spectrum, ElasticSpectrum) else ""
+    factor = f"S = {spectrum.S:.4g}, " if isinstance(spectrum, NtcSpectrum) else factor
+    corners = ", ".join(f"{name} = {period:.4g} s" for name, period in spectrum.corners.items())
+    corners = corners or f"table from 0 s to {spectrum.last_period:g} s"
+    return f"{factor}{corners}; {100 * spectrum.damping:g} % damping"
 
 
 def _lengths(values: Iterable[float]) -> str:

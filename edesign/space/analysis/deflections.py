@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.codes.ec8.criterion import Criterion, at_most
+from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import PROPERTIES
 from edesign.project.building.design import BeamDeflections

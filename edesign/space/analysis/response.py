@@ -249,7 +249,7 @@ def gravity_above(frame: SpaceFrame, factors: Mapping[str, float]) -> np.ndarray
 
 
 def _without_beta(spectrum: DesignSpectrum) -> DesignSpectrum:
-    return DesignSpectrum(spectrum.a_gR, spectrum.S, spectrum.corners, spectrum.q, spectrum.gamma_I, 0.0)
+    return replace(spectrum, beta=0.0)
 
 
 @dataclass(frozen=True)

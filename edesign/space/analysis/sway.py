@@ -17,8 +17,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
+from edesign.codes.criterion import Criterion, at_least
 from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_sway, sway_amplification
-from edesign.codes.ec8.criterion import Criterion, at_least
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
 from edesign.core.space import PROPERTIES, SpaceModel

@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.building.section_class import section_class
 from edesign.building.steel_section import steel_section
+from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
-from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Steel

@@ -9,11 +9,11 @@ import numpy as np
 
 from edesign.building.section_class import SectionClass, section_class
 from edesign.building.steel_section import SteelSection, steel_section
+from edesign.codes.criterion import Criterion, at_least, at_most
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness
 from edesign.codes.ec8.behaviour_factor import alpha_ratio, behaviour_factor, largest_section_class
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, asymmetry, homogeneity, slenderness
-from edesign.codes.ec8.criterion import Criterion, at_least, at_most
 from edesign.codes.ec8.modal_combination import check_modes
 from edesign.codes.ec8.moment_frames import rotation_capacity
 from edesign.codes.ec8.regularity import IRREGULAR_Q

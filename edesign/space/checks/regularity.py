@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.codes.ec8.criterion import Criterion, at_most
+from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec8.lateral_force import lateral_forces
 from edesign.codes.ec8.regularity import (
     eccentricity_and_radius,

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec3.cross_section import moment_resistance
-from edesign.codes.ec8.criterion import Criterion, at_most
 from edesign.codes.ec8.moment_frames import (
     web_panel_area_with_doubler,
     web_panel_resistance,

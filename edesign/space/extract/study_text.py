@@ -16,7 +16,7 @@ from edesign.ground_motion.simulation.site import V_S30_RANGE
 from edesign.project.building.design import Drift
 from edesign.project.building.names import BeamPlace
 from edesign.project.checks_criteria import objective_level
-from edesign.project.hazard import Hazard
+from edesign.project.hazard import EC8Hazard
 from edesign.project.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value
@@ -178,7 +178,7 @@ records:
     return text
 
 
-def _hazard(row: FrameRow) -> Hazard:
+def _hazard(row: FrameRow) -> EC8Hazard:
     building = row.building
     if building.hazard is None or not building.hazard.levels:
         raise InputError(f"{building.where('hazard')}: a study needs a `hazard` with `levels`")

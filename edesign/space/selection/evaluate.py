@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.codes.criterion import Criterion
 from edesign.codes.ec3.imperfections import AMPLIFICATION
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, HOMOGENEITY, SLENDERNESS
-from edesign.codes.ec8.criterion import Criterion
 from edesign.codes.ec8.second_order import AMPLIFIED
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.space.analysis.deflections import LIMITED

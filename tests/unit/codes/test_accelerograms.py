@@ -24,6 +24,7 @@ class Flat:
     label: str = "flat"
     damping: float = 0.05
     zero_period: float = 1.0
+    last_period: float = np.inf
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         return np.full(np.shape(period), 2.0)

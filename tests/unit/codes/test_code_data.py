@@ -12,7 +12,7 @@ from edesign.codes.ec8.ground import ground_type, ground_type_of_velocity, groun
 from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period, return_period_of
 from edesign.codes.ec8.national import Parameter
 from edesign.errors import InputError
-from edesign.project.hazard import Hazard, Level
+from edesign.project.hazard import OTHER_CODES, AsceHazard, EC8Hazard, Level, NtcHazard, UserHazard
 
 G = 9.80665
 
@@ -143,16 +143,19 @@ def test_times_and_exponents_are_positive() -> None:
 
 def test_registry() -> None:
     code = find_code("ec8-2004")
-    assert code.title == "EN 1998-1:2004" and code.elastic is ElasticSpectrum
+    assert code.title == code.set_rules.code == "EN 1998-1:2004"
     with pytest.raises(InputError, match=r"there is no code `ec8`; did you mean `ec8-2004`\?"):
         find_code("ec8")
 
 
 def test_the_project_file_allows_what_the_codes_have() -> None:
     """The schema cannot import the codes, so its lists are compared with theirs here."""
-    assert set(get_args(Hazard.model_fields["code"].annotation)) == set(codes)
+    named = [get_args(of.model_fields["code"].annotation) for of in (EC8Hazard, NtcHazard, AsceHazard)]
+    assert {code for of in named for code in of} == set(codes)
+    assert set(get_args(UserHazard.model_fields["criteria"].annotation)) == set(codes)
+    assert {code for of in named[1:] for code in of} | {"user"} == set(OTHER_CODES)
     table = national_parameters().parameters["horizontal"].value
-    assert set(get_args(Hazard.model_fields["spectrum"].annotation)) == set(table)
-    assert set(get_args(Hazard.model_fields["ground"].annotation)) == set(table[1]) == set(table[2])
+    assert set(get_args(EC8Hazard.model_fields["spectrum"].annotation)) == set(table)
+    assert set(get_args(EC8Hazard.model_fields["ground"].annotation)) == set(table[1]) == set(table[2])
     classes = get_args(get_args(Level.model_fields["importance_class"].annotation)[0])
     assert set(classes) == set(national_parameters().parameters["importance_factors"].value)

@@ -24,6 +24,7 @@ class Flat:
     zero_period: float = 3.0
     damping: float = 0.05
     label: str = "flat target"
+    last_period: float = np.inf
 
     def acceleration(self, period: Any) -> np.ndarray:
         return np.full(np.shape(period), self.value)

@@ -8,17 +8,17 @@ from building_examples import building as changed
 
 from edesign.codes.ec8.national import national_parameters
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import checked_hazard, importance_factor, national_of, vertical_spectrum
+from edesign.ground_motion.hazard import checked_hazard, factor_of_level, national_of, vertical_spectrum
 from edesign.project.building import parse_building
-from edesign.project.hazard import Hazard, Level
+from edesign.project.hazard import EC8Hazard, Level
 from edesign.project.problems import FileProblems
 from edesign.space.structure.design_block import design_of
 
 GREECE = {"code": "ec8-2004", "country": "greece", "zone": "3", "ground": "B", "spectrum": 1}
 
 
-def hazard(**national: object) -> Hazard:
-    return Hazard.model_validate({**GREECE, "levels": {"L": Level(importance_class="III")}, "national": national})
+def hazard(**national: object) -> EC8Hazard:
+    return EC8Hazard.model_validate({**GREECE, "levels": {"L": Level(importance_class="III")}, "national": national})
 
 
 def test_without_values_the_parameters_are_those_of_the_country() -> None:
@@ -37,7 +37,7 @@ def test_stated_values_replace_those_of_the_country_entry_by_entry() -> None:
     )
     found, before = national_of(stated), national_parameters("greece")
     assert (found.beta, found.gamma_ov, found.gamma_pb) == (0.1, 1.1, before.gamma_pb)
-    assert importance_factor(stated, "L") == found.gamma_I("III") == 1.3
+    assert factor_of_level(stated, "L") == found.gamma_I("III") == 1.3
     assert found.gamma_I("IV") == before.gamma_I("IV")
     assert (found.psi["B"].psi_2, found.psi["C"]) == (0.4, before.psi["C"])
     assert (found.action_factors.xi, found.action_factors.G_sup) == (0.925, 1.35)

@@ -13,11 +13,11 @@ from edesign.ground_motion.hazard import (
     code_spectra,
     design_spectrum,
     elastic_spectrum,
-    importance_factor,
+    factor_of_level,
     vertical_spectrum,
 )
 from edesign.project import Project, new_project, parse_project
-from edesign.project.hazard import Hazard
+from edesign.project.hazard import EC8Hazard
 
 LEVELS = """
   levels:
@@ -41,7 +41,7 @@ def with_hazard(folder: Path, lines: str) -> Project:
     return parse_project(f"{text}\nhazard:\n  code: ec8-2004\n{lines}", "frame.yaml")
 
 
-def hazard_of(project: Project) -> Hazard:
+def hazard_of(project: Project) -> EC8Hazard:
     assert project.hazard is not None
     return project.hazard
 
@@ -50,7 +50,7 @@ def test_reference_action_and_levels(project: Project) -> None:
     hazard = checked_hazard(project)
     reference = elastic_spectrum(hazard)
     assert reference.zero_period == pytest.approx(4.0599531, rel=1e-12)  # 0.36 x 9.80665 x 1.15
-    factors = {level: importance_factor(hazard, level) for level in hazard.levels}
+    factors = {level: factor_of_level(hazard, level) for level in hazard.levels}
     # 5^(1/3); (3800 / 475)^(1/3) = 2; 4.2.5(5)P Note
     expected = {"DBE": 1.0, "MCE": 1.7099759, "rare": 2.0, "hospital": 1.4, "own": 1.3}
     assert factors == pytest.approx(expected, rel=1e-7)
@@ -75,8 +75,8 @@ def test_values_of_the_site_replace_those_of_the_table(tmp_path: Path) -> None:
     assert (p.S, p.T_B, p.T_C, p.T_D, spectrum.damping) == (1.3, 0.2, 0.6, 2.5, 0.10)
     # 1.3 x 2.5 x sqrt(10 / 15) x 0.6 x 2.5 / 16
     assert spectrum.acceleration(4.0) == pytest.approx(0.24877631, rel=1e-7)
-    assert importance_factor(hazard, "MCE") == pytest.approx(2.2360680, rel=1e-7)  # 5^(1/2)
-    assert importance_factor(hazard, "rare") == pytest.approx(2.8284271, rel=1e-7)  # 8^(1/2)
+    assert factor_of_level(hazard, "MCE") == pytest.approx(2.2360680, rel=1e-7)  # 5^(1/2)
+    assert factor_of_level(hazard, "rare") == pytest.approx(2.8284271, rel=1e-7)  # 8^(1/2)
 
 
 def test_vertical_and_design_spectra(tmp_path: Path) -> None:

@@ -7,7 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from edesign.project import Problem, parse_project
-from edesign.project.hazard import YEAR, Hazard
+from edesign.project.hazard import EC8Hazard
+from edesign.project.hazard_base import YEAR
 
 Broken = Callable[..., list[Problem]]
 
@@ -29,7 +30,7 @@ hazard:
 """
 
 
-def block(text: str) -> Hazard:
+def block(text: str) -> EC8Hazard:
     hazard = parse_project(text).hazard
     assert hazard is not None
     return hazard

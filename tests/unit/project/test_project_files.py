@@ -95,6 +95,7 @@ def test_every_key_is_documented() -> None:
 
     pages = (
         "project_file",
+        "hazard",
         "study_file",
         "damper_design",
         "assessment",

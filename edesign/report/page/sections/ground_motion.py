@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.report.hazard_figures import hazard_figures
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Part, Section
 from edesign.report.page.source import Source
@@ -18,6 +19,7 @@ def ground_motion(source: Source) -> Section:
     rows = hazard_rows(source.project.hazard) if source.project is not None and source.project.hazard else []
     if rows:
         parts.append(Facts(tuple(rows)))
+    parts += source.pictures(hazard_figures)
     pictures = source.pictures(record_figures)
     of_suites = {f"figure-{name}_{ending}" for name in source.archive.names(RECORDS) for ending in OF_SUITES}
     parts += [picture for picture in pictures if picture.name in of_suites]

@@ -1,0 +1,58 @@
+"""What a hazard offers as spectra, whatever its code."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Protocol
+
+from edesign.codes.spectrum import DesignOrdinates, Spectrum
+from edesign.errors import InputError
+from edesign.project.hazard_base import Hazard
+from edesign.project.problems import unknown_name
+
+Check = tuple[tuple[str, ...], Callable[[], object]]
+"""A place below `hazard`, and what raises an `InputError` if something is wrong there."""
+
+
+class SeismicAction(Protocol):
+    """Spectra of a hazard. A level of None is what records are fitted to: the action of which all levels are multiples,
+    or the only level of an action whose levels have spectra of their own."""
+
+    def checks(self) -> Iterator[Check]:
+        """Yield what only the code can check, in the order in which it is told."""
+
+    def elastic(self, level: str | None) -> Spectrum:
+        """Return the horizontal elastic spectrum."""
+
+    def vertical(self, level: str | None) -> Spectrum:
+        """Return the vertical elastic spectrum.
+
+        Raises:
+            InputError: the code has none here.
+        """
+
+    def design(self, level: str | None, q: float | None) -> DesignOrdinates | None:
+        """Return the horizontal spectrum reduced by q; None for q takes what the hazard says, and gives None without.
+
+        Raises:
+            InputError: the code has no such thing.
+        """
+
+    def vertical_design(self, level: str | None, q: float) -> DesignOrdinates:
+        """Return the vertical spectrum reduced by q; errors as `design`."""
+
+    def factor(self, level: str) -> float:
+        """Return the spectrum of a level over that of None; 1 where levels have spectra of their own."""
+
+    def facts(self, level: str) -> str:
+        """Return how rare a level is and what it follows from, for people; empty where nothing is known."""
+
+
+def check_level(hazard: Hazard, level: str) -> None:
+    """Check that there is a level.
+
+    Raises:
+        InputError: there is not.
+    """
+    if level not in hazard.levels:
+        raise InputError(f"hazard.levels: {unknown_name('level', level, hazard.levels)}")

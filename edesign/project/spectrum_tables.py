@@ -1,0 +1,35 @@
+"""Tables of spectra: in the project file, or in a file that it names."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.base import Model
+from edesign.project.units import Duration, PositiveAcceleration
+
+
+class SpectrumValues(Model):
+    """Periods from 0 on (s) and pseudo-accelerations (m/s2), one for each."""
+
+    periods: Annotated[tuple[Duration, ...], Field(min_length=2)]
+    accelerations: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)]
+
+
+class SpectrumFile(Model):
+    """A CSV file; its first column is the period, `column` the header of the ordinates (None: the second column)."""
+
+    file: Annotated[str, Field(min_length=1)]
+    column: Annotated[str, Field(min_length=1)] | None = None
+
+
+def _which(value: Any) -> str:
+    keys = value if isinstance(value, Mapping) else type(value).model_fields if isinstance(value, Model) else ()
+    return "?values" if "periods" in keys or "accelerations" in keys else "?file"
+
+
+SpectrumTable = Annotated[
+    Annotated[SpectrumValues, Tag("?values")] | Annotated[SpectrumFile, Tag("?file")], Discriminator(_which)
+]

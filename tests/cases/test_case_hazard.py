@@ -1,0 +1,148 @@
+"""The case `user_spectrum` against an oscillator of this test's own, and other codes in the place of its table."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+from cases.conftest import HERE
+from scipy.signal import lfilter
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.cli.main import main
+from edesign.project.units import STANDARD_GRAVITY as G
+
+CASE = HERE / "user_spectrum"
+
+
+def own_psa(ground: np.ndarray, step: float, period: float, ratio: float = 0.05) -> float:
+    """Pseudo-acceleration of an oscillator under straight lines between samples, by its exact recurrence, m/s2."""
+    omega = 2.0 * np.pi / period
+    matrix = np.array([[0.0, 1.0], [-(omega**2), -2.0 * ratio * omega]])
+    values, vectors = np.linalg.eig(matrix)
+    exact = (vectors * np.exp(values * step)) @ np.linalg.inv(vectors)
+    solve = np.linalg.inv(matrix)
+    load = np.array([0.0, -1.0])
+    ramp = solve @ (solve @ (exact - np.eye(2)) / step - np.eye(2)) @ load  # of the later sample
+    rest = solve @ (exact - np.eye(2)) @ load - ramp  # of the earlier one
+    # x_k+1 = E x_k + rest a_k + ramp a_k+1, as a recurrence of the displacement alone
+    E = exact.real
+    trace, determinant = np.trace(E), np.linalg.det(E)
+    first, second = rest.real, ramp.real
+    b = [second[0], first[0] + E[0, 1] * second[1] - E[1, 1] * second[0], E[0, 1] * first[1] - E[1, 1] * first[0]]
+    displacement = lfilter(b, [1.0, -trace, determinant], ground)
+    return float(omega**2 * np.max(np.abs(displacement)))
+
+
+def table(T: np.ndarray) -> np.ndarray:
+    """The uniform hazard spectrum of the case from 0.1 s on by hand: 0.45 g to 0.5 s, then 0.225 g / T."""
+    return np.where(T <= 0.5, 0.45, 0.225 / T) * G
+
+
+def test_the_record_is_scaled_to_the_table(archive_of: Callable[[str], Path]) -> None:
+    """One factor makes the ratios of record to table 1 in the mean of their logarithms, over 100 periods of the fit.
+
+    Between samples this test takes straight lines and the program a band-limited motion, which from 0.4 s on, 20
+    samples, differ by less than 1 %.
+    """
+    with open_archive(archive_of("user_spectrum")) as archive:
+        group = archive.group("records/motion")
+    time, T = group.coords["matched_time"].values, np.geomspace(0.4, 2.0, 100)
+    fine = np.linspace(time[0], time[-1], 10 * (time.size - 1) + 1)  # so that peaks between samples are met
+    ground = np.interp(fine, time, group.variables["matched_acceleration"].values)
+    ratios = np.array([own_psa(ground, float(fine[1] - fine[0]), period) for period in T]) / table(T)
+    assert float(np.exp(np.mean(np.log(ratios)))) == pytest.approx(1.0, abs=0.01)
+    at = group.coords["period"].values
+    np.testing.assert_allclose(group.variables["target"].values, table(at), rtol=1e-12)
+
+
+def test_levels_are_factors_on_the_table(archive_of: Callable[[str], Path]) -> None:
+    """An elastic frame under 1.5 times the motion moves 1.5 times as far, and so do the ordinates of the level."""
+    with open_archive(archive_of("user_spectrum")) as archive:
+        low, high = (archive.group(f"analyses/{name}") for name in ("uhs", "rare"))
+        action = {name: archive.group(f"hazard/{name}") for name in archive.names("hazard")}
+        text = str(archive.view().variables["hazard_text_spectrum_file"].values)
+    assert high.attributes["scale_factor"] == pytest.approx(1.5 * low.attributes["scale_factor"], rel=1e-12)
+    moved = [group.variables["floor_displacement"].values for group in (low, high)]
+    np.testing.assert_allclose(moved[1], 1.5 * moved[0], rtol=1e-6, atol=1e-9)
+    assert list(action) == ["UHS475", "rare"] and "T_R = 475 years" in action["UHS475"].attributes["facts"]
+    elastic = [group.variables["elastic"].values for group in action.values()]
+    np.testing.assert_allclose(elastic[1], 1.5 * elastic[0], rtol=1e-12)
+    assert action["rare"].coords["period"].values[-1] <= 4.0  # the table ends there
+    assert text == (CASE / "uhs.csv").read_text(encoding="utf-8")
+
+
+OTHERS = {
+    "asce7-22": """\
+  code: asce7-22
+  S_DS: 0.45 g
+  S_D1: 0.225 g
+  T_L: 6 s
+  R: 8
+  levels: {UHS475: {earthquake: DE}, rare: {earthquake: MCE_R}}
+""",
+    "ntc-2018": """\
+  code: ntc-2018
+  nominal_life: 50 years
+  class_of_use: II
+  ground: A
+  behaviour_factor: 4
+  levels:
+    UHS475: {limit_state: SLV, a_g: 0.18 g, F_0: 2.5, T_C_star: 0.5 s}
+    rare: {limit_state: SLC, a_g: 0.25 g, F_0: 2.6, T_C_star: 0.6 s}
+""",
+}
+
+
+def run_with(code: str, folder: Path, *changes: tuple[str, str]) -> tuple[int, Path]:
+    text = (CASE / "project.yaml").read_text(encoding="utf-8")
+    start, end = text.index("  code: user"), text.index("records:")
+    text = text[:start] + OTHERS[code] + text[end:]
+    for old, new in changes:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    shutil.copy(HERE / "records" / "motion.csv", folder / "motion.csv")
+    (folder / "project.yaml").write_text(text.replace("../records/motion.csv", "motion.csv"), encoding="utf-8")
+    return main(["run", str(folder / "project.yaml"), "--quiet"]), folder / "project.h5"
+
+
+def spectra(archive: Path) -> dict[str, Group]:
+    with open_archive(archive) as opened:
+        return {name: opened.group(f"hazard/{name}") for name in opened.names("hazard")}
+
+
+def test_asce_7_in_its_place(tmp_path: Path) -> None:
+    """From T_0 = 0.1 s on the two-period spectrum is that of the table."""
+    status, archive = run_with("asce7-22", tmp_path)
+    assert status == 0
+    with open_archive(archive) as opened:
+        group = opened.group("records/motion")
+    np.testing.assert_allclose(group.variables["target"].values, table(group.coords["period"].values), rtol=1e-9)
+    design = spectra(archive)["rare"]
+    ratio = design.variables["design"].values / design.variables["elastic"].values
+    np.testing.assert_allclose(ratio, 1.0 / 8.0, rtol=1e-12)
+
+
+def test_ntc_2018_fits_to_one_limit_state(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Ground A, a_g F_0 = 0.45 g to T_C = 0.5 s, then 0.225 g / T: at SLV the table again, from T_B = 0.167 s on."""
+    status, _ = run_with("ntc-2018", tmp_path)
+    assert status == 2  # the levels differ in shape, and nothing says to which of them the record is fitted
+    assert "records.motion.match.level: this key is missing; each level" in capsys.readouterr().err
+    match = ("match: {method: scale,", "match: {level: UHS475, method: scale,")
+    status, _ = run_with("ntc-2018", tmp_path, match)
+    assert status == 2
+    assert "analyses[2].level: `motion` is fitted to the spectrum of `UHS475`" in capsys.readouterr().err
+    level = ("record: motion, level: rare", "record: motion, level: UHS475")
+    status, archive = run_with("ntc-2018", tmp_path, match, level)
+    assert status == 0
+    with open_archive(archive) as opened:
+        group = opened.group("records/motion")
+    at = group.coords["period"].values
+    np.testing.assert_allclose(group.variables["target"].values, table(at), rtol=1e-9)
+    found = spectra(archive)
+    assert "T_R = 475 years" in found["UHS475"].attributes["facts"]
+    assert found["UHS475"].attributes["corner_periods"]["T_D"] == pytest.approx(4 * 0.18 + 1.6, rel=1e-12)
