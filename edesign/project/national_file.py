@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from pathlib import Path
-from typing import Annotated, Any, Generic, Literal, TypeVar
+from typing import Annotated, Any, Generic, Literal, TypeVar, get_args
 
-from pydantic import BaseModel, BeforeValidator, Field
+from pydantic import BeforeValidator, Field
 
 from edesign.project.base import Model, refuse
 from edesign.project.hazard_base import Hazard
@@ -19,7 +19,7 @@ from edesign.project.national import (
     ResistanceFactors,
     by_importance,
 )
-from edesign.project.problems import FileProblems
+from edesign.project.problems import FileProblems, unknown_name
 from edesign.project.units import PositiveFactor, PositiveRatio, UnitRatio
 from edesign.project.yaml_file import check_model, read_yaml_file, yaml_text
 
@@ -31,13 +31,19 @@ Ground = Literal["A", "B", "C", "D", "E"]
 FewYears = Annotated[float, Field(gt=0.0)]
 
 
-def _type(value: Any) -> Any:
-    if not isinstance(value, Mapping):
-        return value
-    for key in value:
-        if key not in ("1", "2"):
-            raise refuse(f"`{key}` is no type of spectrum; it is 1 or 2", key)
-    return {int(key): of for key, of in value.items()}
+def _types(value: Any) -> Any:
+    return _keys(value, ("1", "2"), "type of spectrum")
+
+
+def _grounds(value: Any) -> Any:
+    return _keys(value, get_args(Ground), "ground type")
+
+
+def _keys(value: Any, allowed: Collection[str], what: str) -> Any:
+    for key in value if isinstance(value, Mapping) else ():
+        if key not in allowed:
+            raise refuse(unknown_name(what, key, allowed), key)
+    return value
 
 
 class Entry(Model, Generic[V]):
@@ -76,9 +82,10 @@ class VerticalRow(Corners):
     ratio: PositiveFactor
 
 
-SpectrumType = Literal[1, 2]
-Horizontal = Annotated[dict[SpectrumType, dict[Ground, HorizontalRow]], BeforeValidator(_type)]
-Vertical = Annotated[dict[SpectrumType, VerticalRow], BeforeValidator(_type)]
+Horizontal = Annotated[
+    dict[str, Annotated[dict[Ground, HorizontalRow], BeforeValidator(_grounds)]], BeforeValidator(_types)
+]
+Vertical = Annotated[dict[str, VerticalRow], BeforeValidator(_types)]
 
 
 class NationalFile(Model):
@@ -129,8 +136,8 @@ def parse_national(text: str, path: Path) -> dict[str, dict[str, Any]]:
     if found is None or problems.found:
         raise NationalFileError(path, problems.found)
     entries = {name: getattr(found, name) for name in NationalFile.model_fields}
-    return {name: _plain(entry) for name, entry in entries.items() if entry is not None}
-
-
-def _plain(entry: BaseModel) -> dict[str, Any]:
-    return entry.model_dump(exclude_none=True)
+    plain = {name: entry.model_dump(exclude_none=True) for name, entry in entries.items() if entry is not None}
+    for name in ("horizontal", "vertical"):
+        if name in plain:  # keys of a file are text; types of spectra are numbers
+            plain[name]["value"] = {int(key): of for key, of in plain[name]["value"].items()}
+    return plain
