@@ -13,6 +13,7 @@ from edesign.project.checks_frame import Selections
 from edesign.project.checks_pushover import check_pushover
 from edesign.project.damping import RayleighDamping
 from edesign.project.file_bytes import is_folder
+from edesign.project.hazard import UserHazard
 from edesign.project.hazard_base import Hazard
 from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
@@ -106,6 +107,10 @@ def _records(project: Project, problems: Problems) -> None:
     for name, record in project.records.items():
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
+        fitted_suite = isinstance(record, SuiteRecords) and record.match is not None
+        if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
+            message = f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %"
+            problems.at_value(("hazard", "damping"), message)
         check_record(record, keys, problems)
 
 

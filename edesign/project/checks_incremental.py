@@ -6,7 +6,8 @@ from collections.abc import Collection
 
 from edesign.project.checks_actions import check_drift, check_fitted_levels
 from edesign.project.checks_names import ALL, check_names, check_records
-from edesign.project.hazard import YEAR
+from edesign.project.hazard import UserHazard
+from edesign.project.hazard_base import YEAR
 from edesign.project.incremental import COLLAPSE, Incremental, LevelFactorStudy
 from edesign.project.life_cycle import CurveOfLevels, LifeCycle
 from edesign.project.problems import Keys, Problems, unknown_name
@@ -31,6 +32,9 @@ def check_incremental(
     check_records(problems, (*keys, "records"), incremental.records, base)
     if incremental.level is not None and incremental.level not in base.hazard_levels:
         problems.at_value((*keys, "level"), unknown_name("level", incremental.level, base.hazard_levels))
+    if isinstance(base.hazard, UserHazard) and incremental.level is not None and not base.hazard.at_5_percent:
+        message = "intensities are of 5 % damping, and the tables of the hazard of another; leave this key out"
+        problems.at_key((*keys, "level"), message)
     if isinstance(incremental, LevelFactorStudy):
         fitted = [name for name in map(record_of, incremental.records) if name in base.records]
         check_fitted_levels((*keys, "level"), fitted, (incremental.level,), base, problems)
@@ -56,6 +60,9 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
     """Check that the hazard curve rises and that losses are of limits."""
     curve, at = spec.hazard_curve, (*keys, "hazard_curve")
     if isinstance(curve, CurveOfLevels):
+        if isinstance(incremental, LevelFactorStudy) and base.hazard is not None and base.hazard.own_shapes:
+            message = "the levels of this hazard have spectra of their own shape; no factor leads from one to another"
+            problems.at_key((*at, "levels"), message)
         for name, period in curve.levels.items():
             if name not in base.hazard_levels:
                 problems.at_key((*at, "levels", name), unknown_name("level", name, base.hazard_levels))

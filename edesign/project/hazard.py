@@ -173,6 +173,11 @@ class UserHazard(Hazard):
     levels: dict[LevelName, UserLevel] = {}
 
     @property
+    def at_5_percent(self) -> bool:
+        """Whether the tables hold for 5 % damping, at which codes compare sets of motions."""
+        return math.isclose(self.damping, 0.05, rel_tol=1e-9)
+
+    @property
     def own_shapes(self) -> bool:
         """Whether the levels have tables of their own."""
         return self.spectrum is None

@@ -11,6 +11,7 @@ from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
 from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.file_model import FileModel
+from edesign.project.hazard_base import Hazard
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -65,13 +66,18 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
         InputError: the text is not that of a project of this version.
     """
     project = parse_project(texts.get("project_text", ""), path, BuildingSections(), files=False)
-    for keys, file in project.hazard.files() if project.hazard is not None else ():
-        take_text(project, file, texts.get(text_name(keys)))
+    take_hazard_texts(project, project.hazard, texts)
     laws = project.dampers.laws if project.dampers is not None else {}
     for name, law in laws.items():
         if law.file is not None:
             take_text(project, law.file, texts.get(f"law_text_{name}"))
     return project
+
+
+def take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[str, str]) -> None:
+    """Let a project or building have the archived texts of the files that its hazard names."""
+    for keys, file in hazard.files() if hazard is not None else ():
+        take_text(holder, file, texts.get(text_name(keys)))
 
 
 def take_text(holder: FileModel, file: str, text: str | None) -> None:
@@ -88,11 +94,13 @@ def archived_building(archive: Archive) -> Building | None:
     """
     from edesign.project.building import parse_building
 
-    text = archive.view().variables.get("building_text")
-    if text is None:
+    texts = archived_texts(archive)
+    if "building_text" not in texts:
         return None
     path = Path(str(archive.attributes.get("building_file") or "building.yaml"))
-    return parse_building(str(text.values), path, BuildingSections())
+    building = parse_building(texts["building_text"], path, BuildingSections(), files=False)
+    take_hazard_texts(building, building.hazard, texts)
+    return building
 
 
 def archived_study(archive: Archive) -> Study | None:

@@ -16,7 +16,7 @@ from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.elastic_design import ElasticDesign, elastic_design
 from edesign.study.kinds import BUILDING
-from edesign.study.provenance import circumstances, versions
+from edesign.study.provenance import add_hazard_files, circumstances, versions
 
 
 def run_building(
@@ -100,6 +100,7 @@ def _root(building: Building, file: Path, path: Path) -> Group:
         }
     )
     root.add("building_text", (), building.text, "", "text of the building file")
+    add_hazard_files(root, building.hazard)
     return root
 
 

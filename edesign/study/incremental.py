@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
 from edesign.project.analyses import PlannedAnalysis
-from edesign.project.hazard import YEAR
+from edesign.project.hazard_base import YEAR
 from edesign.project.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
 from edesign.project.life_cycle import CurveOfLevels
 from edesign.project.project import Project

@@ -63,7 +63,7 @@ def level_intensity(project: Project, study: Incremental, period: float | None, 
     if level is None or project.hazard is None:
         return None
     if isinstance(study, LevelFactorStudy):
-        return importance_factor(project.hazard, level) / importance_factor(project.hazard, study.level)
+        return factor_of_level(project.hazard, level) / factor_of_level(project.hazard, study.level)
     at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
     spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
     return None if at is None else float(spectrum.acceleration(at))

@@ -21,6 +21,7 @@ from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.designs import FileProperties
+from edesign.project.hazard_base import Hazard
 from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.kinds import STUDY
@@ -50,7 +51,7 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
     """
     parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
     parts += [_checksum(file, content) for file, content in _law_files(project).values()]
-    parts += [_checksum(file, content) for file, content in _hazard_files(project).values()]
+    parts += [_checksum(file, content) for file, content in hazard_files(project.hazard).values()]
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
@@ -86,17 +87,18 @@ def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
     }
 
 
-def _hazard_files(project: Project) -> dict[str, tuple[str, bytes]]:
-    """Name and content of the files of the hazard, by the name of their text in the archive."""
-    return hazard_files(project.hazard) if project.hazard is not None else {}
-
-
 def _checksum(file: str, content: bytes) -> str:
     return f"{Path(file).name} {hashlib.sha256(content).hexdigest()}"
 
 
 def _add_file(group: Group, name: str, what: str, file: str, content: bytes) -> None:
     group.add(name, (), content.decode("utf-8-sig", errors="replace"), "", f"text of the {what} {file}")
+
+
+def add_hazard_files(group: Group, hazard: Hazard | None) -> None:
+    """Add the texts of the files that a hazard names to the root of an archive."""
+    for name, file in hazard_files(hazard).items():
+        _add_file(group, name, "hazard file", *file)
 
 
 def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:
@@ -122,8 +124,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
     group.add("project_text", (), project.text, "", "text of the project file")
     for name, file in _law_files(project).items():
         _add_file(group, f"law_text_{name}", "law file", *file)
-    for name, file in _hazard_files(project).items():
-        _add_file(group, name, "hazard file", *file)
+    add_hazard_files(group, project.hazard)
     return group
 
 

@@ -5,9 +5,11 @@ from __future__ import annotations
 import shutil
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
+from cases import suite_project
 from cases.conftest import HERE
 from scipy.signal import lfilter
 
@@ -146,3 +148,46 @@ def test_ntc_2018_fits_to_one_limit_state(tmp_path: Path, capsys: pytest.Capture
     found = spectra(archive)
     assert "T_R = 475 years" in found["UHS475"].attributes["facts"]
     assert found["UHS475"].attributes["corner_periods"]["T_D"] == pytest.approx(4 * 0.18 + 1.6, rel=1e-12)
+
+
+def suite_with(code: str, folder: Path) -> tuple[dict[str, Any], list[dict[str, Any]]]:
+    """Attributes and criteria of the suite of `suite_project` under another code."""
+    old = suite_project.HAZARD[: suite_project.HAZARD.index("records:")]
+    new = "hazard:\n" + OTHERS[code].replace("UHS475", "DBE").replace("rare", "MCE")
+    path = suite_project.write(folder, (old, new), ("  - {name: mce, kind: history, record: set, level: MCE}\n", ""))
+    if code == "ntc-2018":
+        text = path.read_text(encoding="utf-8")
+        path.write_text(text.replace("match: {method", "match: {level: DBE, method"), encoding="utf-8")
+    assert main(["run", str(path), "--quiet"]) == 0
+    with open_archive(folder / "project.h5") as opened:
+        about = opened.group_attributes("records/set")
+        for member in opened.names("records/set"):
+            assert opened.group_attributes(f"records/set/{member}")["suite_factor"] == about["suite_factor"]
+    return about, about["criteria"]
+
+
+def test_a_suite_is_held_to_the_rules_of_asce_7(tmp_path: Path) -> None:
+    """16.2.3.3: the mean of matched motions at least 110 % of the target; the factor on the suite sees to it."""
+    about, criteria = suite_with("asce7-22", tmp_path)
+    assert about["criteria_of"] == "ASCE/SEI 7-22"
+    number, mean, use = criteria
+    assert (number["required"], number["value"], number["passed"]) == (11, 3.0, False)
+    assert mean["required"] == 1.1 and mean["passed"] and mean["value"] == pytest.approx(1.1, rel=1e-6)
+    assert 1.0 < about["suite_factor"] < 1.5 and "maximum direction" in mean["detail"]
+    assert use["detail"] == "the standard has no rule for fewer"
+
+
+def test_a_suite_is_held_to_the_rules_of_ntc_2018(tmp_path: Path) -> None:
+    """3.2.3.6: between 0.9 and 1.3 of the target from 0.15 s to 2 s; the mean of the peaks is not asked for."""
+    about, criteria = suite_with("ntc-2018", tmp_path)
+    assert about["criteria_of"] == "NTC 2018"
+    assert [found["clause"] for found in criteria] == [
+        "NTC 2018, 7.3.5",
+        "NTC 2018, 3.2.3.6",
+        "NTC 2018, 3.2.3.6",
+        "NTC 2018, 3.2.3.6",
+        "NTC 2018, 7.3.5",
+    ]
+    least, greatest = criteria[1], criteria[2]
+    assert "from 0.15 s to 2 s" in least["text"] and least["passed"] and greatest["passed"]
+    assert 0.9 <= least["value"] <= greatest["value"] <= 1.3

@@ -12,12 +12,14 @@ def text_name(keys: tuple[str | int, ...]) -> str:
     return f"hazard_text_{keys_text(keys).replace('.', '_')}"
 
 
-def hazard_files(hazard: Hazard) -> dict[str, tuple[str, bytes]]:
-    """Return name and content of the files of a hazard, by the name of their text in the archive.
+def hazard_files(hazard: Hazard | None) -> dict[str, tuple[str, bytes]]:
+    """Return name and content of the files of a hazard, by the name of their text in the archive; none of None.
 
     Raises:
         InputError: one cannot be read.
     """
+    if hazard is None:
+        return {}
     return {
         text_name(keys): (file, hazard.content(file, lambda path: read_file(path, "hazard file", refused=())))
         for keys, file in hazard.files()

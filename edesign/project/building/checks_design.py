@@ -9,14 +9,15 @@ from edesign.project.checks_hazard import check_hazard
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 
 
-def check_design(building: Building, problems: Problems) -> None:
+def check_design(building: Building, problems: Problems, files: bool = True) -> None:
     """Check hazard and design.
 
     Args:
         building: read without schema problems.
         problems: collects what is wrong.
+        files: whether the files that the hazard names must be there.
     """
-    check_hazard(building.hazard, building, problems)
+    check_hazard(building.hazard, building, problems, files)
     hazard, design = building.hazard, building.design
     if hazard is not None and hazard.behaviour_factor is not None:
         message = "a building has a behaviour factor in each direction; give `q` under design.systems"

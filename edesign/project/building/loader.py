@@ -43,12 +43,19 @@ def load_building(path: Path | str, profiles: Catalogue | None = None) -> Buildi
     return parse_building(read_yaml_text(path, _WHAT), path, profiles)
 
 
-def parse_building(text: str, path: Path | str = "building.yaml", profiles: Catalogue | None = None) -> Building:
-    """Check the text of a building file that (supposedly) stands at `path`; otherwise as `load_building`."""
+def parse_building(
+    text: str, path: Path | str = "building.yaml", profiles: Catalogue | None = None, files: bool = True
+) -> Building:
+    """Check the text of a building file that (supposedly) stands at `path`; otherwise as `load_building`.
+
+    Args:
+        text, path, profiles: of the file.
+        files: whether the files that it names must be there.
+    """
     path = Path(path)
     building, problems = check_model(text, Building, _WHAT, _BEGINS)
     if building is not None:
-        read = _Reader(path, profiles)
+        read = _Reader(path, profiles, files)
         building = read.completed(building)
         building.read_from(path, text, problems.root, read)
         # cross checks need a whole building, those of loads and design one whose members stand
@@ -57,7 +64,7 @@ def parse_building(text: str, path: Path | str = "building.yaml", profiles: Cata
         if not problems.found:
             check_loads(building, problems)
             check_given_masses(building, problems)
-            check_design(building, problems)
+            check_design(building, problems, files)
     if building is None or problems.found:
         raise BuildingError(path, problems.found)
     return building
@@ -69,9 +76,10 @@ class _Reader:
 
     path: Path
     profiles: Catalogue | None
+    files: bool
 
     def __call__(self, text: str) -> Building:
-        return parse_building(text, self.path, self.profiles)
+        return parse_building(text, self.path, self.profiles, self.files)
 
     def completed(self, model: Building) -> Building:
         """The building with the catalogue's names of sections, if there is a catalogue, and with all groups named."""

@@ -150,6 +150,9 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
             "got a mass in masses.given[0]",
         ),
         # hazard and design
+        ("code: ec8-2004", "code: @ntc-2018", "belong to the action of `ec8-2004`, not of `ntc-2018`"),
+        ("code: ec8-2004", "code: @ec8-2005", "`ec8-2005` is unknown"),
+        ("a_gR: 0.24 g,", "country: @annex.yaml, zone: 1,", "hazard.country: there is no file `annex.yaml`"),
         ("levels: {DBE", "@behaviour_factor: 4, levels: {DBE", "give `q` under design.systems"),
         (
             "{DBE: {probability: 10 %}}",

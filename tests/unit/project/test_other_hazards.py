@@ -180,3 +180,22 @@ def test_wrong_files_of_ordinates(small: str, tmp_path: Path, content: str, mess
 def test_a_column_without_a_unit_of_acceleration(small: str, tmp_path: Path) -> None:
     with pytest.raises(InputError, match=r"`Sv \[m/s\]` has no unit of acceleration in brackets"):
         file_hazard(small, tmp_path, TABLE, "{file: uhs.csv}")
+
+
+def test_a_suite_is_compared_at_five_per_cent(broken: Broken) -> None:
+    block = USER.replace("damping: 5 %", "damping: «2 %")
+    (problem,) = broken(
+        ("title: Small frame\n", f"title: Small frame\n{block}"),
+        ("records:\n", "records:\n  set: {suite: «set.yaml, match: {method: scale}}\n"),
+    )[:1]
+    assert problem.keys_text == "hazard.damping" and "spectra of 5 % damping" in problem.message
+
+
+def test_the_level_that_a_record_is_fitted_to(broken: Broken) -> None:
+    one_shape = ("title: Small frame\n", f"title: Small frame\n{ASCE}")
+    record = ("records:\n", "records:\n  set: {suite: «set.yaml, match: {«level: DE}}\n")
+    messages = [problem.message for problem in broken(one_shape, record)]
+    assert any("the levels have spectra of one shape" in message for message in messages)
+    own = ("title: Small frame\n", f"title: Small frame\n{NTC}")
+    record = ("records:\n", "records:\n  set: {suite: «set.yaml, match: {level: «SLW}}\n")
+    assert any("no level `SLW`; did you mean" in problem.message for problem in broken(own, record))
