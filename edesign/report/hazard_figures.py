@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.spectra_figure import spectra_figure
-from edesign.study.kinds import HAZARD
+from edesign.study.kinds import HAZARD_LEVELS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -21,10 +21,10 @@ LAST_DRAWN = 4.0
 
 def hazard_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Elastic spectra of the levels, design spectra dashed: name of the file, caption, figure; none without levels."""
-    names = archive.names(HAZARD)
+    names = archive.names(HAZARD_LEVELS)
     if not names:
         return
-    levels = {name: archive.view(f"{HAZARD}/{name}") for name in names}
+    levels = {name: archive.view(f"{HAZARD_LEVELS}/{name}") for name in names}
     first = next(iter(levels.values()))
     period = first.coords["period"].values
     drawn = period <= LAST_DRAWN

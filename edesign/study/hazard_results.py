@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.ground_motion.hazard import action_of
 from edesign.project.hazard_base import Hazard
-from edesign.study.kinds import HAZARD
+from edesign.study.kinds import HAZARD, HAZARD_LEVELS
 
 PERIODS = np.concatenate([[0.0], np.geomspace(0.01, 10.0, 301)])  # s; 100 a decade
 
@@ -31,7 +31,7 @@ def hazard_groups(hazard: Hazard | None) -> Iterator[tuple[str, Group]]:
     for order, level in enumerate(hazard.levels):
         of_level = Group(attributes={"order": order, "name": level, "facts": action.facts(level)})
         _add(of_level, action.elastic(level), action.design(level, None))
-        yield f"{HAZARD}/{level}", of_level
+        yield f"{HAZARD_LEVELS}/{level}", of_level
 
 
 def _add(group: Group, elastic: Spectrum, design: DesignOrdinates | None) -> None:

@@ -189,8 +189,8 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
         if options is None:
             continue
         try:
-            check_record(found.record, options)
             check_band(target_spectrum(project, reference), options)
+            check_record(found.record, options)
         except InputError as error:
             name = record_of(reference)
             faults.append(f"{project.where('records', name, 'match')}: records.{name}.match: {error}")

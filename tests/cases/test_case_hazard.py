@@ -66,7 +66,7 @@ def test_levels_are_factors_on_the_table(archive_of: Callable[[str], Path]) -> N
     """An elastic frame under 1.5 times the motion moves 1.5 times as far, and so do the ordinates of the level."""
     with open_archive(archive_of("user_spectrum")) as archive:
         low, high = (archive.group(f"analyses/{name}") for name in ("uhs", "rare"))
-        action = {name: archive.group(f"hazard/{name}") for name in archive.names("hazard")}
+        action = {name: archive.group(f"hazard/levels/{name}") for name in archive.names("hazard/levels")}
         text = str(archive.view().variables["hazard_text_spectrum_file"].values)
     assert high.attributes["scale_factor"] == pytest.approx(1.5 * low.attributes["scale_factor"], rel=1e-12)
     moved = [group.variables["floor_displacement"].values for group in (low, high)]
@@ -76,6 +76,16 @@ def test_levels_are_factors_on_the_table(archive_of: Callable[[str], Path]) -> N
     np.testing.assert_allclose(elastic[1], 1.5 * elastic[0], rtol=1e-12)
     assert action["rare"].coords["period"].values[-1] <= 4.0  # the table ends there
     assert text == (CASE / "uhs.csv").read_text(encoding="utf-8")
+
+
+def test_a_band_beyond_the_table_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name in ("project.yaml", "uhs.csv"):
+        text = (CASE / name).read_text(encoding="utf-8").replace("../records/", "")
+        (tmp_path / name).write_text(text.replace("periods: [0.4 s, 2 s]", "periods: [0.4 s, 4.1 s]"), encoding="utf-8")
+    shutil.copy(HERE / "records" / "motion.csv", tmp_path / "motion.csv")
+    assert main(["check", str(tmp_path / "project.yaml")]) == 2
+    message = "records.motion.match: the band ends at 4.1 s, and spectrum of the user at 4 s; end the band there"
+    assert message in capsys.readouterr().err
 
 
 OTHERS = {
@@ -114,7 +124,7 @@ def run_with(code: str, folder: Path, *changes: tuple[str, str]) -> tuple[int, P
 
 def spectra(archive: Path) -> dict[str, Group]:
     with open_archive(archive) as opened:
-        return {name: opened.group(f"hazard/{name}") for name in opened.names("hazard")}
+        return {name: opened.group(f"hazard/levels/{name}") for name in opened.names("hazard/levels")}
 
 
 def test_asce_7_in_its_place(tmp_path: Path) -> None:

@@ -19,6 +19,7 @@ from edesign.codes.quantities import STANDARD_GRAVITY
 from edesign.errors import InputError
 
 _RECOMMENDED = "recommended"
+_WHOLE = ("zones", "zone_spectra", "horizontal", "vertical")
 
 
 @dataclass(frozen=True)
@@ -257,11 +258,17 @@ def national_parameters(country: str | None = None) -> NationalParameters:
 def parameters_of_file(country: str, entries: Mapping[str, Mapping[str, Any]]) -> NationalParameters:
     """Return the parameters of a country from the entries of a file of the user; the rest is as recommended.
 
+    Of a table by class, occupancy or category the entries given count; tables of zones and spectra count as a whole.
+
     Args:
         country: its name, for messages.
         entries: value, unit, clause and source by name, as in the files of the package, and checked.
     """
-    return NationalParameters(country, {**_read(_RECOMMENDED), **_parameters(entries, country)})
+    recommended, stated = _read(_RECOMMENDED), _parameters(entries, country)
+    for name, parameter in stated.items():
+        if name not in _WHOLE and isinstance(parameter.value, Mapping):
+            stated[name] = replace(parameter, value={**recommended[name].value, **parameter.value})
+    return NationalParameters(country, {**recommended, **stated})
 
 
 def data_text(name: str) -> str:

@@ -58,16 +58,15 @@ def hazard_rows(hazard: Hazard) -> Rows:
         ground = f"peak ground acceleration {plain(spectrum.zero_period / STANDARD_GRAVITY)} g"
         shape = (_shape(spectrum),) if hazard.own_shapes else ()
         rows.append((level, ", ".join(part for part in (facts[level], ground, *shape) if part)))
-    first = next(iter(spectra.values()), reference)
-    if first is not None:
-        rows.append(("Criteria for a set of motions", first.set_rules.code))
     return rows
 
 
 def _shape(spectrum: Spectrum) -> str:
     """Site factor and corner periods, or what a table spans, and damping."""
-    factor = f"S = {spectrum.parameters.S:g}, " if isinstance(spectrum, ElasticSpectrum) else ""
-    factor = f"S = {spectrum.S:.4g}, " if isinstance(spectrum, NtcSpectrum) else factor
+    factor = f"S = {spectrum.S:.4g}, " if isinstance(spectrum, NtcSpectrum) else ""
+    if isinstance(spectrum, ElasticSpectrum):
+        p = spectrum.parameters
+        factor = f"S = {p.S:g}, " + (f"F_0 = {p.F_0:g}, " if p.F_0 != type(p).F_0 else "")
     corners = ", ".join(f"{name} = {period:.4g} s" for name, period in spectrum.corners.items())
     corners = corners or f"table from 0 s to {spectrum.last_period:g} s"
     return f"{factor}{corners}; {100 * spectrum.damping:g} % damping"

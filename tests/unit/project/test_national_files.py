@@ -29,7 +29,7 @@ horizontal:
 importance_factors:
   clause: 4.2.5(5)P Note
   source: made for this test
-  value: {I: 0.8, II: 1.0, III: 1.3, IV: 1.5}
+  value: {II: 1.0, III: 1.3}
 lower_bound_factor: {clause: 3.2.2.5(4)P Note, source: made for this test, value: 0.1}
 """
 BLOCK = """\
@@ -76,6 +76,7 @@ def test_a_country_of_the_user(small: str, tmp_path: Path) -> None:
     at = [float(value) / 9.80665 for value in design.acceleration([0.2, 4.0])]
     assert at == pytest.approx([0.2 * 1.3 * 2.75 / 4.0, 0.02], rel=1e-12)
     assert national_of(hazard).gamma_M == national_parameters().gamma_M  # the rest is as recommended
+    assert national_of(hazard).gamma_I("IV") == 1.4
     assert national_of(hazard).parameters["zones"].origin == "annex"
 
 
