@@ -110,7 +110,12 @@ OTHERS = {
 }
 
 
-def run_with(code: str, folder: Path, *changes: tuple[str, str]) -> tuple[int, Path]:
+FITTED = ("match: {method: scale,", "match: {level: UHS475, method: scale,")
+ONE_LEVEL = ("record: motion, level: rare", "record: motion, level: UHS475")
+
+
+def write_with(code: str, folder: Path, *changes: tuple[str, str]) -> Path:
+    """The project with another code, in a folder."""
     text = (CASE / "project.yaml").read_text(encoding="utf-8")
     start, end = text.index("  code: user"), text.index("records:")
     text = text[:start] + OTHERS[code] + text[end:]
@@ -119,7 +124,11 @@ def run_with(code: str, folder: Path, *changes: tuple[str, str]) -> tuple[int, P
         text = text.replace(old, new)
     shutil.copy(HERE / "records" / "motion.csv", folder / "motion.csv")
     (folder / "project.yaml").write_text(text.replace("../records/motion.csv", "motion.csv"), encoding="utf-8")
-    return main(["run", str(folder / "project.yaml"), "--quiet"]), folder / "project.h5"
+    return folder / "project.yaml"
+
+
+def run_with(code: str, folder: Path, *changes: tuple[str, str]) -> tuple[int, Path]:
+    return main(["run", str(write_with(code, folder, *changes)), "--quiet"]), folder / "project.h5"
 
 
 def spectra(archive: Path) -> dict[str, Group]:
@@ -139,17 +148,30 @@ def test_asce_7_in_its_place(tmp_path: Path) -> None:
     np.testing.assert_allclose(ratio, 1.0 / 8.0, rtol=1e-12)
 
 
+@pytest.mark.parametrize("code", ["asce7-22", "ntc-2018"])
+def test_spectrum_of_a_project(tmp_path: Path, capsys: pytest.CaptureFixture[str], code: str) -> None:
+    """`edesign spectrum` writes the level's ordinates; 1 s at `rare`: 1.5 x 0.225 g, and 0.25 x 2.6 x 0.6 g."""
+    write_with(code, tmp_path, *((FITTED, ONE_LEVEL) if code == "ntc-2018" else ()))
+    table = tmp_path / "table.csv"
+    options = ["--level", "rare", "--periods", "1s", "2s", "--points", "2", "--csv", str(table)]
+    assert main(["spectrum", "--project", str(tmp_path / "project.yaml"), *options]) == 0
+    header, row, _ = table.read_text(encoding="utf-8").splitlines()
+    found = dict(zip(header.split(","), map(float, row.split(",")), strict=True))
+    expected = {"asce7-22": 1.5 * 0.225, "ntc-2018": 0.25 * 2.6 * 0.6}[code]
+    assert found["Se [g]"] == pytest.approx(expected, rel=1e-9)
+    assert found["Sd [g]"] == pytest.approx(expected / {"asce7-22": 8.0, "ntc-2018": 4.0}[code], rel=1e-9)
+    assert "rare" in capsys.readouterr().out
+
+
 def test_ntc_2018_fits_to_one_limit_state(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """Ground A, a_g F_0 = 0.45 g to T_C = 0.5 s, then 0.225 g / T: at SLV the table again, from T_B = 0.167 s on."""
     status, _ = run_with("ntc-2018", tmp_path)
     assert status == 2  # the levels differ in shape, and nothing says to which of them the record is fitted
     assert "records.motion.match.level: this key is missing; each level" in capsys.readouterr().err
-    match = ("match: {method: scale,", "match: {level: UHS475, method: scale,")
-    status, _ = run_with("ntc-2018", tmp_path, match)
+    status, _ = run_with("ntc-2018", tmp_path, FITTED)
     assert status == 2
     assert "analyses[2].level: `motion` is fitted to the spectrum of `UHS475`" in capsys.readouterr().err
-    level = ("record: motion, level: rare", "record: motion, level: UHS475")
-    status, archive = run_with("ntc-2018", tmp_path, match, level)
+    status, archive = run_with("ntc-2018", tmp_path, FITTED, ONE_LEVEL)
     assert status == 0
     with open_archive(archive) as opened:
         group = opened.group("records/motion")

@@ -57,7 +57,7 @@ class AsceSpectrum:
         edition: of the standard, for the rules of a set: "7-16" or "7-22".
         label: for plots and tables.
 
-    Source: ASCE/SEI 7-22, 11.4.5.2, Eqs. 11.4-5 to 11.4-7 (7-16: 11.4.6).
+    Source: ASCE/SEI 7-22, 11.4.5.2; 7-16, 11.4.6, Eqs. 11.4-5 to 11.4-7.
     """
 
     S_DS: float

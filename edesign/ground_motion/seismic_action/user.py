@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import partial
 
 from edesign.codes.registry import find_code
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
@@ -25,8 +26,7 @@ class UserAction:
     def checks(self) -> Iterator[Check]:
         """Yield the check of each table."""
         for keys, table in self.hazard.tables():
-            place = tuple(map(str, keys))
-            yield place, lambda table=table: self._spectrum(table, 1.0, "")  # type: ignore[misc]
+            yield tuple(map(str, keys)), partial(self._spectrum, table, 1.0, "")
 
     def elastic(self, level: str | None) -> TabulatedSpectrum:
         """Return the table of a level, or that of the action times its factor."""
