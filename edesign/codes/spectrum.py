@@ -61,3 +61,8 @@ class DesignOrdinates(Protocol):
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Design acceleration, m/s2, in the shape of `period` (s, at least 0)."""
+
+
+def characteristic_period(spectrum: Spectrum) -> float | None:
+    """Return the end of the branch of constant acceleration, T_C or T_S, s; None of a spectrum without corners."""
+    return spectrum.corners.get("T_C", spectrum.corners.get("T_S"))

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from edesign.project.checks_names import check_names
+from edesign.project.hazard import EC8Hazard, UserHazard
+from edesign.project.hazard_base import Hazard
 from edesign.project.problems import Keys, Problems, listed
 from edesign.project.project import Project
 from edesign.project.pushover import METHODS, GivenPattern, Pushover, pattern_name
@@ -40,8 +42,24 @@ def check_pushover(project: Project, problems: Problems, keys: Keys, pushover: P
         problems.at_key((*keys, "targets"), message)
     elif pushover.levels is not None:
         check_names(problems, (*keys, "levels"), "level", pushover.levels, project.hazard_levels)
+    if project.hazard is not None:
+        _other_codes(project.hazard, problems, keys, pushover)
     if pushover.site_class is not None and "asce41" not in pushover.targets:
         problems.at_key((*keys, "site_class"), "this is of the method `asce41`, which is not among the `targets`")
+
+
+def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pushover) -> None:
+    """What target displacements need of a spectrum, and EN 1998-1 has."""
+    for i, method in enumerate(pushover.targets):
+        if method != "asce41" and isinstance(hazard, UserHazard):
+            message = f"`{method}` needs the corner period T_C or T_S, and the spectra of the hazard are tables"
+            problems.at_item((*keys, "targets"), i, f"{message}; `asce41` needs none")
+    if "asce41" in pushover.targets and pushover.site_class is None and not isinstance(hazard, EC8Hazard):
+        message = f"this key is missing; only a ground type of EN 1998-1 has one, and the hazard is of `{hazard.code}`"
+        problems.under(keys, "site_class", message)
+    if isinstance(hazard, UserHazard) and pushover.damping not in (None, hazard.damping):
+        message = f"the spectra of the hazard are tables for {100 * hazard.damping:g} % damping; leave this key out"
+        problems.at_value((*keys, "damping"), message)
 
 
 def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: GivenPattern, targets: bool) -> None:
@@ -59,6 +77,10 @@ def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: Gi
             problems.at_item(keys, i, "target displacements are of the roof, which has no share here")
     if pattern.modes is not None and project.hazard is None:
         problems.at_item(keys, i, "storey shears of modes need the spectrum of a `hazard`, and the project has none")
+    if pattern.modes is not None and project.hazard is not None:
+        if project.hazard.own_shapes and len(project.hazard.levels) > 1:
+            message = "storey shears of modes need one shape of spectrum, and each level of the hazard has its own"
+            problems.at_item(keys, i, message)
     if pattern.mode is not None and pattern.mode > 1 and targets:
         message = f"target displacements are of the first mode; give mode {pattern.mode} without `targets`"
         problems.at_item(keys, i, message)

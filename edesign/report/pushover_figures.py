@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.sets import TARGET
-from edesign.codes.ec8 import ElasticSpectrum
+from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.project import Project
 from edesign.project.pushover import METHODS
@@ -218,7 +218,7 @@ def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
             color = VARIANTS[levels.index(level) % len(VARIANTS)]
             values = _of_n2(one.group)
             right = max(right, 1.6e3 * max(values["d_t_oscillator"], values["d_et"]))
-            plateau = float(spectra[level].acceleration(spectra[level].parameters.T_C))
+            plateau = float(spectra[level].acceleration(characteristic_period(spectra[level]) or 0.0))
             top = max(top, min(1.1 * plateau, HIGHEST * max(values["S_e"], values["F_y"] / values["m"])))
             _oscillator(here, one.group, values, color)
             T = np.linspace(0.0, LONGEST, 400)
@@ -259,7 +259,7 @@ def _of_n2(group: Group) -> dict[str, float]:
     return {name.removeprefix("n2_"): float(group.variables[name].values) for name in names}
 
 
-def _spectrum(project: Project, group: Group) -> ElasticSpectrum:
+def _spectrum(project: Project, group: Group) -> Spectrum:
     assert project.hazard is not None
     spectrum = elastic_spectrum(project.hazard, str(group.attributes["level"]))
-    return replace(spectrum, damping=float(group.attributes["spectrum_damping"]))
+    return spectrum.with_damping(float(group.attributes["spectrum_damping"]))

@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from edesign.codes.asce41 import target_displacement as asce41
 from edesign.codes.capacity_curve import CapacityCurve
-from edesign.codes.ec8 import ElasticSpectrum
 from edesign.codes.ec8 import target_displacement as n2
 from edesign.codes.fema356 import target_displacement as fema356
+from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.hazard import EC8Hazard
 from edesign.project.project import Project
 from edesign.project.pushover import Method
 from edesign.study.lateral_patterns import by_floor, floor_masses, lateral_loads
@@ -110,10 +111,10 @@ class Capacity:
         return _METHODS[method](self, level_spectrum(self.project, self.spec, level))
 
 
-def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, level: str) -> ElasticSpectrum:
+def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, level: str) -> Spectrum:
     """Return the spectrum that target displacements of a level are taken from."""
     spectrum = elastic_spectrum(checked_hazard(project), level)
-    return spectrum if spec.damping is None else replace(spectrum, damping=spec.damping)
+    return spectrum if spec.damping is None else spectrum.with_damping(spec.damping)
 
 
 def capacity(
@@ -157,12 +158,12 @@ def capacity(
     return found
 
 
-def _n2(capacity: Capacity, spectrum: ElasticSpectrum) -> Target:
+def _n2(capacity: Capacity, spectrum: Spectrum) -> Target:
     try:
         oscillator = n2.equivalent_oscillator(capacity.basis.forces, capacity.basis.masses)
     except InputError as problem:
         raise AnalysisError(f"N2: {problem}") from problem
-    found = n2.target_displacement(capacity.curve, oscillator, spectrum, spectrum.parameters.T_C)
+    found = n2.target_displacement(capacity.curve, oscillator, spectrum, _corner(spectrum))
     relation, Gamma = found.idealisation, oscillator.Gamma
     values = (
         ("Gamma", Gamma, "1", "transformation factor, Eq. B.3"),
@@ -182,19 +183,30 @@ def _n2(capacity: Capacity, spectrum: ElasticSpectrum) -> Target:
     return Target(found.d_t, values, ((0.0, Gamma * relation.d_y, end), (0.0, V_y, V_y)))
 
 
-def _fema356(capacity: Capacity, spectrum: ElasticSpectrum) -> Target:
+def _corner(spectrum: Spectrum) -> float:
+    corner = characteristic_period(spectrum)
+    assert corner is not None, "check_pushover refuses spectra without corner periods"
+    return corner
+
+
+def _fema356(capacity: Capacity, spectrum: Spectrum) -> Target:
     basis, storeys = capacity.basis, capacity.project.frame.n_storeys
     period, C_0 = basis.first_mode
-    T_S = spectrum.parameters.T_C
+    T_S = _corner(spectrum)
     found = fema356.target_displacement(capacity.curve, period, C_0, basis.mass, storeys, spectrum, T_S)
     C_3 = ("C_3", found.C_3, "1", "C_3: negative slope after yielding, Eq. 3-17")
     return Target(found.d_t, (*_coefficients(found, period, "R"), C_3), _lines(found))
 
 
-def _asce41(capacity: Capacity, spectrum: ElasticSpectrum) -> Target:
+def _asce41(capacity: Capacity, spectrum: Spectrum) -> Target:
     basis, storeys = capacity.basis, capacity.project.frame.n_storeys
     period, C_0 = basis.first_mode
-    site = capacity.spec.site_class or asce41.SITE_CLASSES[spectrum.parameters.ground]
+    if capacity.spec.site_class is not None:
+        site: str = capacity.spec.site_class
+    else:
+        hazard = capacity.project.hazard
+        assert isinstance(hazard, EC8Hazard), "check_pushover wants site_class with another"
+        site = asce41.SITE_CLASSES[hazard.ground]
     found, limit = asce41.target_displacement(capacity.curve, period, C_0, basis.mass, storeys, spectrum, site)
     none = float("nan")
     values = (
@@ -236,7 +248,7 @@ def _lines(found: fema356.CoefficientTarget) -> tuple[tuple[float, ...], tuple[f
     return (0.0, lines.D_y, lines.D_d), (0.0, lines.V_y, lines.V_d)
 
 
-_METHODS: dict[Method, Callable[[Capacity, ElasticSpectrum], Target]] = {
+_METHODS: dict[Method, Callable[[Capacity, Spectrum], Target]] = {
     "n2": _n2,
     "fema356": _fema356,
     "asce41": _asce41,

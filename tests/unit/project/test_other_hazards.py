@@ -199,3 +199,13 @@ def test_the_level_that_a_record_is_fitted_to(broken: Broken) -> None:
     own = ("title: Small frame\n", f"title: Small frame\n{NTC}")
     record = ("records:\n", "records:\n  set: {suite: «set.yaml, match: {level: «SLW}}\n")
     assert any("no level `SLW`; did you mean" in problem.message for problem in broken(own, record))
+
+
+def test_target_displacements_of_other_codes(broken: Broken) -> None:
+    """N2 needs T_C, a table has none; only a ground type of EN 1998-1 stands for a site class of ASCE 41."""
+    push = "  - {name: t, kind: pushover, pattern: uniform, targets: [«n2, asce41], site_class: C}\n"
+    (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{USER}"), ("analyses:\n", f"analyses:\n{push}"))
+    assert problem.keys_text == "analyses[0].targets[0]" and "needs the corner period" in problem.message
+    push = "  - «{name: t, kind: pushover, pattern: uniform, targets: [n2, asce41]}\n"
+    (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{ASCE}"), ("analyses:\n", f"analyses:\n{push}"))
+    assert problem.keys_text == "analyses[0].site_class" and "of `asce7-22`" in problem.message
