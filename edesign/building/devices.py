@@ -11,7 +11,7 @@ from edesign.building.named_section import cross_section
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
 from edesign.project import names
-from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperRun
+from edesign.project.dampers import PROTOTYPE_SCALE, BraceSection, BraceStiffness, DamperBetween, DamperRun
 from edesign.project.problems import did_you_mean, keys_text
 from edesign.project.project import Project
 from edesign.project.sections import no_section
@@ -64,12 +64,14 @@ class DeviceSize:
     Attributes:
         number: side by side.
         layers, layer_area (m2), layer_thickness (m): of one of them; None: as the prototype.
+        scale: on the forces of a law without prototype.
     """
 
     number: int
     layers: int | None = None
     layer_area: float | None = None
     layer_thickness: float | None = None
+    scale: float = 1.0
 
     @property
     def resized(self) -> bool:
@@ -82,7 +84,7 @@ class DeviceSize:
         Source: thesis Eqs. 5.18-5.21.
         """
         if law.layers is None or law.layer_area is None or law.layer_thickness is None:
-            return self.number * law.property_factor, 1.0, None
+            return self.number * law.property_factor * self.scale, 1.0, None
         layers = self.layers if self.layers is not None else law.layers
         area = self.layer_area if self.layer_area is not None else law.layer_area
         thickness = self.layer_thickness if self.layer_thickness is not None else law.layer_thickness
@@ -177,6 +179,8 @@ def add_devices(
         law = laws[run.law]
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
+        if law.layers is not None and run.scale is not None:
+            raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(run.law)}")
         for place in _places(project, run, nodes, where):
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)
@@ -273,7 +277,8 @@ def _node(nodes: Mapping[str, int], name: str, where: str) -> int:
 
 def _size(run: DamperRun | DamperBetween, place: _Place) -> DeviceSize:
     area = None if run.layer_area is None else _of_storey(run.layer_area, place)
-    return DeviceSize(run.number, run.layers, area, run.layer_thickness)
+    scale = 1.0 if run.scale is None else _of_storey(run.scale, place)
+    return DeviceSize(run.number, run.layers, area, run.layer_thickness, scale)
 
 
 def _of_storey(values: float | tuple[float, ...], place: _Place) -> float:

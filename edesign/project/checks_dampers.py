@@ -4,7 +4,15 @@ from __future__ import annotations
 
 from edesign.project.analyses import ModalAnalysis
 from edesign.project.checks_frame import Selections
-from edesign.project.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun, Device
+from edesign.project.dampers import (
+    PROTOTYPE_SCALE,
+    BraceSection,
+    BraceStiffness,
+    DamperBetween,
+    DamperLaw,
+    DamperRun,
+    Device,
+)
 from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
 
@@ -71,6 +79,8 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
             if getattr(device, key) is not None:
                 message = f"the law `{device.law}` has no `prototype` whose size could be changed"
                 problems.at_key((*keys, key), message)
+    elif laws[device.law].prototype is not None and device.scale is not None:
+        problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
     if isinstance(device.brace, BraceSection):
         if device.kind == "storey":
             message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
@@ -107,10 +117,12 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:
     """Lists have one value for each storey."""
     stiffness = device.brace.stiffness if isinstance(device.brace, BraceStiffness) else None
-    for at, values in (((*keys, "layer_area"), device.layer_area), ((*keys, "brace", "stiffness"), stiffness)):
+    given: dict[Keys, object] = {("layer_area",): device.layer_area, ("scale",): device.scale}
+    given[("brace", "stiffness")] = stiffness
+    for at, values in given.items():
         if isinstance(values, tuple) and len(values) != storeys:
             message = f"{_count(len(values), 'value')} for {_count(storeys, 'storey')}; one for each is needed"
-            problems.at_value(at, message)
+            problems.at_value((*keys, *at), message)
 
 
 def _count(number: int, noun: str) -> str:

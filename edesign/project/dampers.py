@@ -68,12 +68,16 @@ class DamperLaw(LawDescription):
     property_factor: PositiveFactor = 1.0
 
 
+def _one_or_list(value: Any) -> str:
+    return "?list" if isinstance(value, (list, tuple)) else "?plain"
+
+
 class BraceStiffness(Model):
     """Stiffness in series with a damper, along its deformation; `play` of its pins from end to end."""
 
     stiffness: Annotated[
         Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(lambda value: "?list" if isinstance(value, (list, tuple)) else "?plain"),
+        Discriminator(_one_or_list),
     ]
     play: PositiveLength | None = None
 
@@ -85,9 +89,13 @@ class BraceSection(Model):
     material: str
 
 
-PerStorey = Annotated[
+Areas = Annotated[
     Annotated[PositiveArea, Tag("?plain")] | Annotated[tuple[PositiveArea, ...], Tag("?list")],
-    Discriminator(lambda value: "?list" if isinstance(value, (list, tuple)) else "?plain"),
+    Discriminator(_one_or_list),
+]
+Scales = Annotated[
+    Annotated[PositiveFactor, Tag("?plain")] | Annotated[tuple[PositiveFactor, ...], Tag("?list")],
+    Discriminator(_one_or_list),
 ]
 
 
@@ -106,19 +114,26 @@ Brace = Annotated[
 ]
 
 
+PROTOTYPE_SCALE = "the law `{}` has a `prototype`: give the size of the layers, not a `scale`"
+
+
 class _Sized(Model):
-    """A law at the size of the device: layers as those of the prototype unless given; `number` of them side by side."""
+    """A law at the size of the device; `number` of them stand side by side.
+
+    Layers are those of the prototype unless given. `scale` multiplies the forces of a law without prototype.
+    """
 
     law: str
     number: Count = 1
     layers: Layers | None = None
-    layer_area: PerStorey | None = None
+    layer_area: Areas | None = None
     layer_thickness: PositiveLength | None = None
+    scale: Scales | None = None
     brace: Brace = "rigid"
 
 
 class DamperRun(_Sized):
-    """Dampers in some bays and storeys; lists of areas or brace stiffnesses go with the storeys from the lowest.
+    """Dampers in some bays and storeys; lists of areas, scales or brace stiffnesses go up with the storeys.
 
     chevron: horizontal between the apex of a chevron brace and the beam above; rising, falling: along the diagonal,
     seen from left to right; storey: horizontal between the floors above and below.

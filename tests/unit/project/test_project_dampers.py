@@ -194,6 +194,14 @@ WRONG = {
         "devices[1].layers",
         ["`oil` has no `prototype`"],
     ),
+    "scale of a prototype": (
+        AREAS,
+        "[0.2 m^2, 0.1 m^2], «scale: 2",
+        "devices[0].scale",
+        ["`tested` has a `prototype`", "size of the layers"],
+    ),
+    "too many scales": ("number: 2", "number: 2, scale: «[1, 2]", "devices[1].scale", ["2 values for 1 storey;"]),
+    "no scale": ("number: 2", "number: 2, scale: «0", "devices[1].scale", ["`0` is out of range", "greater than 0"]),
     "none of them": ("number: 2", "number: «0", "devices[1].number", ["`0` is out of range", "at least 1"]),
     "word for a brace": (BRACE, "brace: «stiff", "devices[1].brace", ["`stiff`", "allowed: `rigid`"]),
     "half a brace": (BRACE, "«brace: {section: HEB100}", "devices[1].brace.material", ["missing"]),
@@ -301,6 +309,14 @@ def test_the_project_is_right_before_it_is_made_wrong(tmp_path: Path, capsys: Ca
     assert main(["run", str(path), "-q"]) == 0
     names = [device.name for device in make_frame(load_project(path), dampers=True).devices]
     assert names == ["V_1_1", "V_1_2", "R_1_2", "N_A0_B1", "S_1_1"]
+
+
+def test_a_scale_is_a_factor_on_the_coefficient(tmp_path: Path) -> None:
+    """A damper of a scale is that of a law whose coefficient is so much larger."""
+    scaled, _ = written(tmp_path, ("law: oil, number: 2", "law: oil, number: 2, scale: [1.5]"))
+    found = make_frame(load_project(scaled), dampers=True).devices
+    assert [d.force_scale for d in found if d.law == "oil"] == [3.0, 1.0, 1.0]
+    assert {d.deformation_scale for d in found if d.law == "oil"} == {1.0}
 
 
 def test_several_wrong_parameters_are_told_each_with_its_place(tmp_path: Path, capsys: Capture) -> None:
