@@ -4,7 +4,16 @@ from __future__ import annotations
 
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_names import check_names, check_records
-from edesign.project.designs import Bounds, Design, FixedProperties, SimplifiedDesign, StrainEnergyDesign
+from edesign.project.checks_viscous_designs import check_viscous_design
+from edesign.project.designs import (
+    Bounds,
+    Design,
+    ElastomerDesign,
+    FixedProperties,
+    SimplifiedDesign,
+    StrainEnergyDesign,
+    ViscousDesign,
+)
 from edesign.project.problems import Keys, Problems, unknown_name
 from edesign.project.project import Project
 
@@ -22,18 +31,15 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
     """
     _law(keys, spec, project, problems)
     _places(keys, spec, project, problems)
-    _thickness(keys, spec, problems)
     _hazard(keys, spec, project, problems)
     if project.masses is None:
         problems.at_key(keys, "the project has no `masses`: its frame has no periods to design dampers for")
-    if isinstance(spec, StrainEnergyDesign):
-        _strain_energy(keys, spec, problems)
-    else:
-        _simplified(keys, spec, problems)
     if spec.bounds is not None:
         _bounds((*keys, "bounds"), spec, spec.bounds, problems)
-    if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
-        problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
+    if isinstance(spec, ViscousDesign):
+        check_viscous_design(keys, spec, project, problems)
+    else:
+        _elastomer(keys, spec, project, problems)
 
 
 def design_warnings(spec: Design) -> list[str]:
@@ -48,9 +54,24 @@ def _law(keys: Keys, spec: Design, project: Project, problems: Problems) -> None
     laws = project.dampers.laws if project.dampers is not None else {}
     if spec.law not in laws:
         problems.at_value((*keys, "law"), unknown_name("damper law", spec.law, laws))
-    elif laws[spec.law].prototype is None and laws[spec.law].file is None:
+
+
+def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Problems) -> None:
+    laws = project.dampers.laws if project.dampers is not None else {}
+    if spec.law in laws and laws[spec.law].prototype is None and laws[spec.law].file is None:
         message = f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
         problems.at_value((*keys, "law"), message)
+    _thickness(keys, spec, problems)
+    if isinstance(spec, StrainEnergyDesign):
+        _strain_energy(keys, spec, problems)
+    else:
+        _simplified(keys, spec, problems)
+    if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
+        problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
+    temperatures = spec.bounds is not None and spec.bounds.temperatures is not None
+    if temperatures and isinstance(spec.properties, FixedProperties):
+        message = "fixed properties do not change with temperature; give a table or `law`"
+        problems.at_key((*keys, "bounds", "temperatures"), message)
 
 
 def _places(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
@@ -63,7 +84,7 @@ def _places(keys: Keys, spec: Design, project: Project, problems: Problems) -> N
         problems.at_value((*keys, "storey_stiffness"), message)
 
 
-def _thickness(keys: Keys, spec: Design, problems: Problems) -> None:
+def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     if spec.layer_thickness is None and (spec.drift is None or spec.strain_limit is None):
         problems.under(keys, "layer_thickness", "this key is missing (or both `drift` and `strain_limit`)")
     if spec.layer_thickness is not None and spec.strain_limit is not None:
@@ -137,9 +158,5 @@ def _bounds(keys: Keys, spec: Design, bounds: Bounds, problems: Problems) -> Non
             if value is not None and wrong(value):
                 allowed = "at least" if side == "upper" else "at most"
                 problems.at_value((*keys, *at), f"a factor of the {side} bound must be {allowed} 1, not {value:g}")
-    if bounds.temperatures is not None:
-        if bounds.temperatures[0] > bounds.temperatures[1]:
-            problems.at_value((*keys, "temperatures"), "the range runs backwards; write the lower temperature first")
-        if isinstance(spec.properties, FixedProperties):
-            message = "fixed properties do not change with temperature; give a table or `law`"
-            problems.at_key((*keys, "temperatures"), message)
+    if bounds.temperatures is not None and bounds.temperatures[0] > bounds.temperatures[1]:
+        problems.at_value((*keys, "temperatures"), "the range runs backwards; write the lower temperature first")

@@ -9,7 +9,7 @@ from edesign.project.checks_incremental import check_incremental
 from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.checks_outputs import check_member
 from edesign.project.checks_pushover import check_pushover
-from edesign.project.designs import Verify
+from edesign.project.designs import AnyVerify
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.pushover import Pushovers
 from edesign.project.records import record_of
@@ -108,7 +108,7 @@ def _own_names(study: Study, problems: Problems) -> None:
             problems.at_value((*keys, "name"), message)
 
 
-def _verify(study: Study, problems: Problems, keys: Keys, verify: Verify) -> None:
+def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
     check_names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
     if verify.levels is None:
         message = "this key is missing; criteria judge histories at levels of the hazard"

@@ -101,7 +101,7 @@ class Bounds(Model):
     temperatures: tuple[Temperature, Temperature] | None = None
 
 
-class Verify(Model):
+class AnyVerify(Model):
     """Time histories that close the loop: rounds of them, changing something, until the criteria are met."""
 
     records: Names
@@ -109,16 +109,25 @@ class Verify(Model):
     criteria: Names
     free_vibration: Duration = 0.0
     rounds: Rounds = 8
-    change: Literal["target", "area", "thickness"] = "target"
     precision: PositiveRatio = 0.05
+
+
+class Verify(AnyVerify):
+    """Of dampers with layers."""
+
+    change: Literal["target", "area", "thickness"] = "target"
+
+
+class ViscousVerify(AnyVerify):
+    """Of viscous dampers."""
+
+    change: Literal["target", "coefficient"] = "target"
 
 
 class _Design(Model):
     """What all methods need to know.
 
-    Properties are taken at `strain`, at `temperature` (degC) and at `frequency` (Hz; two: the mean of the values at
-    both; none: followed from the first mode with dampers). `drift` is the target storey drift, `level` the hazard
-    level at which estimates by the response spectrum are made.
+    `drift` is the target storey drift, `level` the hazard level at which estimates by the response spectrum are made.
     """
 
     law: str
@@ -126,10 +135,28 @@ class _Design(Model):
     bays: Numbers
     storeys: Numbers = ALL_NUMBERS
     number: Count = 1
+    temperature: Temperature | None = None
+    drift: PositiveRatio | None = None
+    storey_stiffness: Annotated[
+        Annotated[Literal["computed"], Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
+        Discriminator(_is_list),
+    ] = "computed"
+    state: State = "gravity"
+    level: str | None = None
+    inherent_damping: UnitRatio | None = None
+    bounds: Bounds | None = None
+
+
+class _ElastomerDesign(_Design):
+    """Dampers with layers of elastomer.
+
+    Properties are taken at `strain`, at `temperature` (degC) and at `frequency` (Hz; two: the mean of the values at
+    both; none: followed from the first mode with dampers).
+    """
+
     layers: Count | None = None
     properties: Properties = "law"
     strain: PositiveFactor
-    temperature: Temperature | None = None
     frequency: (
         Annotated[
             Annotated[PositiveFrequency, Tag("?plain")]
@@ -139,20 +166,11 @@ class _Design(Model):
         | None
     ) = None
     layer_thickness: PositiveLength | None = None
-    drift: PositiveRatio | None = None
     strain_limit: PositiveFactor | None = None
-    storey_stiffness: Annotated[
-        Annotated[Literal["computed"], Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(_is_list),
-    ] = "computed"
-    state: State = "gravity"
-    level: str | None = None
-    inherent_damping: UnitRatio | None = None
-    bounds: Bounds | None = None
     verify: Verify | None = None
 
 
-class StrainEnergyDesign(_Design):
+class StrainEnergyDesign(_ElastomerDesign):
     """The iterative procedure of thesis 5.3.4 by modal strain energy: stiffness in proportion to the storeys."""
 
     method: Literal["strain_energy"]
@@ -163,7 +181,7 @@ class StrainEnergyDesign(_Design):
     target_in: Literal["storeys", "first_mode"] | None = None
 
 
-class SimplifiedDesign(_Design):
+class SimplifiedDesign(_ElastomerDesign):
     """The simplified procedure of Fan and Lee (thesis 5.3.4): the least beta with which static forces meet a drift."""
 
     method: Literal["simplified"]
@@ -174,8 +192,56 @@ class SimplifiedDesign(_Design):
     low_temperature: Temperature | None = None
 
 
+class RoofAmplitude(Model):
+    """Amplitude of the first mode at the roof."""
+
+    roof_displacement: PositiveLength
+
+
+class DriftAmplitude(Model):
+    """Amplitude of the first mode by its largest storey drift."""
+
+    drift: PositiveRatio
+
+
+def _amplitude(value: Any) -> str:
+    if by_shape(value) == "?plain":
+        return "?plain"
+    keys = value if isinstance(value, Mapping) else type(value).model_fields
+    return "?drift" if "drift" in keys else "?roof_displacement"
+
+
+VISCOUS_LAWS = ("viscous", "viscous_power", "maxwell", "maxwell_power")
+
+
+class ViscousDesign(_Design):
+    """Viscous dampers for a damping of the first mode, or for a drift with the least coefficients.
+
+    `amplitude` is that of the vibration in the first mode in which the dashpots count with their energy.
+    """
+
+    method: Literal["viscous"]
+    damping: PositiveRatio | None = None
+    amplitude: (
+        Annotated[
+            Annotated[Literal["spectrum"], Tag("?plain")]
+            | Annotated[RoofAmplitude, Tag("?roof_displacement")]
+            | Annotated[DriftAmplitude, Tag("?drift")],
+            Discriminator(_amplitude),
+        ]
+        | None
+    ) = None
+    brace: Brace = "rigid"
+    distribution: Literal["storey_stiffness", "storey_shear", "strain_energy", "uniform", "least_coefficient"] = (
+        "storey_stiffness"
+    )
+    verify: ViscousVerify | None = None
+
+
+ElastomerDesign = StrainEnergyDesign | SimplifiedDesign
 Design = Annotated[
     Annotated[StrainEnergyDesign, Tag("?method=strain_energy")]
-    | Annotated[SimplifiedDesign, Tag("?method=simplified")],
+    | Annotated[SimplifiedDesign, Tag("?method=simplified")]
+    | Annotated[ViscousDesign, Tag("?method=viscous")],
     Discriminator(by_key("method")),
 ]

@@ -10,7 +10,7 @@ from edesign.errors import AnalysisError, EdesignError
 from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
 from edesign.project.dampers import Dampers
-from edesign.project.designs import Verify
+from edesign.project.designs import AnyVerify
 from edesign.project.outputs import Outputs
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -110,7 +110,7 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
 
 
 def _respond(
-    study: Study, name: str, verify: Verify, dampers: Dampers, number: int, run: Execution
+    study: Study, name: str, verify: AnyVerify, dampers: Dampers, number: int, run: Execution
 ) -> dict[str, Group]:
     """The histories that a round of a design is judged by; they are not archived."""
     project = study.base.model_copy(update={"dampers": dampers, "outputs": Outputs(histories=())})

@@ -20,6 +20,7 @@ from edesign.study.intensity import first_period, level_intensity, record_intens
 from edesign.study.kinds import INCREMENTAL
 from edesign.study.plan import Task
 from edesign.study.recording import coordinate
+from edesign.study.variants import variant_strain
 
 
 def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
@@ -140,7 +141,7 @@ class _Periods:
 
     def _compute(self, task: Task) -> float | EdesignError:
         variant = self._study.variants[task.variant]
-        strain = self._study.designs[variant.design].strain if variant.design is not None else None
+        strain = variant_strain(self._study, task.variant)
         try:
             return first_period(self._frames(task)[0], variant.dampers != "none", strain)
         except EdesignError as error:

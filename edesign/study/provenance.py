@@ -20,7 +20,7 @@ from edesign.archive.hdf5 import library_versions
 from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
-from edesign.project.designs import FileProperties
+from edesign.project.designs import FileProperties, ViscousDesign
 from edesign.project.hazard_base import Hazard
 from edesign.project.project import Project
 from edesign.project.study import Study
@@ -69,7 +69,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     tables = {
         name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))
         for name, design in study.designs.items()
-        if isinstance(design.properties, FileProperties)
+        if not isinstance(design, ViscousDesign) and isinstance(design.properties, FileProperties)
     }
     parts = [study.checksum, str(group.attributes["input_checksum"]), *(_checksum(*table) for table in tables.values())]
     group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()

@@ -21,6 +21,7 @@ from edesign.study.plan import make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
 from edesign.study.study_plan import make_study_plan
+from edesign.study.variants import variant_strain
 
 __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_study"]
 
@@ -106,11 +107,7 @@ def run_study(
         frames = study_designs(study, run)
         return frames if run.stopped() else study_stripes(study, run, frames)
 
-    strains = {
-        name: study.designs[variant.design].strain
-        for name, variant in study.variants.items()
-        if variant.design is not None
-    }
+    strains = {name: variant_strain(study, name) for name in study.variants}
     job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
     with make_backend(backend, workers, scheduler) as made:
         return execute(job, path, progress or silent, made, workers, fresh, overwrite)

@@ -15,6 +15,7 @@ from edesign.project.study import Histories, Study
 from edesign.study.intensity import intensity_text
 from edesign.study.plan import Stripe, Task, selected
 from edesign.study.pushover_parts import pushover_parts
+from edesign.study.variants import variant_strain
 
 MODES, GRAVITY = "modes", "gravity"
 USUAL_MODES = 3
@@ -54,7 +55,6 @@ def _of_variant(study: Study, name: str) -> Iterator[Task]:
     variant, modal = study.variants[name], study.modal
     dampers = variant.dampers != "none"
     if study.base.masses is not None:
-        strain = study.designs[variant.design].strain if variant.design is not None else None
         spec = ModalAnalysis.model_construct(
             kind="modal",
             name=f"{name}.{MODES}",
@@ -62,7 +62,7 @@ def _of_variant(study: Study, name: str) -> Iterator[Task]:
             dampers=dampers,
             modes=modal.modes if modal.modes is not None else USUAL_MODES,
             state=modal.state,
-            damper_strain=strain,
+            damper_strain=variant_strain(study, name),
         )
         yield Task(0, spec, spec.name, name)
     gravity = GravityAnalysis.model_construct(kind="gravity", name=f"{name}.{GRAVITY}", variant=name, dampers=dampers)

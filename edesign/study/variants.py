@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from edesign.errors import InputError
 from edesign.project.dampers import DamperBetween, Dampers
-from edesign.project.designs import Design
+from edesign.project.designs import Design, ViscousDesign
 from edesign.project.project import Project
 from edesign.project.study import Study, Variant
 from edesign.study.dampers import law_warnings
@@ -33,6 +33,13 @@ def variant_project(
     if variant.dampers == "none" or dampers is None:
         return base.model_copy(update={"dampers": None})
     return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C)})
+
+
+def variant_strain(study: Study, name: str) -> float | None:
+    """Shear strain at which the dampers of a variant count for its modes; None: that of small vibrations."""
+    design = study.variants[name].design
+    spec = study.designs[design] if design is not None else None
+    return None if spec is None or isinstance(spec, ViscousDesign) else spec.strain
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:

@@ -2,31 +2,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.project.designs import Bounds
 from edesign.study.design.building import Building
-from edesign.study.design.damping import ModalDamping, modal_damping
+from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer import Elastomer, Moduli
-from edesign.study.design.estimate import Action, Estimate, estimate
+from edesign.study.design.estimate import Action, Estimate, FrameEstimate, estimate
 from edesign.study.design.own_frequency import at_own_frequency
 from edesign.study.design.sizing import Sizing
 
 NAMES = ("lower", "nominal", "upper")
 
 
+E = TypeVar("E", bound=FrameEstimate)
+
+
 @dataclass(frozen=True)
-class Bound:
+class Bound(Generic[E]):
     """The frame with one set of properties.
 
     Attributes:
         name: lower, nominal or upper.
         factor: property modification factor.
         temperature_C: of the dampers, degC; None: that of the design.
-        stiffness_ratio: storage stiffness over that of the design, factor and temperature together.
-        damping: of the modes, with braces.
+        stiffness_ratio: what the dampers have over what they have in the design, factor and temperature together.
+        period: first period with braces, s.
+        damping: that is added to the first mode, with braces.
         response: estimated.
     """
 
@@ -34,8 +41,9 @@ class Bound:
     factor: float
     temperature_C: float | None
     stiffness_ratio: float
-    damping: ModalDamping
-    response: Estimate
+    period: float
+    damping: float
+    response: E
 
 
 def property_factors(bounds: Bounds) -> tuple[float, float]:
@@ -61,7 +69,7 @@ def analyse_bounds(
     bounds: Bounds,
     material: Callable[[float | None], Elastomer],
     action: Action,
-) -> tuple[Bound, ...]:
+) -> tuple[Bound[Estimate], ...]:
     """Estimate the response for the lower bound (at the highest temperature), the design, and the upper bound.
 
     Args:
@@ -77,15 +85,15 @@ def analyse_bounds(
     return tuple(_bound(building, sizing, *case, material(case[2]), action) for case in cases)
 
 
-def governing(found: tuple[Bound, ...]) -> dict[str, str]:
-    """The bound that makes each quantity largest, by the name of the quantity."""
-    quantities: dict[str, Callable[[Estimate], float]] = {
+def governing(found: tuple[Bound[E], ...], further: Mapping[str, Callable[[E], float]]) -> dict[str, str]:
+    """The bound that makes each quantity largest, by the name of the quantity; `further` ones are of the method."""
+    quantities: dict[str, Callable[[E], float]] = {
         "storey_drift": lambda r: float(r.drift.max()),
         "roof_displacement": lambda r: r.roof_displacement,
         "column_shear": lambda r: float(r.storey_shear.max()),
         "base_shear": lambda r: r.base_shear,
         "damper_force": lambda r: float(r.damper_force.max()),
-        "damper_strain": lambda r: float(r.damper_strain.max()),
+        **further,
     }
     return {name: max(found, key=lambda b: of(b.response)).name for name, of in quantities.items()}
 
@@ -98,7 +106,7 @@ def _bound(
     temperature_C: float | None,
     material: Elastomer,
     action: Action,
-) -> Bound:
+) -> Bound[Estimate]:
 
     def ratio(moduli: Moduli) -> float:
         return factor * moduli.G_storage / sizing.moduli.G_storage
@@ -108,5 +116,6 @@ def _bound(
     )
     brace = None if sizing.brace is None else building.at_places(sizing.brace)
     response = estimate(building, action, at_places, brace, sizing.thickness)
-    damping = modal_damping(building.frame, building.frame.modes(), at_places)
-    return Bound(name, factor, temperature_C, ratio(moduli), damping, response)
+    modes = building.frame.modes(at_places.real)
+    damping, period = float(strain_energy_damping(modes, at_places)[0]), 2.0 * np.pi / float(modes.omega[0])
+    return Bound(name, factor, temperature_C, ratio(moduli), period, damping, response)

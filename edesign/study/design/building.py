@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from edesign.building.devices import DeviceLaw
 from edesign.errors import AnalysisError, InputError
-from edesign.project.dampers import BraceStiffness, DamperRun, Dampers, Prototype
+from edesign.project.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.designs import Design
 from edesign.project.project import Project
 from edesign.study.dampers import device_laws
-from edesign.study.design.condensed import CondensedFrame, condense
+from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
 from edesign.study.structure import make_structure
 
 
@@ -23,9 +25,7 @@ class Building:
     Attributes:
         project: that is studied.
         frame: condensed, linear, in the state that the design asks for.
-        law: of the dampers with its prototype.
-        prototype: its layers.
-        layers: of one damper.
+        law: of the dampers.
         storeys: numbers of the storeys with dampers, from 1, (s,).
         heights: of all storeys, m.
         storey_stiffness: of the frame without dampers, all storeys, N/m.
@@ -37,8 +37,6 @@ class Building:
     project: Project
     frame: CondensedFrame
     law: DeviceLaw
-    prototype: Prototype
-    layers: int
     storeys: np.ndarray
     heights: np.ndarray
     storey_stiffness: np.ndarray
@@ -51,30 +49,27 @@ class Building:
         """Stiffness of the storeys with dampers, (s,) N/m."""
         return self.storey_stiffness[self.storeys - 1]
 
-    @property
-    def attachment(self) -> np.ndarray:
-        """Sum of the squared cosines of the places in each storey with dampers, (s,)."""
-        return np.bincount(self.place_storey, self.cosine**2, minlength=self.storeys.size)
+    def attachment(self, power: float = 2.0) -> np.ndarray:
+        """Sum of a power of the cosines of the places in each storey with dampers, (s,).
 
-    def at_places(self, of_storeys: np.ndarray) -> np.ndarray:
-        """Stiffness along each damper (d,) from horizontal ones of the storeys (s,): shared equally, over cos^2."""
-        return (of_storeys / self.attachment)[self.place_storey]
+        What a storey feels of a stiffness goes with the square of the cosine, of a dashpot with its power 1 + alpha.
+        """
+        return np.bincount(self.place_storey, self.cosine**power, minlength=self.storeys.size)
+
+    def at_places(self, of_storeys: np.ndarray, power: float = 2.0) -> np.ndarray:
+        """Values along each damper (d,) from horizontal ones of the storeys (s,): shared equally, see `attachment`."""
+        return (of_storeys / self.attachment(power))[self.place_storey]
 
 
 def make_building(project: Project, name: str, spec: Design) -> Building:
     """Build the frame, find the places and the stiffness of the storeys. Tuned masses are left out.
 
     Raises:
-        InputError: the law has no layers, or the frame cannot be built.
+        InputError: the law is wrong, or the frame cannot be built.
         AnalysisError: the frame is unstable.
     """
     law = law_at(project, spec.law, spec.temperature)
-    if law.layers is None or law.layer_area is None or law.layer_thickness is None:
-        raise InputError(f"designs.{name}.law: the law `{spec.law}` has no `prototype`: it has no layers to be sized")
-    prototype = Prototype.model_construct(
-        layers=law.layers, layer_area=law.layer_area, layer_thickness=law.layer_thickness
-    )
-    trial = _run(spec, law.layers, law.layer_area, law.layer_thickness)
+    trial = _run(spec, None, {})
     empty = project.model_copy(update={"dampers": _dampers(project, trial, keep_attachments=False)})
     try:
         structure = make_structure(empty, dampers=True)
@@ -97,8 +92,6 @@ def make_building(project: Project, name: str, spec: Design) -> Building:
         project,
         frame,
         law,
-        prototype,
-        spec.layers if spec.layers is not None else law.layers,
         storeys,
         np.array(project.frame.storey_heights),
         computed if given == "computed" else np.array(given),
@@ -117,11 +110,16 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
         AnalysisError: a storey does not shear in the first mode.
     """
     mode = frame.modes()
-    shear = storey_shears(frame.at_floors(mode.omega[0] ** 2 * frame.mass * mode.masses[0]))
+    shear = mode_shears(frame, mode)[0]
     drift = np.diff(mode.floors[0], prepend=0.0)
     if np.any(shear * drift <= 0.0):
         raise AnalysisError("a storey does not shear in the first mode of the frame: it has no storey stiffness")
     return shear / drift
+
+
+def mode_shears(frame: CondensedFrame, modes: LinearModes) -> np.ndarray:
+    """Storey shears of modes at unit generalised displacement, (n, f) N/m."""
+    return storey_shears(frame.at_floors(modes.omega[:, None] ** 2 * frame.mass * modes.masses))
 
 
 def storey_shears(floor_forces: np.ndarray) -> np.ndarray:
@@ -143,42 +141,33 @@ def with_temperature(project: Project, name: str, temperature_C: float | None) -
     return project.model_copy(update={"dampers": dampers.model_copy(update={"laws": {**dampers.laws, name: law}})})
 
 
-def sized_dampers(
-    building: Building, spec: Design, area: np.ndarray, thickness: float, brace: np.ndarray | None
-) -> Dampers:
+def sized_dampers(building: Building, spec: Design, brace: np.ndarray | None, size: Mapping[str, Any]) -> Dampers:
     """The project's dampers with those of the design in place of its devices.
 
     Args:
         building: with the places.
         spec: the design; its temperature, if it has one, becomes that of its law.
-        area: of one layer, (s,) m2.
-        thickness: of one layer, m.
         brace: stiffness of the brace of each damper, along it, (s,) N/m; None: rigid.
+        size: keys of a device that say how large it is, such as `layer_area` or `scale`.
     """
-    areas = tuple(float(value) for value in area)
     project = with_temperature(building.project, spec.law, spec.temperature)
-    run = _run(spec, building.layers, areas, thickness, brace)
-    return _dampers(project, run, keep_attachments=True)
+    return _dampers(project, _run(spec, brace, size), keep_attachments=True)
 
 
-def _run(
-    spec: Design,
-    layers: int,
-    area: float | tuple[float, ...],
-    thickness: float,
-    brace: np.ndarray | None = None,
-) -> DamperRun:
-    stiffness = () if brace is None else tuple(float(k) for k in brace)
+def per_storey(values: np.ndarray) -> tuple[float, ...]:
+    """Values of the storeys (s,) as a device of a project file has them."""
+    return tuple(float(value) for value in values)
+
+
+def _run(spec: Design, brace: np.ndarray | None, size: Mapping[str, Any]) -> DamperRun:
     return DamperRun.model_construct(
         kind=spec.kind,
         bays=spec.bays,
         storeys=spec.storeys,
         law=spec.law,
         number=spec.number,
-        layers=layers,
-        layer_area=area,
-        layer_thickness=thickness,
-        brace=BraceStiffness.model_construct(stiffness=stiffness) if stiffness else "rigid",
+        brace="rigid" if brace is None else BraceStiffness.model_construct(stiffness=per_storey(brace)),
+        **size,
     )
 
 

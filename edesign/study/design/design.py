@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers import Dampers
-from edesign.project.designs import Design
+from edesign.project.designs import Design, ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
+from edesign.study.design.elastomer_designer import ElastomerDesigner
 from edesign.study.design.verification import Judge, Respond
+from edesign.study.design.viscous_designer import ViscousDesigner
 
 
 @dataclass(frozen=True)
@@ -61,7 +64,7 @@ def run_design(
     Source: thesis 5.3.4.
     """
     try:
-        run = Designer(project, name, spec, folder, progress)
+        run = _designer(project, name, spec, folder, progress)
         done = run.search(respond, judge, resume, keep)
         status = "failed" if done.reason else "completed"
         group = run.group(done, status)
@@ -87,12 +90,20 @@ def check_sizing(project: Project, name: str, spec: Design, folder: Path) -> Non
         InputError: no damper reaches the target, or a file or law is wrong.
     """
     try:
-        run = Designer(project, name, spec, folder, lambda text: None)
+        run = _designer(project, name, spec, folder, lambda text: None)
         run.make(run.range()[0])
     except AnalysisError:
         return
     except InputError as error:
         raise _named(name, error) from error
+
+
+def _designer(
+    project: Project, name: str, spec: Design, folder: Path, progress: Callable[[str], None]
+) -> Designer[Any]:
+    if isinstance(spec, ViscousDesign):
+        return ViscousDesigner(project, name, spec, progress)
+    return ElastomerDesigner(project, name, spec, folder, progress)
 
 
 def _named(name: str, error: InputError) -> InputError:

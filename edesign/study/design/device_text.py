@@ -17,15 +17,20 @@ def _entry(run: object) -> dict[str, object]:
     brace: object = run.brace
     if isinstance(run.brace, BraceStiffness):
         brace = {"stiffness": _with_unit(run.brace.stiffness, "N/m")}
+    size: dict[str, object] = {
+        "layers": run.layers,
+        "layer_area": _with_unit(run.layer_area, "m^2"),
+        "layer_thickness": _with_unit(run.layer_thickness, "m"),
+    }
+    if run.scale is not None:
+        size = {"scale": list(run.scale) if isinstance(run.scale, tuple) else run.scale}
     return {
         "kind": run.kind,
         "bays": _selection(str(run.bays)),
         "storeys": _selection(str(run.storeys)),
         "law": run.law,
         "number": run.number,
-        "layers": run.layers,
-        "layer_area": _with_unit(run.layer_area, "m^2"),
-        "layer_thickness": _with_unit(run.layer_thickness, "m"),
+        **size,
         "brace": brace,
     }
 

@@ -15,6 +15,7 @@ from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer import Moduli
 from edesign.study.design.estimate import Action
 from edesign.study.design.least_area import least_area
+from edesign.study.design.pattern import pattern_of
 from edesign.study.design.sizing import place_stiffness
 
 _SCALES = np.geomspace(1e-4, 1e4, 81)  # of the dampers' stiffness over that of the storeys
@@ -55,23 +56,6 @@ def distribute(
         return stiffness_ratio(target, moduli.loss_factor, ratio) * building.designed_stiffness
     pattern = pattern_of(building, spec.distribution)
     return _scale(building, pattern, moduli.loss_factor, target, in_target) * pattern
-
-
-def pattern_of(building: Building, distribution: str) -> np.ndarray:
-    """Stiffnesses over the height, (s,) N/m, with the mean of those of the storeys.
-
-    Source: storey_stiffness: thesis Eq. 5.9. uniform: equal in all storeys. strain_energy: in proportion to the storey
-        shear strain energy of the first mode without dampers, Hwang, Lin and Wu (2013), Structure and Infrastructure
-        Engineering 9(1).
-    """
-    stiffness = building.designed_stiffness
-    if distribution == "storey_stiffness":
-        return stiffness
-    if distribution == "uniform":
-        return np.full(stiffness.size, stiffness.mean())
-    drift = np.diff(building.frame.modes().floors[0], prepend=0.0)[building.storeys - 1]
-    energy = building.computed_stiffness[building.storeys - 1] * drift**2
-    return energy * (stiffness.mean() / energy.mean())
 
 
 def _scale(

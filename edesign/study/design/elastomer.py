@@ -12,7 +12,7 @@ from edesign.damper.property_table import PropertyTable, property_table_content,
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
-from edesign.project.designs import Design, FileProperties, FixedProperties
+from edesign.project.designs import ElastomerDesign, FileProperties, FixedProperties
 from edesign.project.file_bytes import is_file
 from edesign.project.project import Project
 from edesign.study.design.building import law_at
@@ -33,7 +33,9 @@ Elastomer = Callable[[float], Moduli]
 """Properties at a frequency in Hz."""
 
 
-def elastomer(project: Project, name: str, spec: Design, folder: Path, temperature_C: float | None) -> Elastomer:
+def elastomer(
+    project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
+) -> Elastomer:
     """The elastomer of a design at its strain and a temperature (degC; None: that of the law or of the reference).
 
     Two frequencies of the design stand for the mean of the properties at both; one is taken whatever the frequency.
@@ -61,7 +63,9 @@ def elastomer(project: Project, name: str, spec: Design, folder: Path, temperatu
     return lambda frequency: mean
 
 
-def _at_frequency(project: Project, name: str, spec: Design, folder: Path, temperature_C: float | None) -> Elastomer:
+def _at_frequency(
+    project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
+) -> Elastomer:
     chosen = spec.properties
     if isinstance(chosen, FixedProperties):
         fixed = Moduli(chosen.G_storage, chosen.loss_factor)

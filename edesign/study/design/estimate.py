@@ -12,7 +12,8 @@ from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.damping import NoDamping
 from edesign.project.designs import Design, SimplifiedDesign
 from edesign.project.project import Project
-from edesign.study.design.building import Building, storey_shears
+from edesign.study.design.building import Building, mode_shears
+from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
 
 _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
@@ -25,9 +26,13 @@ class Action:
     spectrum: Spectrum
     inherent_damping: float
 
+    def displacement(self, omega: float, damping: float) -> float:
+        """Displacement of an oscillator of a frequency (rad/s) and a damping ratio, m."""
+        return float(self.spectrum.with_damping(damping).displacement(2.0 * np.pi / omega))
+
 
 @dataclass(frozen=True)
-class Estimate:
+class FrameEstimate:
     """Largest values over time by CQC.
 
     Attributes:
@@ -36,7 +41,6 @@ class Estimate:
         storey_shear: in the columns, without dampers, (f,) N.
         base_shear: of columns and dampers, N.
         damper_force: of the dampers at each place, (d,) N.
-        damper_strain: of their layers, (d,).
     """
 
     drift: np.ndarray
@@ -44,6 +48,16 @@ class Estimate:
     storey_shear: np.ndarray
     base_shear: float
     damper_force: np.ndarray
+
+
+@dataclass(frozen=True)
+class Estimate(FrameEstimate):
+    """Of a frame with dampers of elastomer.
+
+    Attributes:
+        damper_strain: of their layers, (d,).
+    """
+
     damper_strain: np.ndarray
 
 
@@ -86,37 +100,68 @@ def estimate(
     Source: thesis Eq. 5.6 for the damping of each mode; EN 1998-1:2004, 3.2.2.2(3) (eta) and 4.3.3.3; CQC: Der
         Kiureghian (1981), Earthquake Engineering and Structural Dynamics 9(5), with unequal damping.
     """
+    modes = building.frame.modes(stiffness.real)
+    peaks = spectral_peaks(building, action, modes, strain_energy_damping(modes, stiffness))
+    deformation = peaks.combined(modes.dampers)
+    layers = 1.0 if brace is None else np.abs(1.0 - stiffness / brace)  # share of the deformation in the elastomer
+    found = frame_estimate(building, modes, stiffness.real, peaks, deformation * np.abs(stiffness))
+    return Estimate(**vars(found), damper_strain=deformation * layers / thickness)
+
+
+@dataclass(frozen=True)
+class SpectralPeaks:
+    """Peaks of the modes that have an effective mass, and how they combine.
+
+    Attributes:
+        kept: (n,) which of all modes they are.
+        displacement: (k,) generalised displacement of each.
+        correlation: (k, k).
+    """
+
+    kept: np.ndarray
+    displacement: np.ndarray
+    correlation: np.ndarray
+
+    def combined(self, values: np.ndarray) -> np.ndarray:
+        """CQC of values (n, anything) of all modes at unit generalised displacement."""
+        scaled = self.displacement[:, None] * values[self.kept]
+        squared = np.einsum("ix,ij,jx->x", scaled, self.correlation, scaled)
+        return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
+
+
+def spectral_peaks(building: Building, action: Action, modes: LinearModes, added: np.ndarray) -> SpectralPeaks:
+    """The peaks of the modes under an action, each with the damping (n,) that the dampers add to it."""
     frame = building.frame
-    modes = frame.modes(stiffness.real)
     total = float(frame.mass @ frame.influence)
     kept = modes.participation**2 > _NEGLIGIBLE_MASS * total
-    damping = np.minimum(action.inherent_damping + strain_energy_damping(modes, stiffness)[kept], 1.0)
+    damping = np.minimum(action.inherent_damping + added[kept], 1.0)
     omega = modes.omega[kept]
-    spectral = [
-        float(action.spectrum.with_damping(float(zeta)).displacement(2.0 * np.pi / w))
-        for zeta, w in zip(damping, omega, strict=True)
-    ]
-    peak = modes.participation[kept] * np.array(spectral)
-    correlation = cqc(omega, damping)
+    spectral = [action.displacement(float(w), float(zeta)) for zeta, w in zip(damping, omega, strict=True)]
+    return SpectralPeaks(kept, modes.participation[kept] * np.array(spectral), cqc(omega, damping))
 
-    def combined(values: np.ndarray) -> np.ndarray:
-        """CQC of values (modes, anything) of the modes at unit generalised displacement."""
-        scaled = peak[:, None] * values
-        return np.asarray(np.sqrt(np.maximum(np.einsum("ix,ij,jx->x", scaled, correlation, scaled), 0.0)))
 
-    floors, deformation = modes.floors[kept], modes.dampers[kept]
-    shears = storey_shears(frame.at_floors(omega[:, None] ** 2 * frame.mass * modes.masses[kept]))
+def frame_estimate(
+    building: Building, modes: LinearModes, storage: np.ndarray, peaks: SpectralPeaks, damper_force: np.ndarray
+) -> FrameEstimate:
+    """The response of the frame from the peaks of its modes.
+
+    Args:
+        building: the frame with its places.
+        modes: with the dampers.
+        storage: stiffness of the dampers that is in them, (d,) N/m.
+        peaks: of the modes.
+        damper_force: of the dampers at each place, (d,) N.
+    """
+    shears = mode_shears(building.frame, modes)
     columns = shears.copy()
-    horizontal = deformation * stiffness.real * building.cosine
+    horizontal = modes.dampers * storage * building.cosine
     np.add.at(columns.T, building.storeys[building.place_storey] - 1, -horizontal.T)
-    layers = 1.0 if brace is None else np.abs(1.0 - stiffness / brace)  # share of the deformation in the elastomer
-    return Estimate(
-        combined(np.diff(floors, axis=1, prepend=0.0)) / building.heights,
-        float(combined(floors[:, -1:])[0]),
-        combined(columns),
-        float(combined(shears[:, :1])[0]),
-        combined(deformation) * np.abs(stiffness),
-        combined(deformation) * layers / thickness,
+    return FrameEstimate(
+        peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights,
+        float(peaks.combined(modes.floors[:, -1:])[0]),
+        peaks.combined(columns),
+        float(peaks.combined(shears[:, :1])[0]),
+        damper_force,
     )
 
 

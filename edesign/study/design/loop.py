@@ -5,13 +5,28 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Generic, Protocol, TypeVar
 
 from edesign.errors import AnalysisError, InputError
-from edesign.study.design.sizing import Sizing
 
 _LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
 _AIM = 0.99  # of the limit
 _MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
+
+
+class Sized(Protocol):
+    """Dampers of a size, whatever the method."""
+
+    @property
+    def target(self) -> float:
+        """Of the method."""
+
+    @property
+    def reason(self) -> str:
+        """Why it is not good; empty if it is."""
+
+
+S = TypeVar("S", bound=Sized)
 
 
 @dataclass(frozen=True)
@@ -48,41 +63,41 @@ class RoundOutcome:
 
 
 @dataclass(frozen=True)
-class Round:
+class Round(Generic[S]):
     """One sizing and its verification.
 
     Attributes:
         number: from 1.
-        changed: the value of what is changed: target damping or beta, or the factor on area or thickness.
+        changed: the value of what is changed: target damping or beta, or a factor on the size.
         sizing: the dampers.
         outcome: None: not verified.
     """
 
     number: int
     changed: float
-    sizing: Sizing
+    sizing: S
     outcome: RoundOutcome | None = None
 
 
 @dataclass(frozen=True)
-class Search:
+class Search(Generic[S]):
     """All rounds, the one that was chosen, and why it is none that meets the criteria (empty if it does)."""
 
-    rounds: tuple[Round, ...]
-    chosen: Round
+    rounds: tuple[Round[S], ...]
+    chosen: Round[S]
     reason: str = ""
 
 
 def search(
-    make: Callable[[float], Sizing],
-    verify: Callable[[Sizing, int, float], RoundOutcome],
+    make: Callable[[float], S],
+    verify: Callable[[S, int, float], RoundOutcome],
     start: float,
     largest: float,
     most_rounds: int,
     precision: float,
-    kept: Callable[[Sequence[Round]], None] = lambda rounds: None,
-    actual: Callable[[Sizing, float], float] = lambda sizing, value: value,
-) -> Search:
+    kept: Callable[[Sequence[Round[S]]], None] = lambda rounds: None,
+    actual: Callable[[S, float], float] = lambda sizing, value: value,
+) -> Search[S]:
     """Find the smallest value that meets all criteria: up by the secant until met, then down inside the bracket.
 
     Args:
@@ -98,7 +113,7 @@ def search(
     Returns:
         The search; the chosen round is the smallest met, or the last where none is.
     """
-    rounds: list[Round] = []
+    rounds: list[Round[S]] = []
     value, reason = start, ""
     while True:
         try:
@@ -132,7 +147,7 @@ def search(
     return Search(tuple(rounds), rounds[-1], reason)
 
 
-def _next(rounds: Sequence[Round], largest: float, precision: float) -> float | None:
+def _next(rounds: Sequence[Round[S]], largest: float, precision: float) -> float | None:
     """The next value; None when the search is over."""
     tried = sorted(((r.changed, r.outcome) for r in rounds if r.outcome is not None), key=lambda item: item[0])
     met = [(x, o) for x, o in tried if o.met]
@@ -159,7 +174,7 @@ def _next(rounds: Sequence[Round], largest: float, precision: float) -> float | 
     return min(x * min(max(step, _SMALLEST_STEP), _LARGEST_STEP), largest)
 
 
-def _missed(rounds: Sequence[Round], largest: float, most_rounds: int, beyond: str) -> str:
+def _missed(rounds: Sequence[Round[S]], largest: float, most_rounds: int, beyond: str) -> str:
     last = rounds[-1].outcome
     assert last is not None
     text = ", ".join(_said(verdict) for verdict in last.verdicts if not verdict.met)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.damper import sizing
-from edesign.project.designs import Design
+from edesign.project.designs import ElastomerDesign
 from edesign.study.design.building import Building
 from edesign.study.design.elastomer import Moduli
 
@@ -78,7 +78,14 @@ def place_stiffness(building: Building, k_D: np.ndarray, loss_factor: float, bra
     return dampers if brace is None else sizing.in_series(dampers, building.at_places(brace))
 
 
-def layer_thickness(building: Building, spec: Design) -> float:
+def layers(building: Building, spec: ElastomerDesign) -> int:
+    """Layers of one damper: given, or those of the prototype."""
+    found = spec.layers if spec.layers is not None else building.law.layers
+    assert found is not None, "the elastomer wants a prototype"
+    return found
+
+
+def layer_thickness(building: Building, spec: ElastomerDesign) -> float:
     """Thickness of the layers, m: given, or the largest that a storey needs for drift and strain limit."""
     if spec.layer_thickness is not None:
         return spec.layer_thickness
@@ -90,12 +97,14 @@ def layer_thickness(building: Building, spec: Design) -> float:
     )
 
 
-def layer_areas(building: Building, spec: Design, k_D: np.ndarray, thickness: float, G_storage: float) -> np.ndarray:
+def layer_areas(
+    building: Building, spec: ElastomerDesign, k_D: np.ndarray, thickness: float, G_storage: float
+) -> np.ndarray:
     """Area of one layer in each storey with dampers, (s,) m2 (thesis Eq. 5.14)."""
-    dampers = spec.number * building.attachment
-    return sizing.layer_area(k_D, thickness, G_storage, building.layers, dampers)
+    dampers = spec.number * building.attachment()
+    return sizing.layer_area(k_D, thickness, G_storage, layers(building, spec), dampers)
 
 
-def total_area(building: Building, spec: Design, area: np.ndarray) -> float:
+def total_area(building: Building, spec: ElastomerDesign, area: np.ndarray) -> float:
     """Area of all layers of all dampers, m2."""
-    return float(building.layers * spec.number * area[building.place_storey].sum())
+    return float(layers(building, spec) * spec.number * area[building.place_storey].sum())

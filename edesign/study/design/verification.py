@@ -11,7 +11,6 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict
 from edesign.project.dampers import Dampers
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
-from edesign.study.design.sizing import Sizing
 
 Respond = Callable[[Dampers, int], Mapping[str, Group]]
 """Runs the histories of a round (from 1) with these dampers."""
@@ -34,19 +33,24 @@ def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
     return RoundOutcome(tuple(verdicts), failed)
 
 
-def kept_outcome(resume: Group | None, number: int, value: float, sizing: Sizing) -> RoundOutcome | None:
-    """The outcome of a round of an earlier run, if it had the same dampers."""
+def kept_outcome(
+    resume: Group | None, number: int, value: float, size: Mapping[str, float | np.ndarray]
+) -> RoundOutcome | None:
+    """The outcome of a round (from 1) of an earlier run, if it had the same dampers.
+
+    Args:
+        resume: what the earlier run kept.
+        number: of the round.
+        value: what the round changed.
+        size: of its dampers, by the name of the variable `round_NAME`.
+    """
     if resume is None or "verdict_met" not in resume.variables:
         return None
     rounds = resume.coords["round"].values.tolist()
     if number not in rounds:
         return None
     i = rounds.index(number)
-    now: dict[str, float | np.ndarray] = {
-        "changed": value,
-        "layer_thickness": sizing.thickness,
-        "layer_area": sizing.area,
-    }
+    now = {"changed": value, **size}
     if not all(np.array_equal(resume.variables[f"round_{name}"].values[i], x) for name, x in now.items()):
         return None
     value_of, limit_of, met_of = (resume.variables[f"verdict_{part}"].values[i] for part in ("value", "limit", "met"))

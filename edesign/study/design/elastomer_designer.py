@@ -1,0 +1,148 @@
+"""The design of dampers of elastomer: elastomer at hand, sizing by its method, and everything kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.damper.sizing import largest_damping
+from edesign.errors import InputError
+from edesign.project.dampers import Dampers
+from edesign.project.designs import BraceRatio, ElastomerDesign, SimplifiedDesign
+from edesign.project.project import Project
+from edesign.study.design.bounds import analyse_bounds
+from edesign.study.design.building import law_at, per_storey, sized_dampers
+from edesign.study.design.damping import modal_damping
+from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.elastomer import Elastomer, elastomer, law_moduli
+from edesign.study.design.elastomer_results import (
+    store_bounds,
+    store_estimate,
+    store_iterations,
+    store_rounds,
+    store_sizing,
+)
+from edesign.study.design.loop import Search
+from edesign.study.design.simplified import simplified_warnings, size_simplified
+from edesign.study.design.sizing import Sizing, layers
+from edesign.study.design.strain_energy import size_by_strain_energy
+
+
+class ElastomerDesigner(Designer[Sizing]):
+    """A design with its building, elastomer and action at hand.
+
+    Raises:
+        InputError: the law has no layers.
+    """
+
+    words = {
+        "target": "target damping ratio, or beta",
+        "area": "factor on the area and stiffness of all dampers",
+        "thickness": "factor on the thickness and area of all layers",
+    }
+
+    def __init__(
+        self, project: Project, name: str, spec: ElastomerDesign, folder: Path, progress: Callable[[str], None]
+    ) -> None:
+        if law_at(project, spec.law, spec.temperature).layers is None:
+            message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized"
+            raise InputError(f"designs.{name}.law: {message}")
+        super().__init__(project, name, spec, progress)
+        self.spec = spec
+        self.material_at = partial(elastomer, project, name, spec, folder)
+        self.material = self.material_at(spec.temperature)
+
+    def make(self, value: float) -> Sizing:
+        """The dampers for a value of what the loop changes."""
+        spec = self.spec
+        area = value if self.changed == "area" else 1.0
+        thickness = value if self.changed == "thickness" else 1.0
+        if isinstance(spec, SimplifiedDesign):
+            assert self.action is not None, "check_design wants a level"
+            cold = None if spec.low_temperature is None else self.material_at(spec.low_temperature)
+            least = value if self.changed == "target" else None
+            return size_simplified(self.building, spec, self.material, cold, self.action, least, area, thickness)
+        target = math.nan if spec.damping is None else spec.damping
+        if self.changed == "target" and spec.damping is not None:
+            target = value
+        args = (self.building, spec, self.material, self.action, target, area, thickness)
+        return size_by_strain_energy(*args)
+
+    def range(self) -> tuple[float, float]:
+        """First and largest value of what the loop changes."""
+        spec = self.spec
+        if self.changed != "target":
+            return 1.0, LARGEST_FACTOR
+        if isinstance(spec, SimplifiedDesign):
+            return spec.beta
+        if spec.damping is None:
+            return math.nan, math.nan
+        ratio = math.inf
+        if spec.braces_in_target and isinstance(spec.brace, BraceRatio):
+            ratio = spec.brace.ratio
+        moduli = self.material(self.building.frame.modes().first_frequency)
+        limit = REACHABLE * largest_damping(moduli.loss_factor, ratio)
+        return spec.damping, max(limit, spec.damping)
+
+    def dampers(self, sizing: Sizing) -> Dampers:
+        """The project's dampers with those of a sizing."""
+        building = self.building
+        brace = None if sizing.brace is None else sizing.brace / building.attachment()
+        size = {
+            "layers": layers(building, self.spec),
+            "layer_area": per_storey(sizing.area),
+            "layer_thickness": sizing.thickness,
+        }
+        return sized_dampers(building, self.spec, brace, size)
+
+    def size(self, sizing: Sizing) -> Mapping[str, float | np.ndarray]:
+        """Thickness and areas."""
+        return {"layer_thickness": sizing.thickness, "layer_area": sizing.area}
+
+    def group(self, done: Search[Sizing], status: str) -> Group:
+        """Everything that was found."""
+        spec, building, sizing = self.spec, self.building, done.chosen.sizing
+        group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
+        store_sizing(group, building, spec, sizing)
+        store_iterations(group, done.rounds)
+        store_rounds(group, building, done.rounds, self.words[self.changed])
+        group.attributes["chosen_round"] = done.chosen.number
+        warnings = [warning for item in sizing.iterations for warning in item.moduli.warnings]
+        warnings += self._law_moduli(group, sizing)
+        if self.action is not None:
+            store_estimate(group, building, sizing, self.action)
+            if isinstance(spec, SimplifiedDesign):
+                warnings += simplified_warnings(spec, self.action, sizing)
+            if spec.bounds is not None:
+                found = analyse_bounds(building, sizing, spec.bounds, self._bound_material, self.action)
+                store_bounds(group, building, found)
+        group.attributes["warnings"] = list(dict.fromkeys(warnings))
+        group.attributes["devices"] = devices_text(self.dampers(sizing))
+        return group
+
+    def _bound_material(self, temperature_C: float | None) -> Elastomer:
+        return self.material if temperature_C is None else self.material_at(temperature_C)
+
+    def _law_moduli(self, group: Group, sizing: Sizing) -> list[str]:
+        """Add what the law itself says at the strain and frequency of the design."""
+        law = law_at(self.project, self.spec.law, self.spec.temperature)
+        try:
+            moduli = law_moduli(law, self.spec.strain, sizing.frequency)
+        except InputError as error:
+            return [str(error)]
+        frame = self.building.frame
+        # areas are those of the design, so stiffness changes as the modulus does
+        stiffness = sizing.complex_stiffness(self.building, moduli=moduli)
+        damping = modal_damping(frame, frame.modes(), stiffness).strain_energy[0]
+        group.attributes |= {
+            "law_G_storage_Pa": moduli.G_storage,
+            "law_loss_factor": moduli.loss_factor,
+            "law_damping_strain_energy": float(damping),
+        }
+        return []

@@ -1,0 +1,44 @@
+"""The distribution of viscous dampers over the height that meets a drift with the least sum of coefficients."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.study.design.least_total import Problem, least_total
+from edesign.study.design.viscous_estimate import viscous_drift
+from edesign.study.design.viscous_frame import ViscousFrame
+
+_MOST = 2.0
+"""Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""
+
+
+def least_coefficient(
+    frame: ViscousFrame, weight: np.ndarray, omega: float, start: np.ndarray | None = None
+) -> np.ndarray:
+    """Coefficients of the storeys (s,), least in sum over the dampers, for which no storey drifts more than `drift`.
+
+    The drifts are estimated by the response spectrum, with linear dashpots of the same energy at a given amplitude.
+
+    Args:
+        frame: with its dampers' law, action and target drift.
+        weight: linear dashpot of the energy of a coefficient of 1 at each place, (d,).
+        omega: of the first mode, rad/s.
+        start: where the search begins; None: in proportion to the storeys.
+
+    Raises:
+        AnalysisError: the drift is met without dampers, or no dampers meet it.
+    """
+    building, action, drift = frame.building, frame.action, frame.spec.drift
+    assert action is not None and drift is not None, "check_design wants them"
+    one = weight * frame.at_places(np.ones(building.storeys.size))
+    of_storey = np.bincount(building.place_storey, one * building.cosine**2)
+    unit = building.designed_stiffness / (omega * of_storey)  # omega c = k_S
+    # a storey with steep dampers needs more of them for the same effect
+    share = unit * np.bincount(building.place_storey) / building.attachment(frame.power)
+
+    def used(x: np.ndarray) -> np.ndarray:
+        linear = one * (x * unit)[building.place_storey]
+        return viscous_drift(building, action, linear, frame.flexibility(x * unit), omega) / drift
+
+    problem = Problem(used, share / share.sum(), drift, _MOST, "dashpots with omega c", "coefficients")
+    return least_total(problem, None if start is None else start / unit) * unit

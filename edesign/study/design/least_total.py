@@ -1,0 +1,87 @@
+"""The least weighted sum of the dampers of all storeys for which no storey of the frame drifts more than its limit."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from edesign.errors import AnalysisError
+
+_LEAST = 1e-3  # over the stiffness of the storey: every chosen storey keeps a damper
+_STEP = 1e-6  # of the finite differences, over the stiffness of a storey
+
+
+@dataclass(frozen=True)
+class Problem:
+    """What is to be found.
+
+    Attributes:
+        used: drift over its limit of each storey of the frame for dampers x over the stiffness of their storey, (s,).
+        weight: of each x in the sum, (s,).
+        drift: the limit, for messages.
+        most: largest x.
+        subject: of x for messages, such as "dampers".
+        summed: what the sum is of, such as "area".
+    """
+
+    used: Callable[[np.ndarray], np.ndarray]
+    weight: np.ndarray
+    drift: float
+    most: float
+    subject: str
+    summed: str
+
+
+def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray:
+    """The dampers x (s,) of the least sum; sequential quadratic programming finds a local optimum.
+
+    Args:
+        problem: what is to be found.
+        start: where the search begins; None: equal x that meet the limit.
+
+    Raises:
+        AnalysisError: the drift is met without dampers, or no dampers meet it.
+    """
+    weight, most = problem.weight, problem.most
+
+    def spare(x: np.ndarray) -> np.ndarray:
+        return 1.0 - problem.used(x)
+
+    def gradient(x: np.ndarray) -> np.ndarray:
+        columns = [(spare(x + _STEP * e) - spare(x - _STEP * e)) / (2.0 * _STEP) for e in np.eye(x.size)]
+        return np.array(columns).T
+
+    x0 = _equal(problem, spare) if start is None else start
+    found = scipy.optimize.minimize(
+        lambda x: float(weight @ x),
+        x0,
+        jac=lambda x: weight,
+        bounds=[(_LEAST, most)] * weight.size,
+        constraints=[{"type": "ineq", "fun": spare, "jac": gradient}],
+        method="SLSQP",
+        options={"ftol": 1e-10, "maxiter": 200},
+    )
+    x = np.asarray(found.x)
+    if spare(x).min() < -1e-6:
+        raise AnalysisError(
+            f"the search for the least {problem.summed} stopped outside the drift limit: {found.message}"
+        )
+    return x
+
+
+def _equal(problem: Problem, spare: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
+    """Equal x of all storeys that just meet the limit."""
+    first = np.ones(problem.weight.size)
+    if spare(_LEAST * first).min() >= 0.0:
+        raise AnalysisError(f"the estimated drift stays below {100.0 * problem.drift:.4g} % without dampers")
+    if spare(problem.most * first).min() < 0.0:
+        most = problem.drift * (1.0 - float(spare(problem.most * first).min()))
+        raise AnalysisError(
+            f"{problem.subject} {problem.most:g} times as stiff as the storeys still leave an estimated drift of "
+            f"{100.0 * most:.4g} %; the limit is {100.0 * problem.drift:.4g} %"
+        )
+    scale = scipy.optimize.brentq(lambda s: float(spare(s * first).min()), _LEAST, problem.most, xtol=1e-6)
+    return np.asarray(scale * first)

@@ -1,0 +1,32 @@
+"""How dampers are distributed over the height in proportion to something of the frame."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.study.design.building import Building, mode_shears
+
+
+def pattern_of(building: Building, distribution: str) -> np.ndarray:
+    """Shares of the storeys with dampers, (s,), with the mean of their stiffnesses (N/m).
+
+    Args:
+        building: the frame with its places.
+        distribution: storey_stiffness, uniform, strain_energy or storey_shear.
+
+    Source: storey_stiffness: thesis Eq. 5.9. uniform: equal in all storeys. In proportion to the first mode without
+        dampers, Hwang, Lin and Wu (2013), Structure and Infrastructure Engineering 9(1): strain_energy to the shear
+        strain energy of the storey, storey_shear to its shear.
+    """
+    stiffness = building.designed_stiffness
+    if distribution == "storey_stiffness":
+        return stiffness
+    if distribution == "uniform":
+        return np.full(stiffness.size, stiffness.mean())
+    chosen = building.storeys - 1
+    if distribution == "storey_shear":
+        share = mode_shears(building.frame, building.frame.modes())[0, chosen]
+    else:
+        drift = np.diff(building.frame.modes().floors[0], prepend=0.0)[chosen]
+        share = building.computed_stiffness[chosen] * drift**2
+    return np.asarray(share * (stiffness.mean() / share.mean()))

@@ -1,0 +1,180 @@
+"""Sizing of viscous dampers: coefficients with which the first mode, at its amplitude, has the target damping."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+import scipy
+
+from edesign.errors import InputError
+from edesign.project.designs import BraceRatio
+from edesign.study.design.least_coefficient import least_coefficient
+from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
+from edesign.study.design.pattern import pattern_of
+from edesign.study.design.relaxation import Relaxation
+from edesign.study.design.viscous_frame import Vibration, ViscousFrame, difference
+
+_GROWTH = 1.5  # of the coefficients between trials on the way to a target
+_SMALL = 0.01  # damping ratio that is below every limit that a design asks for
+_FIRST = 0.25
+"""First trial over what the energy of the mode without dampers asks for. Damping is largest where that formula says at
+most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
+
+
+@dataclass(frozen=True)
+class ViscousStep:
+    """One step of the sizing.
+
+    Attributes:
+        vibration: with the dashpots of this step.
+        coefficient: of the storeys with dampers along their drift, (s,) N (s/m)^alpha.
+        difference: largest one of a linear dashpot from that of the amplitude that comes of it, over the latter.
+    """
+
+    vibration: Vibration
+    coefficient: np.ndarray
+    difference: float
+
+
+@dataclass(frozen=True)
+class ViscousSizing:
+    """Viscous dampers of a size.
+
+    Attributes:
+        target: damping ratio; nan: none.
+        coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+        vibration: of the frame with them.
+        formula: damping ratio by FEMA 356, Eq. 9-32, with the first mode without dampers.
+        brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+        iterations: how it was found.
+        reason: why it is not good; empty if it is.
+    """
+
+    target: float
+    coefficient: np.ndarray
+    vibration: Vibration
+    formula: float
+    brace: np.ndarray | None
+    iterations: tuple[ViscousStep, ...]
+    reason: str = ""
+
+
+def size_viscous(frame: ViscousFrame, target: float, factor: float = 1.0) -> ViscousSizing:
+    """Find the coefficients of a target damping at the amplitude that the frame has with them.
+
+    The target is the damping ratio of the first complex mode of the frame with linear dashpots of the same energy a
+    cycle, and with the braces in series. Coefficients keep their distribution over the height.
+
+    Args:
+        frame: with its dampers' law.
+        target: damping ratio to be added (nan for the least coefficients).
+        factor: on the coefficients, after they are found.
+
+    Raises:
+        InputError: no coefficients reach the target.
+        AnalysisError: no coefficients do what is wanted, or the frame is unstable.
+
+    Source: equivalent linear dashpots, Constantinou and Symans (1993); distributions, Hwang, Lin and Wu (2013).
+    """
+    start = frame.undamped(0.0 if math.isnan(target) else target)
+    weight, omega, relax = frame.weight(start), start.omega, Relaxation()
+    steps: list[ViscousStep] = []
+    reason = f"amplitude and dashpots did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
+    coefficient: np.ndarray | None = None
+    while len(steps) < MOST_ITERATIONS:
+        coefficient = _coefficients(frame, target, weight, omega, coefficient)
+        vibration = frame.vibration(coefficient, weight, frame.roof)
+        found, omega = frame.weight(vibration), vibration.omega
+        steps.append(ViscousStep(vibration, coefficient, difference(weight, found)))
+        if steps[-1].difference <= AGREEMENT:
+            reason = ""
+            break
+        weight = np.exp(relax(np.log(weight), np.log(found)))
+    assert coefficient is not None
+    if factor != 1.0:
+        coefficient = factor * coefficient
+        vibration = frame.in_agreement(coefficient, vibration, frame.roof)
+    formula = frame.formula(coefficient, vibration.roof)
+    return ViscousSizing(target, coefficient, vibration, formula, frame.brace, tuple(steps), reason)
+
+
+def largest_viscous_damping(frame: ViscousFrame) -> float:
+    """The largest damping ratio of the first mode with any coefficients of the design's distribution.
+
+    At the amplitude of the mode without dampers.
+    """
+    pattern, weight = pattern_of(frame.building, frame.spec.distribution), frame.weight(frame.undamped(0.0))
+    damping_of = partial(_damping, frame, pattern, weight)
+    return _reach(damping_of, math.inf, _first_trial(frame, pattern, weight, _SMALL))[1]
+
+
+def _coefficients(
+    frame: ViscousFrame, target: float, weight: np.ndarray, omega: float, before: np.ndarray | None
+) -> np.ndarray:
+    """Coefficients of the storeys (s,) for dashpots of a weight (d,) and a first frequency (rad/s)."""
+    if frame.spec.distribution == "least_coefficient":
+        return least_coefficient(frame, weight, omega, before)
+    pattern = pattern_of(frame.building, frame.spec.distribution)
+    first = _first_trial(frame, pattern, weight, target)
+    scale, found = _reach(partial(_damping, frame, pattern, weight), target, first)
+    if found < target:
+        raise InputError(_unreachable(frame, target, found))
+    return scale * pattern
+
+
+def _damping(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, scale: float) -> float:
+    """Damping of the first mode with scaled coefficients."""
+    coefficient = scale * pattern
+    return frame.modes(weight * frame.at_places(coefficient), coefficient).first_damping
+
+
+def _first_trial(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, target: float) -> float:
+    """Scale of a pattern that is surely less than what the target or the largest damping needs."""
+    bare = frame.bare
+    damping = 0.5 * float(bare.dampers[0] ** 2 @ (weight * frame.at_places(pattern))) / float(bare.omega[0])
+    return _FIRST * target / damping
+
+
+def _reach(damping_of: Callable[[float], float], target: float, first: float) -> tuple[float, float]:
+    """The least scale with a damping, or that of the largest; and the damping there.
+
+    Damping grows with the dashpots until they lock; from a trial below that point the way leads up.
+    """
+    trials = [first]
+    values = [damping_of(first)]
+    while values[0] >= target:
+        trials.insert(0, trials[0] / _GROWTH)
+        values.insert(0, damping_of(trials[0]))
+    while values[-1] < target:
+        if values[-1] >= 1.0 or (len(values) > 1 and values[-1] < values[-2]):
+            break
+        trials.append(trials[-1] * _GROWTH)
+        values.append(damping_of(trials[-1]))
+    if values[-1] < target:
+        low = trials[max(len(trials) - 3, 0)]
+        found = scipy.optimize.minimize_scalar(
+            lambda x: -damping_of(x), bounds=(low, trials[-1]), method="bounded", options={"xatol": 1e-6 * low}
+        )
+        trials, values = [low, float(found.x)], [damping_of(low), -float(found.fun)]
+        if values[-1] < target:
+            return trials[-1], values[-1]
+    low, high = trials[-2], trials[-1]
+    scale = scipy.optimize.brentq(lambda x: damping_of(x) - target, low, high, xtol=1e-12 * high, rtol=1e-12)
+    return float(scale), target
+
+
+def _unreachable(frame: ViscousFrame, target: float, found: float) -> str:
+    brace = frame.spec.brace
+    cause = "the frame yields where they stand"
+    if isinstance(brace, BraceRatio):
+        cause = f"their braces are {brace.ratio:g} times as stiff as the storeys"
+    elif math.isfinite(frame.dashpot.spring):
+        cause = f"the law {frame.building.law.law.law} has a spring in series that grows with them"
+    return (
+        f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach: with `distribution: "
+        f"{frame.spec.distribution}` the first mode has {100.0 * found:.4g} % at most, because {cause}"
+    )

@@ -1,0 +1,144 @@
+"""The design of viscous dampers: frame with dashpots at hand, sizing, bounds, and everything kept."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.damper.dashpot import dashpot
+from edesign.damper.harmonic import complex_stiffness
+from edesign.errors import InputError
+from edesign.project.dampers import Dampers
+from edesign.project.designs import ViscousDesign
+from edesign.project.project import Project
+from edesign.study.design.bounds import NAMES, Bound, property_factors
+from edesign.study.design.building import per_storey, sized_dampers
+from edesign.study.design.damping import strain_energy_damping
+from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.estimate import Action
+from edesign.study.design.loop import Search
+from edesign.study.design.viscous import ViscousSizing, largest_viscous_damping, size_viscous
+from edesign.study.design.viscous_estimate import ViscousEstimate, viscous_estimate
+from edesign.study.design.viscous_frame import ViscousFrame
+from edesign.study.design.viscous_results import (
+    store_viscous_bounds,
+    store_viscous_estimate,
+    store_viscous_iterations,
+    store_viscous_rounds,
+    store_viscous_sizing,
+)
+
+
+class ViscousDesigner(Designer[ViscousSizing]):
+    """A design of viscous dampers.
+
+    Raises:
+        InputError: the law is no viscous dashpot, or has layers; or its amplitude is needed and not known.
+    """
+
+    words = {"target": "target damping ratio", "coefficient": "factor on the coefficients of all dampers"}
+
+    def __init__(self, project: Project, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
+        super().__init__(project, name, spec, progress)
+        self.spec = spec
+        law = self.building.law
+        if law.layers is not None:
+            message = f"the law `{spec.law}` has a `prototype`: viscous dampers have no layers"
+            raise InputError(f"designs.{name}.law: {message}")
+        try:
+            found = dashpot(law.law)
+        except InputError as error:
+            raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
+        if found.alpha < 1.0 and spec.amplitude is None and self.action is None:
+            message = f"this key is missing (or `level`): with alpha = {found.alpha:g} damping follows the amplitude"
+            raise InputError(f"designs.{name}.amplitude: {message}")
+        self.frame = ViscousFrame(self.building, spec, found, self.action)
+
+    def make(self, value: float) -> ViscousSizing:
+        """The dampers for a value of what the loop changes."""
+        target = math.nan if self.spec.damping is None else self.spec.damping
+        if self.changed == "target":
+            return size_viscous(self.frame, value if self.spec.damping is not None else target)
+        return size_viscous(self.frame, target, value)
+
+    def range(self) -> tuple[float, float]:
+        """First and largest value of what the loop changes."""
+        if self.changed != "target":
+            return 1.0, LARGEST_FACTOR
+        damping = self.spec.damping
+        if damping is None:
+            return math.nan, math.nan
+        if self.spec.verify is None:
+            return damping, damping
+        return damping, max(REACHABLE * largest_viscous_damping(self.frame), damping)
+
+    def dampers(self, sizing: ViscousSizing) -> Dampers:
+        """The project's dampers with those of a sizing."""
+        brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
+        scale = self.device_coefficient(sizing) / self.frame.dashpot.c
+        return sized_dampers(self.building, self.spec, brace, {"scale": per_storey(scale)})
+
+    def size(self, sizing: ViscousSizing) -> Mapping[str, float | np.ndarray]:
+        """Coefficients."""
+        return {"device_coefficient": self.device_coefficient(sizing)}
+
+    def device_coefficient(self, sizing: ViscousSizing) -> np.ndarray:
+        """Coefficient of one damper in each storey with dampers, (s,) N (s/m)^alpha."""
+        return sizing.coefficient / (self.spec.number * self.building.attachment(self.frame.power))
+
+    def group(self, done: Search[ViscousSizing], status: str) -> Group:
+        """Everything that was found."""
+        spec, frame, sizing = self.spec, self.frame, done.chosen.sizing
+        group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
+        store_viscous_sizing(group, frame, sizing, self.device_coefficient(sizing))
+        store_viscous_iterations(group, done.rounds)
+        devices = [self.device_coefficient(r.sizing) for r in done.rounds]
+        store_viscous_rounds(group, done.rounds, devices, self.words[self.changed])
+        group.attributes["chosen_round"] = done.chosen.number
+        group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)
+        if self.action is not None:
+            found = viscous_estimate(frame, sizing.coefficient, sizing.vibration, self.action)
+            nothing = frame.undamped(0.0)
+            bare = viscous_estimate(frame, 0.0 * sizing.coefficient, nothing, self.action)
+            store_viscous_estimate(group, self.building, spec.number, found, bare)
+            if spec.bounds is not None:
+                store_viscous_bounds(group, self.building, self._bounds(sizing, self.action))
+        group.attributes["warnings"] = []
+        group.attributes["devices"] = devices_text(self.dampers(sizing))
+        return group
+
+    def _law_damping(self, sizing: ViscousSizing) -> float:
+        """Damping of the first mode by the law's own steady vibration in the core, behind its brace."""
+        frame, vibration = self.frame, sizing.vibration
+        law, omega = self.building.law.law, vibration.omega
+        scale = frame.at_places(sizing.coefficient) / frame.dashpot.c
+        brace = np.zeros(scale.size) if sizing.brace is None else self.building.at_places(sizing.brace)
+        # whatever the amplitude, a linear law is the same
+        stroke = vibration.stroke if math.isfinite(vibration.roof) else np.ones(scale.size)
+        deformation = stroke * np.abs(1.0 + 1.0j * omega * vibration.linear * vibration.flexibility)
+        stiffness = np.array(
+            [
+                s * complex_stiffness(law, u, omega / (2.0 * math.pi), k / s)
+                for s, u, k in zip(scale, deformation, brace, strict=True)
+            ]
+        )
+        return float(strain_energy_damping(self.building.frame.modes(stiffness.real), stiffness)[0])
+
+    def _bounds(self, sizing: ViscousSizing, action: Action) -> tuple[Bound[ViscousEstimate], ...]:
+        """The response with lower, nominal and upper coefficients, each at the amplitude of its own spectrum."""
+        assert self.spec.bounds is not None
+        low, high = property_factors(self.spec.bounds)
+        return tuple(
+            self._bound(sizing, name, factor, action) for name, factor in zip(NAMES, (low, 1.0, high), strict=True)
+        )
+
+    def _bound(self, sizing: ViscousSizing, name: str, factor: float, action: Action) -> Bound[ViscousEstimate]:
+        frame, coefficient = self.frame, factor * sizing.coefficient
+        vibration = frame.in_agreement(coefficient, sizing.vibration, lambda modes: frame.spectral_roof(modes, action))
+        response = viscous_estimate(frame, coefficient, vibration, action)
+        period = 2.0 * math.pi / vibration.omega
+        return Bound(name, factor, None, factor, period, vibration.modes.first_damping, response)

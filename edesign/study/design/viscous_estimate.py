@@ -1,0 +1,71 @@
+"""Response of a frame with viscous dampers estimated by its response spectrum, for the order of the devices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.study.design.building import Building
+from edesign.study.design.condensed import LinearModes
+from edesign.study.design.estimate import Action, FrameEstimate, SpectralPeaks, frame_estimate, spectral_peaks
+from edesign.study.design.viscous_frame import Vibration, ViscousFrame
+
+
+@dataclass(frozen=True)
+class ViscousEstimate(FrameEstimate):
+    """Of a frame with viscous dampers.
+
+    Attributes:
+        damper_stroke: largest deformation of the dashpots, (d,) m.
+        damper_velocity: largest pseudo velocity of the dashpots, (d,) m/s.
+    """
+
+    damper_stroke: np.ndarray
+    damper_velocity: np.ndarray
+
+
+def viscous_estimate(
+    frame: ViscousFrame, coefficient: np.ndarray, vibration: Vibration, action: Action
+) -> ViscousEstimate:
+    """Estimate the response with coefficients of the storeys (s,).
+
+    Dashpots are linear in all modes, with the energy of the first at its amplitude; springs in series count with the
+    stiffness that they add at the first frequency, their losses at that of each mode.
+
+    Source: as `estimate`; pseudo velocity: FEMA 356, 9.3.5.1.
+    """
+    building = frame.building
+    linear, flexibility = vibration.linear, vibration.flexibility
+    modes, storage, peaks = _peaks(building, action, linear, flexibility, vibration.omega)
+    shares = 1.0 / np.abs(1.0 + 1.0j * modes.omega[:, None] * linear * flexibility)
+    stroke = peaks.combined(modes.dampers * shares)
+    velocity = peaks.combined(modes.omega[:, None] * modes.dampers * shares)
+    force = frame.at_places(coefficient) * velocity**frame.dashpot.alpha
+    found = frame_estimate(building, modes, storage, peaks, force)
+    return ViscousEstimate(**vars(found), damper_stroke=stroke, damper_velocity=velocity)
+
+
+def viscous_drift(
+    building: Building, action: Action, linear: np.ndarray, flexibility: np.ndarray, omega: float
+) -> np.ndarray:
+    """Storey drifts over height, (f,), with linear dashpots (d,) N s/m and springs (d,) m/N as `viscous_estimate`."""
+    modes, _, peaks = _peaks(building, action, linear, flexibility, omega)
+    return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights
+
+
+def _peaks(
+    building: Building, action: Action, linear: np.ndarray, flexibility: np.ndarray, omega: float
+) -> tuple[LinearModes, np.ndarray, SpectralPeaks]:
+    """Modes with what the springs store at a frequency (rad/s), that stiffness (d,) N/m, and their peaks."""
+    storage = _assembly(linear, flexibility, omega).real
+    modes = building.frame.modes(storage)
+    losses = _assembly(linear, flexibility, modes.omega[:, None]).imag
+    added = 0.5 * np.sum(modes.dampers**2 * losses, axis=1) / modes.omega**2
+    return modes, storage, spectral_peaks(building, action, modes, added)
+
+
+def _assembly(linear: np.ndarray, flexibility: np.ndarray, omega: float | np.ndarray) -> np.ndarray:
+    """Complex stiffness of dashpots and springs in series at frequencies, N/m."""
+    damper = 1.0j * omega * linear
+    return np.asarray(damper / (1.0 + damper * flexibility))
