@@ -109,6 +109,7 @@ class Device:
         play: of the pins of its brace, from end to end, m.
         tested_strain: of its law.
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
+        design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
     """
 
     name: str
@@ -125,6 +126,7 @@ class Device:
     play: float = 0.0
     tested_strain: float | None = None
     brace_bar: BraceBar | None = None
+    design_deformation: float | None = None
 
 
 @dataclass(frozen=True)
@@ -195,7 +197,9 @@ def add_devices(
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
             scales = (force_scale, deformation_scale, brace, play, law.tested_strain, _brace_bar(run, place))
-            found.append(Device(name, number, run.law, law.law, place.storey, place.terms, thickness, size, *scales))
+            amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
+            own = (place.storey, place.terms, thickness, size, *scales, amplitude)
+            found.append(Device(name, number, run.law, law.law, *own))
     return tuple(found)
 
 

@@ -27,7 +27,7 @@ class ModalAnalysis(_Analysis):
     """Periods, shapes and modal masses of the first `modes` modes.
 
     Dampers add their stiffness in steady vibration in the first mode, with an amplitude `damper_strain` of their layers
-    or `damper_deformation` (m); with neither their small vibrations count.
+    or `damper_deformation` (m); with neither the `design_deformation` of the device, or small vibrations.
     """
 
     kind: Literal["modal"]

@@ -117,7 +117,7 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:
     """Lists have one value for each storey."""
     stiffness = device.brace.stiffness if isinstance(device.brace, BraceStiffness) else None
-    given: dict[Keys, object] = {("layer_area",): device.layer_area, ("scale",): device.scale}
+    given: dict[Keys, object] = {(key,): getattr(device, key) for key in ("layer_area", "scale", "design_deformation")}
     given[("brace", "stiffness")] = stiffness
     for at, values in given.items():
         if isinstance(values, tuple) and len(values) != storeys:

@@ -93,6 +93,10 @@ Areas = Annotated[
     Annotated[PositiveArea, Tag("?plain")] | Annotated[tuple[PositiveArea, ...], Tag("?list")],
     Discriminator(_one_or_list),
 ]
+Lengths = Annotated[
+    Annotated[PositiveLength, Tag("?plain")] | Annotated[tuple[PositiveLength, ...], Tag("?list")],
+    Discriminator(_one_or_list),
+]
 Scales = Annotated[
     Annotated[PositiveFactor, Tag("?plain")] | Annotated[tuple[PositiveFactor, ...], Tag("?list")],
     Discriminator(_one_or_list),
@@ -121,6 +125,7 @@ class _Sized(Model):
     """A law at the size of the device; `number` of them stand side by side.
 
     Layers are those of the prototype unless given. `scale` multiplies the forces of a law without prototype.
+    `design_deformation` is the amplitude of damper and brace at which they count in natural modes.
     """
 
     law: str
@@ -129,11 +134,12 @@ class _Sized(Model):
     layer_area: Areas | None = None
     layer_thickness: PositiveLength | None = None
     scale: Scales | None = None
+    design_deformation: Lengths | None = None
     brace: Brace = "rigid"
 
 
 class DamperRun(_Sized):
-    """Dampers in some bays and storeys; lists of areas, scales or brace stiffnesses go up with the storeys.
+    """Dampers in some bays and storeys; lists go up with the storeys.
 
     chevron: horizontal between the apex of a chevron brace and the beam above; rising, falling: along the diagonal,
     seen from left to right; storey: horizontal between the floors above and below.

@@ -74,6 +74,8 @@ def _amplitude(project: Project, spec: ModalAnalysis, device: Device) -> float:
             message = f"the damper {device.name} has no layers; give `damper_deformation`"
             raise InputError(f"{_where(project, spec)}: damper_strain: {message}")
         return spec.damper_strain * device.layer_thickness
+    if device.design_deformation is not None:
+        return device.design_deformation
     return SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else SMALL_DEFORMATION
 
 

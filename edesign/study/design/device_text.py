@@ -24,6 +24,8 @@ def _entry(run: object) -> dict[str, object]:
     }
     if run.scale is not None:
         size = {"scale": list(run.scale) if isinstance(run.scale, tuple) else run.scale}
+    if run.design_deformation is not None:
+        size["design_deformation"] = _with_unit(run.design_deformation, "m")
     return {
         "kind": run.kind,
         "bays": _selection(str(run.bays)),

@@ -21,6 +21,7 @@ from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, l
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.loop import Search
+from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous import ViscousSizing, largest_viscous_damping, size_viscous
 from edesign.study.design.viscous_estimate import ViscousEstimate, viscous_estimate
 from edesign.study.design.viscous_frame import ViscousFrame
@@ -80,7 +81,10 @@ class ViscousDesigner(Designer[ViscousSizing]):
         """The project's dampers with those of a sizing."""
         brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
         scale = self.device_coefficient(sizing) / self.frame.dashpot.c
-        return sized_dampers(self.building, self.spec, brace, {"scale": per_storey(scale)})
+        size: dict[str, object] = {"scale": per_storey(scale)}
+        if math.isfinite(sizing.vibration.roof):
+            size["design_deformation"] = per_storey(of_storeys(self.building, sizing.vibration.deformation))
+        return sized_dampers(self.building, self.spec, brace, size)
 
     def size(self, sizing: ViscousSizing) -> Mapping[str, float | np.ndarray]:
         """Coefficients."""
@@ -118,8 +122,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         scale = frame.at_places(sizing.coefficient) / frame.dashpot.c
         brace = np.zeros(scale.size) if sizing.brace is None else self.building.at_places(sizing.brace)
         # whatever the amplitude, a linear law is the same
-        stroke = vibration.stroke if math.isfinite(vibration.roof) else np.ones(scale.size)
-        deformation = stroke * np.abs(1.0 + 1.0j * omega * vibration.linear * vibration.flexibility)
+        deformation = vibration.deformation if math.isfinite(vibration.roof) else np.ones(scale.size)
         stiffness = np.array(
             [
                 s * complex_stiffness(law, u, omega / (2.0 * math.pi), k / s)

@@ -48,6 +48,11 @@ class Vibration:
         assert self.modes.first is not None
         return self.roof * self.modes.dashpots[self.modes.first]
 
+    @property
+    def deformation(self) -> np.ndarray:
+        """Amplitude of the deformation of dashpots and their springs together, (d,) m."""
+        return self.stroke * np.abs(1.0 + 1.0j * self.omega * self.linear * self.flexibility)
+
 
 class ViscousFrame:
     """The frame of a design with what its dampers are made of.

@@ -201,6 +201,12 @@ WRONG = {
         ["`tested` has a `prototype`", "size of the layers"],
     ),
     "too many scales": ("number: 2", "number: 2, scale: «[1, 2]", "devices[1].scale", ["2 values for 1 storey;"]),
+    "too many deformations": (
+        "number: 2",
+        "number: 2, design_deformation: «[1 mm, 2 mm]",
+        "devices[1].design_deformation",
+        ["2 values for 1 storey;"],
+    ),
     "no scale": ("number: 2", "number: 2, scale: «0", "devices[1].scale", ["`0` is out of range", "greater than 0"]),
     "none of them": ("number: 2", "number: «0", "devices[1].number", ["`0` is out of range", "at least 1"]),
     "word for a brace": (BRACE, "brace: «stiff", "devices[1].brace", ["`stiff`", "allowed: `rigid`"]),
