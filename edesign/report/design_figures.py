@@ -12,6 +12,8 @@ from edesign.archive.reader import Archive
 from edesign.report.captions import file_name, plain
 from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
+from edesign.report.viscous_figures import viscous_figures
+from edesign.report.viscous_tables import viscous_round_sizes
 from edesign.study.kinds import DESIGNS
 
 if TYPE_CHECKING:
@@ -28,6 +30,8 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """The rounds of each design, and its dampers over the height: name of the file, caption, figure."""
     for name in archive.names(DESIGNS):
         group = archive.group(f"{DESIGNS}/{name}")
+        if group.attributes.get("method") == "viscous":
+            yield from viscous_figures(name, group)
         about = f"Design {name}"
         if "layer_area" in group.variables and "damper_stiffness" in group.variables:
             total = float(np.sum(_along(group, "damper_stiffness")) / np.sum(_along(group, "storey_stiffness")))
@@ -36,12 +40,12 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
                 f"The dampers have {plain(100.0 * total)} % of the stiffness of their storeys."
             )
             yield file_name("design", name, "heights"), caption, heights_figure(group)
-        if "round_layer_area" in group.variables and group.coords["round"].values.size > 1:
+        if "round" in group.coords and group.coords["round"].values.size > 1:
             reason = str(group.attributes.get("reason") or "")
             count = group.coords["round"].values.size
             caption = f"{about}: {count} rounds of sizing and verification by histories. {reason}".strip()
             yield file_name("design", name, "rounds"), caption, rounds_figure(group)
-        if "iteration_frequency" in group.variables and group.coords["iteration"].values.size > 1:
+        if "iteration_next_frequency" in group.variables and group.coords["iteration"].values.size > 1:
             count = group.coords["iteration"].values.size
             caption = f"{about}: {count} iterations of the properties of the elastomer at the first frequency."
             yield file_name("design", name, "iterations"), caption, iterations_figure(group)
@@ -92,7 +96,7 @@ def rounds_figure(group: Group) -> Figure:
     Args:
         group: of a design, with variables over (round,), (round, storey) and (round, criterion).
     """
-    panels = [_damping, _area, _period, *([_verdicts] if "verdict_value" in group.variables else [])]
+    panels = [_damping, _size, _period, *([_verdicts] if "verdict_value" in group.variables else [])]
     figure, cells = grid_figure(len(panels), 2, 3.1, 1.9)
     rounds = np.asarray(group.coords["round"].values)
     for axis, panel in zip(cells, panels, strict=True):
@@ -129,14 +133,21 @@ def iterations_figure(group: Group) -> Figure:
 
 def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     target = _along(group, "round_target")
-    if group.attributes.get("method") == "strain_energy" and np.all(np.isfinite(target)):
+    if group.attributes.get("method") != "simplified" and np.all(np.isfinite(target)):
         axis.plot(rounds, 100.0 * target, color=TARGET, ls="--", lw=1.0, label="target")
-    axis.plot(rounds, 100.0 * _along(group, "round_damping_strain_energy"), **_LINE, label="with braces")
+    key = "round_damping_complex" if group.attributes.get("method") == "viscous" else "round_damping_strain_energy"
+    axis.plot(rounds, 100.0 * _along(group, key), **_LINE, label="with braces")
     axis.set_ylabel("added damping (%)")
     axis.set_ylim(bottom=0.0)
 
 
-def _area(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+def _size(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    if group.attributes.get("method") == "viscous":
+        total, label, _ = viscous_round_sizes(group)
+        axis.plot(rounds, total, **_LINE)
+        axis.set_ylabel(label.replace("[", "(").replace("]", ")"))
+        axis.set_ylim(bottom=0.0)
+        return
     per_storey = int(str(group.attributes.get("layers", 1))) * int(str(group.attributes.get("number", 1)))
     places = int(str(group.attributes.get("places", group.coords["storey"].values.size)))
     share = places / group.coords["storey"].values.size

@@ -2,12 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.sets import HistorySet
 from edesign.report.table import Table, number
+from edesign.report.viscous_tables import (
+    devices_table,
+    viscous_damping_table,
+    viscous_round_sizes,
+    viscous_storeys_table,
+)
+
+EMPTY: Mapping[str, float] = MappingProxyType({})
 
 _DAMPINGS = (
     ("Eq. 5.6, modes with dampers [%]", "damping_strain_energy"),
@@ -25,16 +35,23 @@ _BOUNDS = (
     ("base shear [kN]", "base_shear", 1e3),
     ("force of a damper [kN]", "damper_force", 1e3),
     ("damper strain [%]", "damper_strain", 0.01),
+    ("stroke of a damper [mm]", "damper_stroke", 1e-3),
 )
 
 
-def design_tables(group: Group) -> list[Table]:
+def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mapping[str, float] = EMPTY) -> list[Table]:
     """Return the tables of a design.
 
     Args:
         group: designs/NAME of an archive.
+        sets: histories by variant and level, for the order of viscous dampers.
+        factors: property factors of the variants that have the design, by their names.
     """
-    tables = [storeys_table(group), damping_table(group), rounds_table(group), bounds_table(group)]
+    if group.attributes.get("method") == "viscous":
+        sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
+    else:
+        sized = [storeys_table(group), damping_table(group)]
+    tables = [*sized, rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -84,26 +101,30 @@ def damping_table(group: Group) -> Table:
 
 def rounds_table(group: Group) -> Table:
     """Return the rounds of sizing and verification; none if there was only one and nothing to verify."""
-    table = Table("Rounds", ("round", "changed", "damping [%]", "T1 [s]", "total area [m2]", "met"), left=1)
+    table = Table("Rounds", ("round", "changed", "damping [%]", "T1 [s]", "met"), left=1)
     count = group.coords["round"].values.size if "round" in group.coords else 0
     if count == 0 or (count == 1 and "criterion" not in group.coords):
         return table
     values = group.variables
     verdicts = [str(name) for name in group.coords["criterion"].values] if "criterion" in group.coords else []
-    table.columns = [*table.columns[:-1], *verdicts, table.columns[-1]]
+    if group.attributes.get("method") == "viscous":
+        damping, (used, unit, said) = values["round_damping_complex"].values, viscous_round_sizes(group)
+    else:
+        damping = values["round_damping_strain_energy"].values
+        used, unit = np.sum(values["round_layer_area"].values, axis=1), "total area [m2]"
+        said = "area: of one layer, all storeys"
+    table.columns = [*table.columns[:-1], unit, *verdicts, table.columns[-1]]
     for i in range(count):
-        damping = float(values["round_damping_strain_energy"].values[i])
-        area = float(np.sum(values["round_layer_area"].values[i]))
         cells = [
             number(float(values["round_changed"].values[i])),
-            number(damping, scale=0.01),
+            number(float(damping[i]), scale=0.01),
             number(float(values["round_period"].values[i])),
-            number(area),
+            number(float(used[i])),
             *(number(float(values["verdict_value"].values[i, j])) for j in range(len(verdicts))),
             "yes" if values["round_met"].values[i] else "no",
         ]
         table.rows.append([str(i + 1), *cells])
-    table.notes.append(f"changed: {values['round_changed'].long_name}; area: of one layer, all storeys")
+    table.notes.append(f"changed: {values['round_changed'].long_name}; {said}")
     if verdicts:
         table.notes.append(f"{', '.join(verdicts)}: value that is judged, in SI")
     return table

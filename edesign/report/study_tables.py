@@ -9,7 +9,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import frame_members
-from edesign.assess.sets import TARGET, history_sets
+from edesign.assess.sets import TARGET, HistorySet, history_sets
+from edesign.project.study import Study
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.design_tables import design_tables
@@ -39,7 +40,7 @@ def study_tables(archive: Archive) -> list[Table]:
     groups = all_results(archive)
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables = [plan_table(archive, groups), *designs_tables(archive), *statistics_tables(sets)]
+    tables = [plan_table(archive, groups), *designs_tables(archive, study, sets), *statistics_tables(sets)]
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     tables += target_tables(study.base, groups)
     if study.criteria:
@@ -83,9 +84,20 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
     return table
 
 
-def designs_tables(archive: Archive) -> list[Table]:
-    """Return a table of each design: stiffness and size of the dampers of each storey, and what they add."""
-    return [table for name in archive.names(DESIGNS) for table in design_tables(archive.group(f"{DESIGNS}/{name}"))]
+def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
+    """Return the tables of each design: size of the dampers of each storey, and what they add.
+
+    Args:
+        archive: of a study.
+        study: that it holds; None: it cannot be read.
+        sets: its histories by variant and level.
+    """
+    tables = []
+    for name in archive.names(DESIGNS):
+        variants = {} if study is None else {key: v for key, v in study.variants.items() if v.design == name}
+        factors = {key: variant.property_factor or 1.0 for key, variant in variants.items()}
+        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
+    return tables
 
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:

@@ -48,6 +48,8 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
     add("damping_coefficient", ("storey",), sizing.coefficient, unit, label)
     add("device_coefficient", ("storey",), device, unit, "damping coefficient c of one damper")
     add("device_scale", ("storey",), device / dashpot.c, "1", "coefficient of one damper over that of its law")
+    devices = number * np.bincount(building.place_storey)
+    add("device_count", ("storey",), devices, "1", "number of dampers in the storey")
     linear = of_storeys(building, vibration.linear) / number
     label = "linear dashpot of the energy of one damper at the amplitude of the design"
     add("device_linear_dashpot", ("storey",), linear, "N*s/m", label)

@@ -98,6 +98,7 @@ def test_every_key_is_documented() -> None:
         "hazard",
         "study_file",
         "damper_design",
+        "viscous_design",
         "assessment",
         "incremental",
         "reference_files",
