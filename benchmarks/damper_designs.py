@@ -50,7 +50,7 @@ DESIGNS = {
 }
 
 
-class _Designs(Model):
+class Designs(Model):
     designs: dict[str, Design]
 
 
@@ -67,7 +67,7 @@ def main() -> None:
 
 def row(project: Project, entry: str) -> str:
     """The results of a design."""
-    read, problems = check_model(f"designs: {{tried: {{{entry}}}}}", _Designs, "study file", "designs:")
+    read, problems = check_model(f"designs: {{tried: {{{entry}}}}}", Designs, "study file", "designs:")
     assert read is not None, problems.found
     start = time.perf_counter()
     result = run_design(project, "tried", read.designs["tried"], FILE.parent)

@@ -169,7 +169,7 @@ def _reach(damping_of: Callable[[float], float], target: float, first: float) ->
 
 def _unreachable(frame: ViscousFrame, target: float, found: float) -> str:
     brace = frame.spec.brace
-    cause = "the frame yields where they stand"
+    cause = "the frame gives way where they stand"
     if isinstance(brace, BraceRatio):
         cause = f"their braces are {brace.ratio:g} times as stiff as the storeys"
     elif math.isfinite(frame.dashpot.spring):
