@@ -94,10 +94,16 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
     """
     tables = []
     for name in archive.names(DESIGNS):
-        variants = {} if study is None else {key: v for key, v in study.variants.items() if v.design == name}
-        factors = {key: variant.property_factor or 1.0 for key, variant in variants.items()}
+        factors = {} if study is None else _property_factors(study, name)
         tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
     return tables
+
+
+def _property_factors(study: Study, design: str) -> dict[str, float]:
+    """Property factors on the dampers of the variants that have a design, that of the law among them."""
+    dampers = study.base.dampers
+    own = 1.0 if dampers is None else dampers.laws[study.designs[design].law].property_factor
+    return {key: own * (v.property_factor or 1.0) for key, v in study.variants.items() if v.design == design}
 
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:
