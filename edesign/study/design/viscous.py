@@ -20,6 +20,7 @@ from edesign.study.design.viscous_frame import Vibration, ViscousFrame, differen
 
 _GROWTH = 1.5  # of the coefficients between trials on the way to a target
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
+_LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too
 _FIRST = 0.25
 """First trial over what the energy of the mode without dampers asks for. Damping is largest where that formula says at
 most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
@@ -109,7 +110,8 @@ def largest_viscous_damping(frame: ViscousFrame) -> float:
     """
     pattern, weight = pattern_of(frame.building, frame.spec.distribution), frame.weight(frame.undamped(0.0))
     damping_of = partial(_damping, frame, pattern, weight)
-    return _reach(damping_of, math.inf, _first_trial(frame, pattern, weight, _SMALL))[1]
+    ends = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * _SMALL, _LOCKED))
+    return _reach(damping_of, math.inf, *ends)[1]
 
 
 def _coefficients(
@@ -119,10 +121,10 @@ def _coefficients(
     if frame.spec.distribution == "least_coefficient":
         return least_coefficient(frame, weight, omega, before)
     pattern = pattern_of(frame.building, frame.spec.distribution)
-    first = _first_trial(frame, pattern, weight, target)
-    scale, found = _reach(partial(_damping, frame, pattern, weight), target, first)
+    ends = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * target, _LOCKED))
+    scale, found = _reach(partial(_damping, frame, pattern, weight), target, *ends)
     if found < target:
-        raise InputError(_unreachable(frame, target, found))
+        raise InputError(_unreachable(frame, target, found, before is not None))
     return scale * pattern
 
 
@@ -132,43 +134,53 @@ def _damping(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, scale
     return frame.modes(weight * frame.at_places(coefficient), coefficient).first_damping
 
 
-def _first_trial(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, target: float) -> float:
-    """Scale of a pattern that is surely less than what the target or the largest damping needs."""
+def _scale_of(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, damping: float) -> float:
+    """Scale of a pattern with a damping ratio by the energy of the first mode without dampers."""
     bare = frame.bare
-    damping = 0.5 * float(bare.dampers[0] ** 2 @ (weight * frame.at_places(pattern))) / float(bare.omega[0])
-    return _FIRST * target / damping
+    of_pattern = 0.5 * float(bare.dampers[0] ** 2 @ (weight * frame.at_places(pattern))) / float(bare.omega[0])
+    return damping / of_pattern
 
 
-def _reach(damping_of: Callable[[float], float], target: float, first: float) -> tuple[float, float]:
+def _reach(damping_of: Callable[[float], float], target: float, first: float, last: float) -> tuple[float, float]:
     """The least scale with a damping, or that of the largest; and the damping there.
 
-    Damping grows with the dashpots until they lock; from a trial below that point the way leads up.
+    Damping grows with the dashpots until they lock, one after the other, so that it may fall and grow again.
+
+    Args:
+        damping_of: the damping ratio of a scale.
+        target: damping ratio; infinite: the largest is wanted.
+        first: scale below all that may be needed.
+        last: scale at which all dashpots are locked.
     """
-    trials = [first]
-    values = [damping_of(first)]
+    trials, values = [first], [damping_of(first)]
     while values[0] >= target:
         trials.insert(0, trials[0] / _GROWTH)
         values.insert(0, damping_of(trials[0]))
+    best = (trials[-1], values[-1])
     while values[-1] < target:
-        if values[-1] >= 1.0 or (len(values) > 1 and values[-1] < values[-2]):
-            break
+        if len(values) > 2 and values[-2] > max(values[-3], values[-1]):
+            found = scipy.optimize.minimize_scalar(
+                lambda x: -damping_of(x),
+                bounds=(trials[-3], trials[-1]),
+                method="bounded",
+                options={"xatol": 1e-6 * trials[-3]},
+            )
+            best = max(best, (float(found.x), -float(found.fun)), key=lambda item: item[1])
+            if best[1] >= target:
+                trials = [trials[-3], best[0]]
+                break
+        if values[-1] >= 1.0 or trials[-1] >= last:
+            return max(best, (trials[-1], values[-1]), key=lambda item: item[1])
         trials.append(trials[-1] * _GROWTH)
         values.append(damping_of(trials[-1]))
-    if values[-1] < target:
-        low = trials[max(len(trials) - 3, 0)]
-        found = scipy.optimize.minimize_scalar(
-            lambda x: -damping_of(x), bounds=(low, trials[-1]), method="bounded", options={"xatol": 1e-6 * low}
-        )
-        trials, values = [low, float(found.x)], [damping_of(low), -float(found.fun)]
-        if values[-1] < target:
-            return trials[-1], values[-1]
     low, high = trials[-2], trials[-1]
     scale = scipy.optimize.brentq(lambda x: damping_of(x) - target, low, high, xtol=1e-12 * high, rtol=1e-12)
     return float(scale), target
 
 
-def _unreachable(frame: ViscousFrame, target: float, found: float) -> str:
-    brace = frame.spec.brace
+def _unreachable(frame: ViscousFrame, target: float, found: float, followed: bool) -> str:
+    """What is wrong with a target; `followed`: the amplitude is that of an iteration, not that of the bare mode."""
+    brace, at = frame.spec.brace, " at the amplitude that so strong dampers have" if followed else ""
     cause = "the frame gives way where they stand"
     if isinstance(brace, BraceRatio):
         cause = f"their braces are {brace.ratio:g} times as stiff as the storeys"
@@ -176,5 +188,5 @@ def _unreachable(frame: ViscousFrame, target: float, found: float) -> str:
         cause = f"the law {frame.building.law.law.law} has a spring in series that grows with them"
     return (
         f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach: with `distribution: "
-        f"{frame.spec.distribution}` the first mode has {100.0 * found:.4g} % at most, because {cause}"
+        f"{frame.spec.distribution}` the first mode has {100.0 * found:.4g} % at most{at}, because {cause}"
     )
