@@ -101,7 +101,9 @@ def match(
         if period is None:
             raise InputError("--select: the criteria need the fundamental period; give --t1, or --project")
         choice = choose_recordings(found, target, settings, period, select, max_per_event)
-        found, tables = choice.recordings, [choice_table(choice)]
+        found = choice.recordings
+        simulated = [name for name, item in found.items() if item.origin == "stand-in"]
+        tables = [choice_table(choice.facts, simulated)]
     if csv is not None:
         spare_inputs(*(csv / f"{name}.csv" for name in found))
     path = archive or Path(f"{name}_matched.h5")

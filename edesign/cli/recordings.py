@@ -20,7 +20,9 @@ LONGEST_NAME = 64  # as in suites
 
 Inputs = Annotated[
     list[Path],
-    typer.Argument(help="A suite file (.yaml), or record files.", metavar="SUITE_OR_FILES", show_default=False),
+    typer.Argument(
+        help="A suite file (.yaml), a suite by its name, or record files.", metavar="SUITE_OR_FILES", show_default=False
+    ),
 ]
 Folder = Annotated[
     list[Path] | None,
@@ -73,7 +75,13 @@ def read_inputs(
     """
     from edesign.ground_motion.sources import find_suite
     from edesign.ground_motion.suite import load_suite
+    from edesign.project.problems import unknown_name
+    from edesign.project.suite_names import is_suite_name, suite_file, suite_names
 
+    inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
+    for path in inputs:
+        if not path.exists() and not is_suite(path) and is_suite_name(str(path)):
+            raise InputError(f"{unknown_name('suite', str(path), suite_names())}; and there is no file {path}")
     if any(is_suite(path) for path in inputs):
         if len(inputs) > 1:
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")

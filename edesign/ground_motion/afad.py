@@ -42,6 +42,11 @@ def read_afad(path: Path | str, component: str | None = None, name: str = "") ->
             numbers, a peak that is not the one that the header states, or `component` does not name one.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read all components of a file; errors as `read_afad`."""
     lines = read_lines(path, "iso-8859-9")
     at = next((i for i, line in enumerate(lines) if _COLUMNS.match(line)), None)
     if at is None:
@@ -62,11 +67,10 @@ def read_afad(path: Path | str, component: str | None = None, name: str = "") ->
     samples = np.array(rows)
     _check_peaks(path, header, components, samples)
     about = _about(header)
-    channels = [
+    return [
         Channel(label, _NAMES.get(label, ()), (_UNITS[unit.lower()] * column).tolist(), step, about)
         for label, column in zip(components, samples.T, strict=True)
     ]
-    return choose(path, channels, component).record(path, name)
 
 
 def _value(path: Path, header: _Header, key: str) -> tuple[int, str, str]:

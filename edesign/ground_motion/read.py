@@ -8,10 +8,12 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, knet
+from edesign.ground_motion.channels import Channel
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.project.problems import did_you_mean
-from edesign.project.records import FileFormat, Layout
+from edesign.project.record_tables import Layout
+from edesign.project.records import FileFormat
 
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
@@ -35,6 +37,11 @@ _READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose fi
     "esm": esm.read_esm,
     "afad": afad.read_afad,
     "knet": knet.read_knet,
+}
+_CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those that hold several components
+    "cosmos": cosmos.channels_of,
+    "csmip": csmip.channels_of,
+    "afad": afad.channels_of,
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _HEAD = 100  # lines in which the marks of a format stand
@@ -89,6 +96,16 @@ def read_record_file(
     if record.pga > high or 0.0 < record.pga < low:
         raise InputError(f"{path}: the peak of {record.pga:g} m/s2 is that of no ground motion; is the unit right?")
     return record
+
+
+def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
+    """Return what the components of a file are called if it may hold several, which `component` then chooses.
+
+    Raises:
+        InputError: what the reader of the format finds.
+    """
+    channels = _CHANNELS.get(file_format)
+    return tuple(channel.label for channel in channels(path)) if channels is not None else ()
 
 
 def _known(path: Path, file_format: FileFormat) -> FileFormat:

@@ -8,7 +8,7 @@ exchanges.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -20,7 +20,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.selection_scaling import Library, Scaling, SelectionOptions
-from edesign.ground_motion.selection_search import search
+from edesign.ground_motion.selection_search import Cap, search
 
 
 @dataclass(frozen=True)
@@ -63,6 +63,7 @@ def select(
     count: int,
     options: SelectionOptions | None = None,
     events: Sequence[str] | None = None,
+    stations: Sequence[str] | None = None,
 ) -> Selection:
     """Choose the `count` records that do best; the same input gives the same choice.
 
@@ -78,6 +79,7 @@ def select(
         count: how many records are wanted.
         options: how they may be scaled and how they are compared.
         events: earthquake of each candidate, for `options.max_per_event`.
+        stations: station of each candidate, for `options.max_per_station`; it counts within an earthquake.
 
     Raises:
         InputError: too few candidates, shapes that do not fit, or spectra that are not positive.
@@ -87,13 +89,10 @@ def select(
     target.set_rules.check(T, library_psa, pga, target, T_1)  # raises for shapes and periods
     if np.any(library_psa <= 0.0) or np.any(pga <= 0.0):
         raise InputError("a candidate has a spectral ordinate of zero: it cannot be scaled to a target")
-    limit = options.max_per_event
-    if limit is not None and (events is None or len(events) != len(pga)):
-        raise InputError("max_per_event needs the event of each candidate")
-    groups = list(events) if events is not None and limit is not None else [str(i) for i in range(len(pga))]
-    _enough(groups, limit, count)
+    caps = _caps(options, events, stations, len(pga))
+    _enough(caps, count, len(pga))
     library = Library(T, library_psa, pga, target, T_1, options)
-    found, exhaustive = search(library, groups, limit, count, options.exhaustive_limit)
+    found, exhaustive = search(library, caps, count, options.exhaustive_limit)
     scaling = library.scale(np.array([found]))
     return _selection(library, found, scaling, exhaustive)
 
@@ -105,6 +104,7 @@ def select_records(
     count: int,
     options: SelectionOptions | None = None,
     events: Sequence[str] | None = None,
+    stations: Sequence[str] | None = None,
 ) -> Selection:
     """Choose among records as `select` does; their spectra are computed on 201 periods a decade.
 
@@ -114,7 +114,8 @@ def select_records(
     options = options or SelectionOptions()
     T = selection_periods(target.set_rules, T_1, options)
     spectra = np.array([psa(record.acceleration, record.time_step, T) for record in records])
-    return select(T, spectra, np.array([record.pga for record in records]), target, T_1, count, options, events)
+    pgas = np.array([record.pga for record in records])
+    return select(T, spectra, pgas, target, T_1, count, options, events, stations)
 
 
 def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) -> np.ndarray:
@@ -129,14 +130,36 @@ def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) ->
     return np.concatenate((left, inner, right))
 
 
-def _enough(groups: Sequence[str], limit: int | None, count: int) -> None:
+def _caps(
+    options: SelectionOptions, events: Sequence[str] | None, stations: Sequence[str] | None, n: int
+) -> tuple[Cap, ...]:
+    """How many of an earthquake, and of a station in it, may be chosen."""
+    wanted = (("max_per_event", options.max_per_event, events), ("max_per_station", options.max_per_station, stations))
+    for key, most, labels in wanted:
+        if most is not None and (labels is None or len(labels) != n):
+            raise InputError(f"{key} needs the {key.removeprefix('max_per_')} of each candidate")
+    caps = []
+    if options.max_per_event is not None and events is not None:
+        caps.append(Cap(tuple(events), options.max_per_event, "event"))
+    if options.max_per_station is not None and stations is not None:
+        within = events if events is not None else [""] * n
+        caps.append(Cap(tuple(zip(within, stations, strict=True)), options.max_per_station, "station"))
+    return tuple(caps)
+
+
+def _enough(caps: Sequence[Cap], count: int, n: int) -> None:
     if count < 1:
         raise InputError(f"at least one record must be chosen, not {count}")
-    sizes = Counter(groups).values()
-    available = sum(min(size, limit or size) for size in sizes)
-    if available < count:
-        why = f", with at most {limit} of an event" if limit is not None else ""
-        raise InputError(f"{count} records are wanted, but only {available} of {len(groups)} can be had{why}")
+    available = [True] * n
+    for cap in reversed(caps):  # stations lie within earthquakes: what they leave is what earthquakes count
+        seen: Counter[Hashable] = Counter()
+        for i in range(n):
+            seen[cap.labels[i]] += available[i]
+            available[i] = available[i] and seen[cap.labels[i]] <= cap.most
+    if sum(available) < count:
+        limits = " and ".join(f"{cap.most} of {'an event' if cap.of == 'event' else 'a station'}" for cap in caps)
+        why = f", with at most {limits}" if caps else ""
+        raise InputError(f"{count} records are wanted, but only {sum(available)} of {n} can be had{why}")
 
 
 def _selection(library: Library, found: tuple[int, ...], scaling: Scaling, exhaustive: bool) -> Selection:

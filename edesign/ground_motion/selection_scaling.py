@@ -26,6 +26,7 @@ class SelectionOptions:
         band: ends of the periods over which misfit counts, s; None for that of the code's criteria.
         scatter_weight: of the scatter's square beside the square of the mean's deviation, at least 0.
         max_per_event: how many records of one earthquake at most; None for any number.
+        max_per_station: how many records of one station in one earthquake, such as its components; None likewise.
         exhaustive_limit: up to how many combinations all are compared.
     """
 
@@ -34,6 +35,7 @@ class SelectionOptions:
     band: tuple[float, float] | None = None
     scatter_weight: float = 0.2
     max_per_event: int | None = None
+    max_per_station: int | None = None
     exhaustive_limit: int = 100_000
 
     def __post_init__(self) -> None:
@@ -45,8 +47,10 @@ class SelectionOptions:
             raise InputError(f"the band of periods must rise from above zero, not {low:g} s and {high:g} s")
         if not (math.isfinite(self.scatter_weight) and self.scatter_weight >= 0.0):
             raise InputError(f"the weight of the scatter must be at least zero, not {self.scatter_weight:g}")
-        if self.max_per_event is not None and self.max_per_event < 1:
-            raise InputError(f"max_per_event must be at least 1, not {self.max_per_event}")
+        for key in ("max_per_event", "max_per_station"):
+            most = getattr(self, key)
+            if most is not None and most < 1:
+                raise InputError(f"{key} must be at least 1, not {most}")
 
 
 @dataclass(frozen=True)

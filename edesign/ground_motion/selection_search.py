@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Hashable, Iterator, Sequence
+from dataclasses import dataclass
 from itertools import combinations, islice
 from math import comb
 
@@ -20,20 +21,33 @@ Rank = tuple[float, float, Choice]
 """Shortfall, misfit, indices: the smaller the better; indices break ties."""
 
 
-def search(
-    library: Library, events: Sequence[str], max_per_event: int | None, count: int, exhaustive_limit: int
-) -> tuple[Choice, bool]:
+@dataclass(frozen=True)
+class Cap:
+    """How many records of one kind may be chosen.
+
+    Attributes:
+        labels: kind of each candidate.
+        most: how many of one label.
+        of: what the labels are, for messages.
+    """
+
+    labels: tuple[Hashable, ...]
+    most: int
+    of: str
+
+
+def search(library: Library, caps: Sequence[Cap], count: int, exhaustive_limit: int) -> tuple[Choice, bool]:
     """Return the best choice found, indices rising, and whether all were compared.
 
     Args:
         library: the candidates.
-        events: earthquake of each candidate.
-        max_per_event: None for any number.
+        caps: what a choice keeps to; each lies within the one before it, so that a choice that keeps to them can
+            always be completed.
         count: records wanted; the caller made sure that so many can be had.
         exhaustive_limit: up to how many combinations all are compared.
     """
-    n = len(events)
-    allowed = _Allowed(events, max_per_event)
+    n = len(library.pga)
+    allowed = _Allowed(caps)
     if comb(n, count) <= exhaustive_limit:
         return _best(library, (choice for choice in combinations(range(n), count) if allowed(choice)))[2], True
     # the first record decides much of what a greedy search finds, so each takes its turn
@@ -42,15 +56,13 @@ def search(
 
 
 class _Allowed:
-    """Whether a choice keeps to the number of records of one event."""
+    """Whether a choice keeps to the numbers of records of one kind."""
 
-    def __init__(self, events: Sequence[str], limit: int | None) -> None:
-        self.events, self.limit = events, limit
+    def __init__(self, caps: Sequence[Cap]) -> None:
+        self.caps = caps
 
     def __call__(self, choice: Choice) -> bool:
-        if self.limit is None:
-            return True
-        return max(Counter(self.events[i] for i in choice).values()) <= self.limit
+        return all(max(Counter(cap.labels[i] for i in choice).values()) <= cap.most for cap in self.caps)
 
 
 def _best(library: Library, choices: Iterator[Choice]) -> Rank:

@@ -227,7 +227,7 @@ def _files(folders: Iterable[Path]) -> list[_File]:
     for folder in folders:
         if not is_folder(folder):
             raise InputError(f"{folder}: there is no such folder of recordings")
-        for here, below, names in os.walk(folder, onerror=_unreadable):
+        for here, below, names in os.walk(folder, onerror=unreadable_folder):
             below.sort()
             for name in sorted(filter(may_be_peer, names)):
                 path = Path(here, name)
@@ -235,5 +235,6 @@ def _files(folders: Iterable[Path]) -> list[_File]:
     return list(found.values())
 
 
-def _unreadable(error: OSError) -> None:
+def unreadable_folder(error: OSError) -> None:
+    """Tell what `os.walk` could not list, and why."""
     raise InputError(f"{error.filename}: this folder of recordings cannot be read: {error.strerror}")

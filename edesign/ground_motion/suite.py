@@ -12,7 +12,7 @@ from edesign.ground_motion.peer_name import PeerName
 from edesign.project.base import FormatVersion, Model, refuse
 from edesign.project.problems import FileProblems, Problems, did_you_mean, listed
 from edesign.project.project import Identifier
-from edesign.project.records import AccelerationUnit, Columns, Layout
+from edesign.project.record_tables import AccelerationUnit, Columns, Layout
 from edesign.project.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
 from edesign.project.yaml_file import check_model, read_yaml_text
 from edesign.project.yaml_nodes import Mark

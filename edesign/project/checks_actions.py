@@ -11,6 +11,7 @@ from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverA
 from edesign.project.checks_files import check_file
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_pushover import check_pushover
+from edesign.project.chosen_records import FolderSource, Period, SuiteSource
 from edesign.project.damping import RayleighDamping
 from edesign.project.file_bytes import is_folder
 from edesign.project.hazard import UserHazard
@@ -19,14 +20,17 @@ from edesign.project.matching import Matching
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.processing import Step
 from edesign.project.project import Project
+from edesign.project.record_tables import AccelerationUnit
 from edesign.project.records import (
-    AccelerationUnit,
+    ChosenRecords,
     FemaP695Record,
     FileRecord,
+    PairRecord,
     Record,
     StructdynRecord,
     SuiteRecords,
 )
+from edesign.project.suite_names import is_suite_name, suite_names
 
 UNITS = get_args(AccelerationUnit)
 
@@ -107,15 +111,22 @@ def _records(project: Project, problems: Problems) -> None:
     for name, record in project.records.items():
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
-        fitted_suite = isinstance(record, SuiteRecords) and record.match is not None
+        fitted_suite = isinstance(record, SuiteRecords | ChosenRecords) and record.fitted
         if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
             message = f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %"
             problems.at_value(("hazard", "damping"), message)
         check_record(record, keys, problems)
+        if isinstance(record, ChosenRecords):
+            _choice(project, record, keys, problems)
 
 
 def check_record(record: Record, keys: Keys, problems: Problems) -> None:
     """Check what a record says of itself; its file is another matter."""
+    if isinstance(record, ChosenRecords):
+        return
+    if isinstance(record, PairRecord):
+        _pair(record, keys, problems)
+        return
     if isinstance(record, SuiteRecords):
         for i, wanted in enumerate(record.only or ()):
             if wanted in (record.only or ())[:i]:
@@ -124,6 +135,54 @@ def check_record(record: Record, keys: Keys, problems: Problems) -> None:
     _processing(record.processing, (*keys, "processing"), problems)
     if not isinstance(record, FemaP695Record):
         _format(record, keys, problems)
+
+
+def _pair(record: PairRecord, keys: Keys, problems: Problems) -> None:
+    """The components are two, and what is done to both stands beside them."""
+    for i, component in enumerate(record.pair):
+        check_record(component, (*keys, "pair", i), problems)
+        if component.match is not None:
+            problems.at_key(
+                (*keys, "pair", i, "match"), "both components are scaled together: `match` stands beside `pair`"
+            )
+    if record.pair[0] == record.pair[1]:
+        problems.at_value((*keys, "pair", 1), "this is the first component again")
+    if record.match is not None and record.match.method != "scale":
+        message = "a pair is scaled by one factor, which keeps what its components are to each other: `method: scale`"
+        problems.at_value((*keys, "match", "method"), message)
+    if record.match is None and "spectrum" in record.model_fields_set:
+        problems.at_key((*keys, "spectrum"), "this is what is compared with the spectrum of the hazard by `match`")
+
+
+def _choice(project: Project, record: ChosenRecords, keys: Keys, problems: Problems) -> None:
+    """Records can be chosen for a spectrum, by rules that fit together."""
+    if project.hazard is None:
+        problems.at_key((*keys, "choose"), "records are chosen for the spectrum of the `hazard`, and the file has none")
+    elif record.match is None:
+        _less_than_critical(project.hazard.damping, problems)
+        _fitted_level(project.hazard, record.level, keys, problems)
+    elif record.level is not None:
+        problems.at_key((*keys, "level"), "with `match` its `level` says for which spectrum")
+    if record.T1 is None and project.masses is None:
+        message = "this key is missing; the frame has no `masses` from which it would follow"
+        problems.under(keys, "T1", message)
+    first, last = record.periods or (Period(0.0), Period(1.0))  # by the code they rise
+    if (first.of_T1 == last.of_T1 or record.T1 is not None) and first.at(record.T1 or 1.0) >= last.at(record.T1 or 1.0):
+        problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
+    if record.scale_bounds[0] > record.scale_bounds[1]:
+        problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first")
+    low, high = record.scale_bounds
+    if record.scaling == "none" and "scale_bounds" in record.model_fields_set and not low <= 1.0 <= high:
+        problems.at_value((*keys, "scale_bounds"), "with `scaling: none` every factor is 1, which lies outside")
+    of_tables: tuple[Keys, ...] = ()
+    for i, source in enumerate(record.sources):
+        at = (*keys, "from", i) if problems.node((*keys, "from")).items is not None else (*keys, "from")
+        if isinstance(source, FolderSource) and source.acceleration_unit is None:
+            of_tables += tuple((*at, key) for key in ("time_step", "layout") if getattr(source, key) is not None)
+        if source in record.sources[:i]:
+            problems.at_value(at, "these candidates stand here twice")
+    for place in of_tables:
+        problems.at_key(place, "this is of tables of samples, which are read where `acceleration_unit` is given too")
 
 
 def check_record_files(
@@ -141,14 +200,36 @@ def check_record_files(
         keys: Keys = ("records", name)
         if isinstance(record, FileRecord):
             check_file(folder / record.file, (*keys, "file"), problems, what)
-        if not isinstance(record, SuiteRecords):
+        for i, component in enumerate(record.pair if isinstance(record, PairRecord) else ()):
+            if isinstance(component, FileRecord):
+                check_file(folder / component.file, (*keys, "pair", i, "file"), problems, what)
+        if isinstance(record, SuiteRecords):
+            _suite_files(record, folder, keys, problems, what)
+        if not isinstance(record, ChosenRecords):
             continue
+        for i, source in enumerate(record.sources):
+            at = (*keys, "from", i) if problems.node((*keys, "from")).items is not None else (*keys, "from")
+            if isinstance(source, SuiteSource):
+                _suite_files(source, folder, at, problems, what)
+            if isinstance(source, FolderSource):
+                _check_folder(folder / source.folder, (*at, "folder"), problems, what)
+                if source.flatfile is not None:
+                    check_file(folder / source.flatfile, (*at, "flatfile"), problems, what)
+
+
+def _suite_files(record: SuiteRecords | SuiteSource, folder: Path, keys: Keys, problems: Problems, what: str) -> None:
+    if not is_suite_name(record.suite):
         check_file(folder / record.suite, (*keys, "suite"), problems, what)
-        for i, below in enumerate(record.folders):
-            path = folder / below
-            if not is_folder(path):
-                message = f"there is no folder `{path}` (the path is relative to the {what})"
-                problems.at_value((*keys, "folders", i), message)
+    elif record.suite not in suite_names():
+        message = f"{unknown_name('suite', record.suite, suite_names())}; a file has an ending: `{record.suite}.yaml`"
+        problems.at_value((*keys, "suite"), message)
+    for i, below in enumerate(record.folders):
+        _check_folder(folder / below, (*keys, "folders", i), problems, what)
+
+
+def _check_folder(path: Path, keys: Keys, problems: Problems, what: str) -> None:
+    if not is_folder(path):
+        problems.at_value(keys, f"there is no folder `{path}` (the path is relative to the {what})")
 
 
 def _matching(project: Project, match: Matching | None, keys: Keys, problems: Problems) -> None:
@@ -156,37 +237,35 @@ def _matching(project: Project, match: Matching | None, keys: Keys, problems: Pr
         return
     if project.hazard is None:
         problems.at_key(keys, "a record is fitted to the spectrum of the `hazard`, and the file has none")
-    elif project.hazard.damping >= 1.0:
-        message = "a record is fitted to this spectrum; its damping must be less than critical, below 100 %"
-        problems.at_value(("hazard", "damping"), message)
-    if project.hazard is not None:
-        _fitted_level(project.hazard, match, keys, problems)
+    else:
+        _less_than_critical(project.hazard.damping, problems)
+        _fitted_level(project.hazard, match.level, keys, problems)
     if match.periods[0] >= match.periods[1]:
         problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
     if match.scale_bounds[0] > match.scale_bounds[1]:
         problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first")
 
 
-def _fitted_level(hazard: Hazard, match: Matching, keys: Keys, problems: Problems) -> None:
+def _fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: Problems) -> None:
     """Which of the levels a record is fitted to, where each has a spectrum of its own."""
-    if match.level is not None and not hazard.own_shapes:
+    if level is not None and not hazard.own_shapes:
         message = (
             "the levels have spectra of one shape, and records fitted to it are scaled to each; leave this key out"
         )
         problems.at_key((*keys, "level"), message)
-    elif match.level is not None and match.level not in hazard.levels:
-        problems.at_value((*keys, "level"), unknown_name("level", match.level, hazard.levels))
-    elif match.level is None and hazard.own_shapes and len(hazard.levels) > 1:
+    elif level is not None and level not in hazard.levels:
+        problems.at_value((*keys, "level"), unknown_name("level", level, hazard.levels))
+    elif level is None and hazard.own_shapes and len(hazard.levels) > 1:
         message = f"this key is missing; each level has a spectrum of its own: {listed(hazard.levels)}"
         problems.under(keys, "level", message)
 
 
 def fitted_level(project: Project, record: str) -> str | None:
     """Return the only level that a record is fitted to; None: it is not fitted, or to a shape that all levels have."""
-    match, hazard = project.records[record].match, project.hazard
-    if match is None or hazard is None or not hazard.own_shapes:
+    spec, hazard = project.records[record], project.hazard
+    if not spec.fitted or hazard is None or not hazard.own_shapes:
         return None
-    return match.level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
+    return spec.fit_level or (next(iter(hazard.levels)) if len(hazard.levels) == 1 else None)
 
 
 def check_fitted_levels(
@@ -209,6 +288,12 @@ def check_fitted_levels(
                     f"`{name}` is fitted to the spectrum of `{only}`, which has another shape than that of `{level}`"
                 )
                 problems.at_item(keys, i, f"{message}; match another record to it")
+
+
+def _less_than_critical(damping: float, problems: Problems) -> None:
+    if damping >= 1.0:
+        message = "a record is fitted to this spectrum; its damping must be less than critical, below 100 %"
+        problems.at_value(("hazard", "damping"), message)
 
 
 def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems) -> None:
@@ -261,6 +346,9 @@ def _history(project: Project, problems: Problems, keys: Keys, analysis: History
         problems.at_value((*keys, "record"), unknown_name("record", analysis.record, project.records))
     else:
         _level(project, problems, keys, analysis)
+    if analysis.pga is not None and isinstance(project.records.get(analysis.record), PairRecord):
+        message = "each component would have a factor of its own; give the `scale` of both"
+        problems.at_key((*keys, "pga"), f"`{analysis.record}` is a pair: {message}")
     if analysis.pga is not None and analysis.scale is not None:
         problems.at_key((*keys, "scale"), "`pga` and `scale` exclude each other; keep one of them")
     if project.damping is None:
@@ -280,7 +368,7 @@ def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAn
     levels = project.hazard.levels
     if levels and analysis.level and analysis.level not in levels:
         problems.at_value((*keys, "level"), unknown_name("level", analysis.level, levels))
-    if project.records[analysis.record].match is None:
+    if not project.records[analysis.record].fitted:
         return
     fitted = f"`{analysis.record}` is fitted to the spectrum of the hazard"
     if not levels:

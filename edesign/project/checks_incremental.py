@@ -39,7 +39,7 @@ def check_incremental(
         fitted = [name for name in map(record_of, incremental.records) if name in base.records]
         check_fitted_levels((*keys, "level"), fitted, (incremental.level,), base, problems)
         for i, name in enumerate(map(record_of, incremental.records)):
-            if name in base.records and base.records[name].match is None:
+            if name in base.records and not base.records[name].fitted:
                 message = (
                     f"`{name}` is not fitted to the spectrum of the hazard, so that it has no level to be scaled from"
                 )

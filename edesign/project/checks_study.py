@@ -69,7 +69,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:
             continue
-        if base.records[name].match is not None:
+        if base.records[name].fitted:
             fitted.append(name)
         elif histories.levels is not None and len(histories.levels) > 1:
             message = f"`{name}` is not fitted to the spectrum of the hazard; its histories would be the same at each"

@@ -165,8 +165,8 @@ def _step(annotation: Any, part: str | int) -> Any:
         if isinstance(part, str) and part.startswith(TAG):
             if part in [tag.tag for tag in getattr(kind, "__metadata__", ()) if isinstance(tag, Tag)]:
                 return kind
-        elif _is_model(bare := _bare(kind)) and isinstance(part, str) and part in bare.model_fields:
-            return bare.model_fields[part].annotation
+        elif _is_model(bare := _bare(kind)) and isinstance(part, str) and (named := _named(bare, part)):
+            return bare.model_fields[named].annotation
         elif get_origin(bare) is tuple and isinstance(part, int):
             return get_args(bare)[0]
         elif get_origin(bare) is dict:
@@ -196,11 +196,17 @@ def _is_model(kind: Any) -> bool:
 
 
 def _allowed_keys(model: type[BaseModel] | None) -> list[str]:
-    return list(model.model_fields) if model else []
+    return [info.alias or name for name, info in model.model_fields.items()] if model else []
+
+
+def _named(model: type[BaseModel], key: str) -> str | None:
+    """The field of a key, which the file may write otherwise: `from` is no name in Python."""
+    return next((name for name, info in model.model_fields.items() if key in (name, info.alias)), None)
 
 
 def _example(model: type[BaseModel] | None, key: str) -> str:
     """`; allowed: ...` where the missing key takes one of a few values."""
-    field = model.model_fields.get(key) if model else None
+    named = _named(model, key) if model else None
+    field = model.model_fields[named] if model and named else None
     annotation = _bare(field.annotation) if field else None
     return f"; allowed: {listed(get_args(annotation))}" if get_origin(annotation) is Literal else ""

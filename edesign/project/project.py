@@ -22,7 +22,7 @@ from edesign.project.loads import Loads
 from edesign.project.masses import Masses
 from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
-from edesign.project.record_files import RecordFiles
+from edesign.project.record_files import RecordChoice, RecordFiles
 from edesign.project.records import Record
 from edesign.project.sections import Fibres, Section
 from edesign.project.validity import Validity
@@ -56,6 +56,7 @@ class Project(RecordFiles, FileModel):
 
     _path: Path = PrivateAttr(default=Path("project.yaml"))
     _more_folders: tuple[Path, ...] = PrivateAttr(default=())
+    _choices: Mapping[str, RecordChoice] = PrivateAttr(default_factory=dict)
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
         """Return what the file would be with other values; see `FileModel.with_values`."""
@@ -67,9 +68,15 @@ class Project(RecordFiles, FileModel):
         found._more_folders = (*self._more_folders, *folders)
         return found
 
-    def afresh(self) -> Self:
-        """Return the project without the contents of files that were read so far."""
+    def with_choices(self, choices: Mapping[str, RecordChoice]) -> Self:
+        """Return the project with what was chosen for its records, by their names."""
         found = self.model_copy()
+        found._choices = dict(choices)
+        return found
+
+    def afresh(self) -> Self:
+        """Return the project without the contents of files that were read so far, and what was chosen of them."""
+        found = self.with_choices({})
         found._contents = {}
         if self.hazard is not None and any(self.hazard.files()):
             found = found.model_copy(update={"hazard": self.hazard.model_copy()})
@@ -98,6 +105,10 @@ class Project(RecordFiles, FileModel):
         if self.validity.drift is not None:
             return self.validity.drift
         return None if self.elements.geometry.columns == "corotational" else self.validity.geometric_drift
+
+    def record_choice(self, name: str) -> RecordChoice | None:
+        """What was chosen for a record; None if nothing was yet."""
+        return self._choices.get(name)
 
     def suite_folders(self, name: str) -> list[Path]:
         """The folders in which the recordings of a suite are looked for, those of `with_folders` last.

@@ -7,6 +7,16 @@ from pathlib import Path
 from typing import Protocol
 
 from edesign.project.records import FileRecord, Record, SuiteRecords
+from edesign.project.suite_names import suite_file
+
+
+class RecordChoice(Protocol):
+    """What was chosen for a record of a project."""
+
+    @property
+    def factors(self) -> Mapping[str, float]:
+        """The factor on each chosen recording, by its name."""
+        ...
 
 
 class HoldsRecords(Protocol):
@@ -41,6 +51,10 @@ class HoldsRecords(Protocol):
 
     def suite_path(self, name: str) -> Path:
         """Return the suite file of a record."""
+        ...
+
+    def record_choice(self, name: str) -> RecordChoice | None:
+        """Return what was chosen for a record; None if nothing was."""
         ...
 
 
@@ -78,4 +92,8 @@ class RecordFiles:
         record = self.records[name]
         if not isinstance(record, SuiteRecords):
             raise KeyError(name)
-        return self.folder / record.suite
+        return suite_file(self.folder, record.suite)
+
+    def record_choice(self, name: str) -> RecordChoice | None:
+        """What was chosen for a record: nothing, but in a project."""
+        return None

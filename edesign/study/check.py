@@ -12,6 +12,7 @@ from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.project_records import find_recordings, references
+from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
@@ -20,9 +21,10 @@ from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
 from edesign.project.pushover import GivenPattern, Pushover
-from edesign.project.records import SuiteRecords, record_of
+from edesign.project.records import RecordSet, record_of
 from edesign.project.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
+from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period, mode_count
@@ -178,7 +180,7 @@ def check_project(project: Project) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
-    project = project.afresh()
+    project = with_choices(project.afresh(), project.archive_path)
     plan = make_plan(project)
     found = check_inputs(project, [task.spec for task in plan])
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
@@ -193,6 +195,7 @@ def check_project(project: Project) -> dict[str, str]:
         **({"dampers": _dampers(project)} if project.dampers is not None else {}),
         "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
         "records": _records(project, {**found, **others}),
+        **_choices(project),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
         "archive": str(project.archive_path),
         **({"warnings": "\n".join(warnings)} if warnings else {}),
@@ -214,7 +217,7 @@ def check_study(study: Study) -> dict[str, str]:
         InputError: a record cannot be read, or the frame cannot be built or is unstable.
         AnalysisError: the first period cannot be found.
     """
-    study = study.afresh()
+    study = study_with_choices(study.afresh(), study.archive_path)
     plan = make_study_plan(study)
     found = check_study_inputs(study, plan)
     period = fundamental_period(study.base)
@@ -228,6 +231,7 @@ def check_study(study: Study) -> dict[str, str]:
         "frame": _frame(study.base),
         "period": f"T1 = {period:.4f} s of the bare frame under gravity" if period is not None else "no masses",
         "records": _records(study.base, found),
+        **_choices(study.base),
         "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
         "variants": ", ".join(study.variants),
         "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
@@ -240,7 +244,7 @@ def check_study(study: Study) -> dict[str, str]:
 def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:
     """What is unusual about the factors on the records, before they are fitted."""
     motions = {reference: Motion(reference, item) for reference, item in found.items()}
-    scales = {reference: expected_scale(project, reference, item) for reference, item in found.items()}
+    scales = {reference: expected_scale(project, reference, found) for reference in found}
     warnings = scale_warnings(project, plan, motions, scales)
     return [f"records {name}: {text}" for name, texts in warnings.items() for text in texts]
 
@@ -260,8 +264,22 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     for name in project.records:
         origins = Counter(item.origin for key, item in found.items() if record_of(key) == name)
         of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
-        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], SuiteRecords) else name)
+        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], RecordSet) else name)
     return ", ".join(texts) or "none"
+
+
+def _choices(project: Project) -> dict[str, str]:
+    """How the records were chosen that are, and what was left out of the choice."""
+    lines = []
+    for name in project.records:
+        choice = project.record_choice(name)
+        if not isinstance(choice, RecordChoice):
+            continue
+        facts = choice.facts()
+        lines.append(f"{name}: the best {len(choice.factors)} of {choice.compared}; {'; '.join(choice_lines(facts))}")
+        lines += [f"  {recording} x {factor:.3f}" for recording, factor in choice.factors.items()]
+        lines += [f"  left out: {refusal.name}: {refusal.reason}" for refusal in choice.refused]
+    return {"chosen": "\n".join(lines)} if lines else {}
 
 
 def _frame(project: Project) -> str:

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
@@ -19,6 +20,7 @@ from edesign.codes.spectrum import Spectrum
 from edesign.errors import AnalysisError, Interrupted
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.plausibility import unusual_scales
+from edesign.ground_motion.record_choice import choice_facts
 from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
@@ -144,6 +146,11 @@ class Choice:
     recordings: dict[str, Found]
     selection: Selection
     of: int
+
+    @property
+    def facts(self) -> dict[str, Any]:
+        """What is told of the choice."""
+        return choice_facts(tuple(self.recordings), self.selection, self.of)
 
 
 def choose_recordings(

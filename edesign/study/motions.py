@@ -8,17 +8,19 @@ from dataclasses import dataclass, replace
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError, InputError
+from edesign.ground_motion.component_pairs import PairFit, fit_pair
 from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.match import check_band, check_record, constant_factor
 from edesign.ground_motion.matching.raising import raised, suite_factor
 from edesign.ground_motion.record import Record
+from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.checks_actions import fitted_level
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords, record_of
+from edesign.project.records import PairRecord, Suite, component_references, record_of
 from edesign.stopping import Stopped, in_threads, stoppable
 
 
@@ -133,13 +135,16 @@ def project_motions(
         options = match_options(project, reference)
         if options is None or project.hazard is None:
             return Motion(reference, found)
+        pair = pair_fit(project, reference, recordings)
+        if pair is not None:
+            options = replace(options, factor=pair.factor)
         return fit(reference, found, target_spectrum(project, reference), options)
 
     motions = prepare_motions(recordings, prepare, workers, each, stop)
     for name, spec in project.records.items():
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
-        if not isinstance(spec, SuiteRecords) or spec.match is None or project.hazard is None or not members:
-            continue
+        if not isinstance(spec, Suite) or spec.match is None or project.hazard is None or not members:
+            continue  # of chosen records that are scaled only, the choice has the common factor, within its bounds
         for motion in raise_suite(members, target_spectrum(project, name), fundamental_period()):
             motions[motion.name] = motion
     return motions
@@ -147,12 +152,16 @@ def project_motions(
 
 def match_options(project: Project, reference: str) -> MatchOptions | None:
     """Return how the project wants a recording to be fitted; None if it is to stay as recorded."""
-    spec = project.records[record_of(reference)].match
-    if spec is None or project.hazard is None:
+    name, _, recording = reference.partition("/")
+    spec, choice = project.records[name].match, project.record_choice(name)
+    if project.hazard is None:
         return None
-    return MatchOptions(
-        method=spec.method, periods=spec.periods, scale_bounds=spec.scale_bounds, damping=project.hazard.damping
-    )
+    damping = project.hazard.damping
+    if spec is not None:
+        return MatchOptions(method=spec.method, periods=spec.periods, scale_bounds=spec.scale_bounds, damping=damping)
+    if not isinstance(choice, RecordChoice):
+        return None
+    return MatchOptions("scale", choice.fit_band, damping, factor=choice.factors[recording])
 
 
 def target_spectrum(project: Project, reference: str) -> Spectrum:
@@ -165,12 +174,34 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
     return elastic_spectrum(project.hazard, fitted_level(project, record_of(reference)))
 
 
-def expected_scale(project: Project, reference: str, found: Found) -> float:
+def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) -> PairFit | None:
+    """Return how a pair of components is scaled; None for what is no pair, or is not fitted.
+
+    Args:
+        project: the validated project.
+        reference: of the pair, or of one of its components.
+        recordings: what was found, by reference, both components among them.
+
+    Raises:
+        InputError: a component does not reach over the band.
+    """
+    name = record_of(reference)
+    spec, options = project.records[name], match_options(project, reference)
+    if not isinstance(spec, PairRecord) or options is None or project.hazard is None:
+        return None
+    first, second = (recordings[place].record for place in component_references(name))
+    return fit_pair(first, second, target_spectrum(project, name), options, spec.spectrum)
+
+
+def expected_scale(project: Project, reference: str, recordings: Mapping[str, Found]) -> float:
     """Return the factor that the fit of a recording begins with; 1 for one that is not fitted."""
     options = match_options(project, reference)
     if options is None or project.hazard is None:
         return 1.0
-    return constant_factor(found.record, target_spectrum(project, reference), options)
+    pair = pair_fit(project, reference, recordings)
+    if pair is not None:
+        return pair.factor
+    return constant_factor(recordings[reference].record, target_spectrum(project, reference), options)
 
 
 def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:

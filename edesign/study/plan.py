@@ -12,7 +12,7 @@ from edesign.ground_motion.project_records import references
 from edesign.project.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
 from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords
+from edesign.project.records import RecordSet
 from edesign.study.kinds import ANALYSES
 from edesign.study.pushover_parts import pushover_parts
 
@@ -150,7 +150,7 @@ def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:
     """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover."""
     if isinstance(spec, PushoverAnalysis):
         return pushover_parts(spec, tuple(project.hazard_levels))
-    if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), SuiteRecords):
+    if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), RecordSet):
         return [spec]
     return [
         spec.model_copy(update={"name": f"{spec.name}.{reference.partition('/')[2]}", "record": reference})

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import asdict, replace
+from typing import Any
 
 import numpy as np
 
@@ -12,14 +13,16 @@ from edesign.archive.dataset import Group, Variable
 from edesign.codes.ec8 import Criterion
 from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
+from edesign.ground_motion.component_pairs import NAMES, PairFit
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.matching import Match
 from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords, record_of
+from edesign.project.records import PairRecord, RecordSet, record_of
 from edesign.study.kinds import RECORDS
-from edesign.study.motions import Motion, target_spectrum
+from edesign.study.motions import Motion, pair_fit, target_spectrum
 
 PERIODS = np.geomspace(0.02, 10.0, 300)  # of the spectra of records that are not fitted
 SEISMOLOGY = {"event", "year", "station", "component", "magnitude", "distance", "v_s30", "rsn", "pair", "direction"}
@@ -46,15 +49,23 @@ def project_record_groups(
     """
     for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
         spec = project.records[name]
-        if not isinstance(spec, SuiteRecords):
+        if not isinstance(spec, RecordSet):
             yield f"{RECORDS}/{name}", record_group(motions[name], order, warnings.get(name, ()))
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
-        target = target_spectrum(project, name) if project.hazard and spec.match else None
+        target = target_spectrum(project, name) if project.hazard and spec.fitted else None
         verdicts: tuple[Criterion, ...] = ()
+        if isinstance(spec, PairRecord):
+            recordings = {motion.name: motion.found for motion in members}
+            yield from suite_groups(
+                name, members, target, (), order, warnings.get(name, ()), pair=pair_fit(project, name, recordings)
+            )
+            continue
         if target is not None:
             verdicts = criteria(members, target, fundamental_period(), variant_periods.get(name, {}))
-        yield from suite_groups(name, members, target, verdicts, order, warnings.get(name, ()))
+        choice = project.record_choice(name)
+        chosen = choice.facts() if isinstance(choice, RecordChoice) else None
+        yield from suite_groups(name, members, target, verdicts, order, warnings.get(name, ()), chosen)
 
 
 def criteria(
@@ -130,6 +141,8 @@ def suite_groups(
     verdicts: Sequence[Criterion] = (),
     order: int = 0,
     warnings: Sequence[str] = (),
+    choice: Mapping[str, Any] | None = None,
+    pair: PairFit | None = None,
 ) -> Iterator[tuple[str, Group]]:
     """Yield place and group of a suite, then of its recordings.
 
@@ -140,10 +153,14 @@ def suite_groups(
         verdicts: from `criteria`.
         order: place of the suite among all records.
         warnings: what the user should know of the whole.
+        choice: how the recordings were chosen, for the archive; None if they were not.
+        pair: how the recordings, the two components of one, were scaled together; None if they are not such.
     """
     fitted = [motion.match for motion in motions if motion.match is not None]
     group = Group(attributes={"order": order, "name": name, "suite": True, "records": len(motions)})
     group.attributes["warnings"] = list(warnings)
+    if choice is not None:
+        group.attributes["choice"] = dict(choice)
     group.attributes["origins"] = dict(Counter(motion.found.origin for motion in motions))
     if target is not None and fitted:
         periods = fitted[0].periods
@@ -157,11 +174,21 @@ def suite_groups(
         ):
             group.add(key, ("period",), values, "m/s^2", label)
         group.attributes |= {"target": target.label, "fitted": len(fitted), "suite_factor": fitted[0].suite_factor}
-        group.attributes["criteria"] = [asdict(verdict) for verdict in verdicts]
-        rules = target.set_rules
-        group.attributes["criteria_of"] = rules.code
-        # those that one factor on all records can satisfy
-        group.attributes["criteria_of_mean"] = [rules.clauses.zero_period, rules.clauses.mean]
+        if verdicts:
+            group.attributes["criteria"] = [asdict(verdict) for verdict in verdicts]
+            rules = target.set_rules
+            group.attributes["criteria_of"] = rules.code
+            # those that one factor on all records can satisfy
+            group.attributes["criteria_of_mean"] = [rules.clauses.zero_period, rules.clauses.mean]
+    if pair is not None:
+        label = f"{NAMES[pair.spectrum]} of the scaled components"
+        group.add("combined_psa", ("period",), pair.combined, "m/s^2", f"pseudo-acceleration, {label}")
+        group.attributes["pair"] = {
+            "spectrum": pair.spectrum,
+            "factor": pair.factor,
+            "best_factor": pair.best,
+            "misfit": asdict(pair.misfit),
+        }
     yield f"{RECORDS}/{name}", group
     for place, motion in enumerate(motions):
         yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)

@@ -11,6 +11,7 @@ from edesign.project.study import Study
 from edesign.study.advice import project_warnings, study_warnings, unjudged
 from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs
+from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.designing import study_designs
 from edesign.study.execute import execute
 from edesign.study.execution import Execution, Job, Prepared
@@ -62,9 +63,9 @@ def run_project(
             the partial file.
         Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
     """
-    project = project.afresh()
-    plan = make_plan(project, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
+    project = with_choices(project.afresh(), None if fresh else path)
+    plan = make_plan(project, only)
     recordings = check_inputs(project, [task.spec for task in plan])
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = root_group(project, [task.name for task in plan], checksums)
@@ -93,9 +94,9 @@ def run_study(
 
     A design that fails is archived with its history, and the analyses of its variants fail with its reason.
     """
-    study = study.afresh()
-    plan = make_study_plan(study, only)
     path = Path(archive_path) if archive_path is not None else default_archive_path(study, only)
+    study = study_with_choices(study.afresh(), None if fresh else path)
+    plan = make_study_plan(study, only)
     recordings = check_study_inputs(study, plan)
     checksums = {name: found.record.checksum for name, found in recordings.items()}
     root = study_root_group(study, [task.name for task in plan], checksums)

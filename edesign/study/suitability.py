@@ -10,7 +10,7 @@ from edesign.errors import EdesignError
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords, record_of
+from edesign.project.records import Suite, record_of
 from edesign.study.history import scale_factor
 from edesign.study.intensity import first_period
 from edesign.study.motions import Motion
@@ -101,4 +101,4 @@ def variant_periods(run: Execution, prepared: Prepared) -> dict[str, dict[str, f
 
 def _is_fitted_suite(project: Project, reference: str) -> bool:
     spec = project.records.get(record_of(reference))
-    return isinstance(spec, SuiteRecords) and spec.match is not None and project.hazard is not None
+    return isinstance(spec, Suite) and spec.fitted and project.hazard is not None

@@ -185,7 +185,9 @@ def _ordinates(target: Spectrum, periods: np.ndarray, options: MatchOptions) -> 
 def _scale(
     record: Record, wanted: np.ndarray, periods: np.ndarray, options: MatchOptions
 ) -> tuple[float, tuple[str, ...]]:
-    """The factor that is best in least squares of the logarithms, kept within its bounds."""
+    """The factor that is given, or the best in least squares of the logarithms, kept within its bounds."""
+    if options.factor is not None:
+        return options.factor, ()
     ordinates = psa(record.acceleration, record.time_step, periods, options.damping)
     best = float(np.exp(np.mean(np.log(wanted / ordinates))))
     low, high = options.scale_bounds

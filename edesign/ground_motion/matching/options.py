@@ -28,6 +28,7 @@ class MatchOptions:
         iterations: the most iterations.
         tolerance: root mean square of psa/target - 1 over the matching periods at which the iteration ends.
         scale_bounds: least and largest constant factor on the record before its shape is changed.
+        factor: this constant factor instead of the one that fits best; None looks for that.
 
     Raises:
         InputError: a value out of range; the message names it.
@@ -40,6 +41,7 @@ class MatchOptions:
     iterations: int = 30
     tolerance: float = 0.01
     scale_bounds: tuple[float, float] = (0.1, 10.0)
+    factor: float | None = None
 
     def __post_init__(self) -> None:
         if self.method not in METHODS:
@@ -47,6 +49,8 @@ class MatchOptions:
             raise InputError(f"matching: there is no method `{self.method}`{hint} (methods: {', '.join(METHODS)})")
         _positive_pair("periods", self.periods, " s", equal=False)
         _positive_pair("scale_bounds", self.scale_bounds, "", equal=True)
+        if self.factor is not None and not (math.isfinite(self.factor) and self.factor > 0.0):
+            raise InputError(f"matching: factor must be greater than zero and finite, not {self.factor:g}")
         if not 0.0 < self.damping < 1.0:
             raise InputError(f"matching: damping must lie between 0 and 1, not {self.damping:g}")
         if self.points < 2:

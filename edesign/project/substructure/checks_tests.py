@@ -7,7 +7,7 @@ import math
 from edesign.project.checks_actions import check_record, check_record_files
 from edesign.project.checks_files import check_file
 from edesign.project.problems import Keys, Problems, unknown_name
-from edesign.project.records import record_of
+from edesign.project.records import ChosenRecords, record_of
 from edesign.project.substructure.checks_rig import nyquist
 from edesign.project.substructure.programme import (
     Command,
@@ -90,9 +90,9 @@ def _records(rts: RtsFile, problems: Problems) -> None:
     for name, record in rts.records.items():
         keys: Keys = ("records", name)
         check_record(record, keys, problems)
-        if record.match is not None:
+        if record.fitted:
             message = "a record is fitted to the spectrum of a hazard; give such a record in the project"
-            problems.at_key((*keys, "match"), message)
+            problems.at_key((*keys, "choose" if isinstance(record, ChosenRecords) else "match"), message)
     check_record_files(rts.records, rts.folder, problems, _WHAT)
 
 

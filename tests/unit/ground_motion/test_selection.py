@@ -119,6 +119,24 @@ def test_no_more_of_one_event_than_allowed() -> None:
             )
 
 
+def test_stations_count_within_their_event() -> None:
+    """Two stations of each of four events, two components each: one of a station leaves two of an event."""
+    spectra, pgas = library(16, 8)
+    events = [f"event {i // 4}" for i in range(16)]
+    stations = [f"station {i // 2 % 2}" for i in range(16)]  # alike in all events
+    for most in (1, 100_000):
+        options = SelectionOptions(max_per_station=1, exhaustive_limit=most)
+        found = select(T, spectra, pgas, TARGET, T_1, 5, options, events, stations)
+        assert len({(events[i], stations[i]) for i in found.chosen}) == 5
+    select(T, spectra, pgas, TARGET, T_1, 8, options, events, stations)
+    with pytest.raises(
+        InputError, match="9 records are wanted, but only 8 of 16 can be had, with at most 1 of a station"
+    ):
+        select(T, spectra, pgas, TARGET, T_1, 9, options, events, stations)
+    with pytest.raises(InputError, match="max_per_station needs the station of each candidate"):
+        select(T, spectra, pgas, TARGET, T_1, 5, options, events)
+
+
 def _unit(found: Selection) -> np.ndarray:
     return found.factors / found.common_factor
 

@@ -96,6 +96,7 @@ def test_every_key_is_documented() -> None:
     pages = (
         "project_file",
         "hazard",
+        "record_choice",
         "study_file",
         "damper_design",
         "viscous_design",

@@ -1,0 +1,89 @@
+"""The spectrum of two horizontal components together, and the one factor that brings it to a target."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.codes import Spectrum
+from edesign.ground_motion.matching import MatchOptions, Misfit, misfit
+from edesign.ground_motion.matching.closeness import judging_periods
+from edesign.ground_motion.matching.match import check_record
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa, rotated_spectra
+from edesign.project.records import CombinedSpectrum
+
+NAMES: dict[CombinedSpectrum, str] = {"geometric_mean": "geometric mean", "rotd50": "RotD50", "rotd100": "RotD100"}
+"""The combined spectra, for people."""
+
+
+@dataclass(frozen=True)
+class PairFit:
+    """A pair of components scaled together.
+
+    Attributes:
+        spectrum: what of them was compared.
+        factor: on both.
+        best: what it would be without bounds.
+        periods: shape (n,), s.
+        combined: of the scaled components, shape (n,), m/s2.
+        misfit: of it to the target.
+    """
+
+    spectrum: CombinedSpectrum
+    factor: float
+    best: float
+    periods: np.ndarray
+    combined: np.ndarray
+    misfit: Misfit
+
+
+def combined_spectrum(
+    first: Record, second: Record, periods: np.ndarray, damping: float, spectrum: CombinedSpectrum
+) -> np.ndarray:
+    """Return the spectrum of two components at right angles together.
+
+    Args:
+        first, second: with the same time axis.
+        periods: shape (n,), s.
+        damping: ratio of critical.
+        spectrum: the geometric mean of both, or the median or largest ordinate over all directions.
+
+    Returns:
+        Pseudo-acceleration, shape (n,), m/s2.
+
+    Source: Boore (2010), Bulletin of the Seismological Society of America 100, 1830-1835; RotD100 is the maximum
+    direction of ASCE 7-16, 16.2.2.
+    """
+    if spectrum == "geometric_mean":
+        one, other = (psa(record.acceleration, record.time_step, periods, damping) for record in (first, second))
+        return np.sqrt(one * other)
+    percentile = {"rotd50": 50, "rotd100": 100}[spectrum]
+    found = rotated_spectra(first.acceleration, second.acceleration, first.time_step, periods, damping, (percentile,))
+    return np.asarray(found[0])
+
+
+def fit_pair(
+    first: Record, second: Record, target: Spectrum, options: MatchOptions, spectrum: CombinedSpectrum
+) -> PairFit:
+    """Find the one factor on both components that is best in least squares of ln(combined / target), within bounds.
+
+    Args:
+        first, second: as recorded, with the same time axis.
+        target: of the damping of the options.
+        options: band and bounds.
+        spectrum: what of the components is compared.
+
+    Raises:
+        InputError: a component is zero throughout, or does not reach over the band.
+    """
+    for record in (first, second):
+        check_record(record, options)
+    periods = options.matching_periods
+    ordinates = combined_spectrum(first, second, periods, options.damping, spectrum)
+    best = float(np.exp(np.mean(np.log(target.acceleration(periods) / ordinates))))
+    factor = float(np.clip(best, *options.scale_bounds))
+    shown = judging_periods(periods)
+    combined = factor * combined_spectrum(first, second, shown, options.damping, spectrum)
+    return PairFit(spectrum, factor, best, shown, combined, misfit(combined, target.acceleration(shown), shown))

