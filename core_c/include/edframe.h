@@ -22,6 +22,10 @@ const char *ed_model_message(const ed_model *model); /* the last error, for peop
 enum { ED_ELASTIC = 0, ED_BILINEAR = 1, ED_MENEGOTTO_PINTO = 2 };
 int ed_model_material(ed_model *model, int law, int n_parameters, const double *parameters);
 
+/* Fibres of a material break: a cycle of the strain range r does the damage (r / strain)^exponent, cycles counted by rainflow; at a sum
+ * of 1 the fibre breaks as soon as it is in tension. Before any section. */
+int ed_model_fatigue(ed_model *model, int material, double strain, double exponent);
+
 int ed_model_elastic_section(ed_model *model, double EA, double EI);
 /* n fibres at depths y with areas and materials; those of one depth and material are merged into one layer. */
 int ed_model_fibre_section(ed_model *model, int n, const double *y, const double *area, const int *material);
@@ -41,6 +45,12 @@ int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int po
 int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
                           int release_j);
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
+/* A brace that buckles between its ends, which stay on its chord. Inside are `elements` (even, 2..16) corotational fibre beams of the
+ * section with `points` integration points each (3..10), in a camber of the first mode: its height / buckling length, > 0. The part
+ * that buckles is buckling_length (0..1] of the length; the rest is a straight bar of the material and area. end_stiffness: rotational,
+ * of each end; 0 pinned, infinite fixed. */
+int ed_model_strut(ed_model *model, const char *name, int i, int j, int section, int points, int elements, double camber,
+                   double buckling_length, double end_stiffness, int material, double area, int geometry);
 /* Elastic link with stiffnesses along local x, y and in rotation. Two nodes apart: local x runs along the link and shear
  * acts at mid-length; at one place: local x is at `angle` (rad) from global x. */
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
@@ -123,7 +133,10 @@ enum {
   ED_DAMPER_WORK = 18,       /* damper: work done on it so far */
   ED_GIVEN_FORCE = 19,       /* force of a history: these three as of the damper that exerts it; 0 while there is none */
   ED_GIVEN_DEFORMATION = 20, /* since the force was made */
-  ED_GIVEN_WORK = 21
+  ED_GIVEN_WORK = 21,
+  ED_DEFLECTION = 22,        /* strut: of its middle from the chord, camber included */
+  ED_DAMAGE = 23,            /* strut: of its fibre with most, 1 has broken */
+  ED_BROKEN_SHARE = 24       /* strut: of the area of its section of which most has broken */
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history);

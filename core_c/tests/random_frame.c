@@ -36,6 +36,8 @@ static void add_steels(caller *c, things *m)
                                   or_absurd(c, 20.0), or_absurd(c, 0.925),  or_absurd(c, 0.15)};
     const int law = chance(c, c->wild) ? whole(c, -1, 3) : whole(c, 0, 2);
     count(c, &m->materials, ed_model_material(m->model, law, law == 0 ? 1 : law == 1 ? 3 : 6, parameters));
+    if (chance(c, 0.2))
+      expect_listed(c, ed_model_fatigue(m->model, some_id(c, m->materials), or_absurd(c, 0.05), or_absurd(c, 2.0)));
   }
   for (int i = whole(c, 1, 3); i > 0; i--) {
     if (chance(c, 0.4)) {
@@ -71,12 +73,18 @@ static void add_element(caller *c, things *m)
   for (int k = 0; k < MOST_THINGS; k++)
     sections[k] = k && chance(c, 0.8) ? sections[0] : some_id(c, m->sections);
   const int release_i = chance(c, 0.1), release_j = chance(c, 0.1);
-  switch (whole(c, 0, 6)) {
+  switch (whole(c, 0, 7)) {
     case 0:
       count(c, &m->elements, ed_model_truss(m->model, name(c), i, j, some_id(c, m->materials), or_absurd(c, 1e-2), geometry));
       break;
     case 1:
       count(c, &m->elements, ed_model_link(m->model, name(c), i, j, or_absurd(c, 1e8), or_absurd(c, 1e8), or_absurd(c, 1e7), or_absurd(c, 0.3)));
+      break;
+    case 3:
+      count(c, &m->elements,
+            ed_model_strut(m->model, name(c), i, j, sections[0], points, chance(c, c->wild) ? whole(c, -1, 20) : 2 * whole(c, 1, 4),
+                           or_absurd(c, 1e-3), or_absurd(c, chance(c, 0.5) ? 1.0 : 0.5), or_absurd(c, chance(c, 0.5) ? 0.0 : 1e6),
+                           some_id(c, m->materials), or_absurd(c, 1e-2), geometry));
       break;
     case 2:
       count(c, &m->elements, ed_model_elastic_beam(m->model, name(c), i, j, sections[0], geometry, release_i, release_j));
@@ -182,8 +190,8 @@ static void add_channel(caller *c, run *r, const things *m)
   int kind[3], object[3], component[3];
   for (int i = 0; i < n; i++) {
     coefficient[i] = signed_size(c, 0.1, 10.0);
-    kind[i] = chance(c, c->wild) ? whole(c, -1, 23) : whole(c, 0, 21);
-    object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE ? m->dampers : m->elements);
+    kind[i] = chance(c, c->wild) ? whole(c, -1, 26) : whole(c, 0, 24);
+    object[i] = some_id(c, kind[i] <= ED_REACTION ? m->nodes : kind[i] >= ED_DAMPER_FORCE && kind[i] < ED_DEFLECTION ? m->dampers : m->elements);
     component[i] = chance(c, 0.6) ? 0 : whole(c, -1, 12);
   }
   const int keep = chance(c, 0.5), id = ed_channel(r->analysis, n, coefficient, kind, object, component, keep);

@@ -5,7 +5,7 @@ from edesign.core.analysis import Analysis
 from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
-from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
+from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
 from edesign.core.response import ENERGIES, Channel, Response
@@ -20,6 +20,7 @@ __all__ = [
     "CoreDamper",
     "CoreError",
     "Elastic",
+    "Fatigue",
     "GeneralisedAlpha",
     "Integrator",
     "LawValues",

@@ -37,4 +37,19 @@ class MenegottoPinto:
     cR2: float = 0.15
 
 
+@dataclass(frozen=True)
+class Fatigue:
+    """Low-cycle fatigue of fibres, cycles counted by rainflow and summed by Miner's rule.
+
+    Attributes:
+        strain: range of a cycle that breaks a fibre at once.
+        exponent: m of Coffin and Manson: range = strain * cycles^m; below 0.
+
+    Source: Uriz & Mahin (2008), PEER report 2008/08, chapter 5: 0.095 and -0.5 for braces of fibres.
+    """
+
+    strain: float = 0.095
+    exponent: float = -0.5
+
+
 Steel = Elastic | Bilinear | MenegottoPinto

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from edesign.core._edcore import ffi, lib
 from edesign.core.damper import LawValues, amendment_number, law_number
 from edesign.core.errors import CoreError, status_name
-from edesign.core.materials import Bilinear, Elastic, MenegottoPinto, Steel
+from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 
 GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": lib.ED_COROTATIONAL}
 
@@ -53,8 +53,8 @@ class Model:
             raise CoreError(status_name(result), message)
         return result
 
-    def material(self, law: Steel) -> int:
-        """Add a uniaxial law."""
+    def material(self, law: Steel, fatigue: Fatigue | None = None) -> int:
+        """Add a uniaxial law, whose fibres break by `fatigue` if it is given."""
         match law:
             case Elastic(E):
                 kind, values = lib.ED_ELASTIC, [E]
@@ -62,7 +62,10 @@ class Model:
                 kind, values = lib.ED_BILINEAR, [E, fy, b]
             case MenegottoPinto(E, fy, b, R0, cR1, cR2):
                 kind, values = lib.ED_MENEGOTTO_PINTO, [E, fy, b, R0, cR1, cR2]
-        return self._checked(lib.ed_model_material(self._c, kind, len(values), values))
+        number = self._checked(lib.ed_model_material(self._c, kind, len(values), values))
+        if fatigue is not None:
+            self._checked(lib.ed_model_fatigue(self._c, number, fatigue.strain, -1.0 / fatigue.exponent))
+        return number
 
     def elastic_section(self, EA: float, EI: float) -> int:
         """Add an elastic section; EA in N, EI in N m2."""
@@ -145,6 +148,52 @@ class Model:
         """Add a pin-ended bar; area in m2."""
         result = lib.ed_model_truss(self._c, name.encode(), i, j, material, area, GEOMETRY[geometry])
         return self._element(name, result, -1)
+
+    def strut(
+        self,
+        name: str,
+        i: int,
+        j: int,
+        section: int,
+        material: int,
+        area: float,
+        camber: float,
+        elements: int = 4,
+        points: int = 5,
+        buckling_length: float = 1.0,
+        end_stiffness: float = 0.0,
+        geometry: str = "linear",
+    ) -> int:
+        """Add a brace that buckles between its ends: fibre beams with camber, condensed to one bar of the frame.
+
+        Args:
+            section: of fibres, bending as the brace buckles.
+            material, area: of the straight bar that the rest of the brace is (m2).
+            camber: of the first mode / buckling length.
+            elements: over the buckling length, even, 2 to 16.
+            points: Gauss-Lobatto points of each of them, 3 to 10.
+            buckling_length: / length between the nodes, above 0, at most 1.
+            end_stiffness: rotational, of each end, N m/rad; 0 pinned, infinite fixed. It is held to the chord.
+            geometry: of the chord.
+
+        Source: Uriz, Filippou & Mahin (2008), J. Struct. Eng. 134(4), 619-628.
+        """
+        result = lib.ed_model_strut(
+            self._c,
+            name.encode(),
+            i,
+            j,
+            section,
+            points,
+            elements,
+            camber,
+            buckling_length,
+            end_stiffness,
+            material,
+            area,
+            GEOMETRY[geometry],
+        )
+        return self._element(name, result, section)
 
     def link(self, name: str, i: int, j: int, stiffness: tuple[float, float, float], angle: float = 0.0) -> int:
         """Add an elastic link with stiffness along local x, y (N/m) and in rotation (N m/rad).

@@ -31,6 +31,9 @@ KINDS = {
     "given_force": lib.ED_GIVEN_FORCE,
     "given_deformation": lib.ED_GIVEN_DEFORMATION,
     "given_work": lib.ED_GIVEN_WORK,
+    "deflection": lib.ED_DEFLECTION,
+    "damage": lib.ED_DAMAGE,
+    "broken_share": lib.ED_BROKEN_SHARE,
 }
 
 ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers", "residual")

@@ -2,6 +2,7 @@
 
 #include "base/finite.h"
 #include "base/symmetric.h"
+#include "element/strut.h"
 
 #include <math.h>
 #include <string.h>
@@ -66,6 +67,10 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     e->stiffness[0] = 1.0 / e->flexibility[0];
     return isfinite(e->length + e->stiffness[0]);
   }
+  if (m->kind == ED_STRUT) {
+    e->strut = isfinite(e->length) ? ed_strut_new(model, m, e->length) : NULL;
+    return e->strut && ed_strut_finite(e->strut);
+  }
   if (m->kind == ED_ELASTIC_BEAM) {
     const ed_section *section = &model->sections[m->section[0]];
     const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
@@ -104,13 +109,23 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
   return isfinite(e->length) && ed_all_finite(6, e->stiffness);
 }
 
+void ed_element_clear(ed_element *e)
+{
+  ed_strut_free(e->strut);
+  e->strut = NULL;
+}
+
 int ed_element_block_size(const ed_element *e)
 {
+  if (e->kind == ED_STRUT)
+    return ed_strut_block_size(e->strut);
   return e->kind == ED_FIBRE_BEAM ? ED_BLOCK_POINTS + e->points * ED_POINT_SIZE : ED_BLOCK_POINTS;
 }
 
 int ed_element_record_size(const ed_element *e)
 {
+  if (e->kind == ED_STRUT)
+    return ed_strut_record_size(e->strut);
   int size = 0;
   for (int p = 0; p < e->points; p++)
     size += e->section[p]->record_size;
@@ -119,6 +134,8 @@ int ed_element_record_size(const ed_element *e)
 
 void ed_element_place_records(ed_element *e, double *records)
 {
+  if (e->kind == ED_STRUT)
+    ed_strut_place_records(e->strut, records);
   for (int p = 0; p < e->points; p++) {
     e->record[p] = e->section[p]->record_size ? records : NULL;
     records += e->section[p]->record_size;
@@ -127,6 +144,8 @@ void ed_element_place_records(ed_element *e, double *records)
 
 int ed_element_layer_size(const ed_element *e)
 {
+  if (e->kind == ED_STRUT)
+    return ed_strut_layer_size(e->strut);
   if (e->kind == ED_TRUSS)
     return ed_steel_state_size(e->steel);
   int size = 0;
@@ -137,6 +156,10 @@ int ed_element_layer_size(const ed_element *e)
 
 void ed_element_initialise(const ed_element *e, double *block, double *layers)
 {
+  if (e->kind == ED_STRUT) {
+    ed_strut_initialise(e->strut, block, layers);
+    return;
+  }
   memset(block, 0, (size_t)ed_element_block_size(e) * sizeof *block);
   if (e->kind == ED_TRUSS)
     ed_steel_initialise(e->steel, layers);
@@ -236,6 +259,8 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
   ed_kinematics_of(e, displacement, &k);
   if (e->kind == ED_FIBRE_BEAM)
     return ed_fibre_beam_update(e, k.v, layers, block, control);
+  if (e->kind == ED_STRUT)
+    return ed_strut_update(e->strut, k.v[0], layers, block, control);
   control->updates++;
   memcpy(block + ED_BLOCK_V, k.v, sizeof k.v);
   double *q = block + ED_BLOCK_Q;
@@ -257,6 +282,8 @@ int ed_element_layers_valid(const ed_element *e, const double *layers)
 {
   if (e->kind == ED_TRUSS)
     return ed_steel_state_valid(e->steel, layers);
+  if (e->kind == ED_STRUT)
+    return ed_strut_layers_valid(e->strut, layers);
   for (int p = 0; p < e->points; p++)
     if (!ed_section_state_valid(e->section[p], layers + e->layer_offset[p]))
       return 0;
@@ -267,10 +294,12 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
 {
   if (e->kind == ED_TRUSS)
     return e->area * e->length * ed_steel_commit(e->steel, layers, block[ED_BLOCK_V] / e->length);
+  if (e->kind == ED_STRUT)
+    return ed_strut_commit(e->strut, block, layers);
   double dissipated = 0.0;
   for (int p = 0; p < e->points; p++) {
     double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-    if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved)
+    if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
       continue; /* no layer yields: nothing to remember */
     const double *record = point[ED_POINT_REACH] > 0.0 ? e->record[p] : NULL; /* 0: no trial since the last commit */
     block[ED_BLOCK_INELASTIC] = point[ED_POINT_INELASTIC] = 1.0;
@@ -285,6 +314,8 @@ double ed_element_stored(const ed_element *e, const double *block, const double 
   const double *q = block + ED_BLOCK_Q, *v = block + ED_BLOCK_V;
   if (e->kind == ED_TRUSS)
     return 0.5 * q[0] * q[0] * e->flexibility[0];
+  if (e->kind == ED_STRUT)
+    return ed_strut_stored(e->strut, block, layers);
   if (e->kind == ED_FIBRE_BEAM) {
     double energy = 0.0;
     for (int p = 0; p < e->points; p++) {

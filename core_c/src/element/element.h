@@ -6,6 +6,8 @@
 
 #include "system/model.h"
 
+typedef struct ed_strut ed_strut;
+
 /* symmetric 3x3: 00 01 02 11 12 22 */
 typedef struct {
   const ed_member *member;
@@ -23,6 +25,7 @@ typedef struct {
   double stiffness[6];           /* elastic basic stiffness with releases */
   const ed_steel *steel;         /* truss */
   double area;
+  ed_strut *strut;               /* owns */
   double link[36];               /* link: stiffness, global */
   double link_axis[2];
   int state;                     /* offset of the block */
@@ -49,6 +52,7 @@ enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_
 
 /* 0: its length or stiffness is not a finite number. */
 int ed_element_setup(ed_element *element, const ed_model *model, int index);
+void ed_element_clear(ed_element *element); /* frees what setup made */
 int ed_element_block_size(const ed_element *element);
 int ed_element_layer_size(const ed_element *element);
 int ed_element_record_size(const ed_element *element);

@@ -10,6 +10,7 @@ typedef struct {
   double hardening; /* ratio b of the tangent after yield to E */
   double H;         /* kinematic modulus b E / (1 - b) */
   double R0, cR1, cR2;
+  double fatigue_strain, fatigue_exponent; /* damage of a cycle: (range / strain)^exponent; 0: fibres do not break */
 } ed_steel;
 
 enum {

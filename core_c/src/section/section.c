@@ -3,6 +3,7 @@
 #include "base/clones.h"
 #include "base/lanes.h"
 #include "edcore.h"
+#include "material/fatigue.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -17,6 +18,9 @@ static const double FAR = 1e300; /* strain: no limit */
 
 /* A record of curved layers: where they were evaluated, then n_padded stresses and tangents. */
 enum { RECORD_E0, RECORD_KAPPA, RECORD_LAYERS };
+
+/* Of layers that may break: how many have, and the largest damage. */
+enum { BROKEN_LAYERS, DAMAGE, FATIGUE_HEAD };
 
 static int by_depth(const void *left, const void *right)
 {
@@ -79,6 +83,7 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
   section->n_padded = padded;
   section->yield_strain = HUGE_VAL;
   const ed_steel *some_curved = NULL;
+  int may_break = 0;
   for (int i = 0; i < layers; i++) {
     const ed_steel *steel = &steels[fibres[i].material];
     if (steel->law == ED_MENEGOTTO_PINTO)
@@ -115,10 +120,16 @@ int ed_section_from_fibres(ed_section *section, int n, const double *y, const do
     section->yield_strain = fmin(section->yield_strain, steel->law == ED_ELASTIC ? HUGE_VAL : steel->fy / steel->E);
     if (curved)
       section->yield_strain = 0.0; /* its curve is never straight */
+    may_break |= steel->fatigue_strain > 0.0;
   }
   free(fibres);
   section->record_size = section->curved ? RECORD_LAYERS + 2 * padded : 0;
   section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
+  if (may_break) {
+    section->fatigue = section->state_size;
+    section->state_size += padded + FATIGUE_HEAD + layers * ED_FATIGUE_STATE;
+    section->yield_strain = 0.0; /* their strains are followed from the first on */
+  }
   /* the same sums as the kernels', so that an elastic answer equals the initial stiffness bit for bit */
   double *state = malloc((size_t)section->state_size * sizeof *state);
   if (!state) {
@@ -146,11 +157,33 @@ void ed_section_initialise(const ed_section *section, double *state)
   memset(state, 0, (size_t)section->state_size * sizeof *state);
   if (section->curved)
     ed_menegotto_pinto_initialise(&section->menegotto_pinto, curved_state(section, state));
+  if (section->fatigue)
+    memcpy(state + section->fatigue, section->area, (size_t)section->n_padded * sizeof *state);
+}
+
+/* Of the fatigue of a section, behind the intact areas of the layers. */
+static double *fatigue_head(const ed_section *section, const double *state)
+{
+  return (double *)state + section->fatigue + section->n_padded;
+}
+
+static double *fatigue_of(const ed_section *section, const double *state, int layer)
+{
+  return fatigue_head(section, state) + FATIGUE_HEAD + layer * ED_FATIGUE_STATE;
+}
+
+static int fatigue_valid(const ed_section *section, const double *state)
+{
+  for (int i = 0; i < section->n; i++)
+    if (!ed_fatigue_state_valid(fatigue_of(section, state, i)))
+      return 0;
+  return 1;
 }
 
 int ed_section_state_valid(const ed_section *section, const double *state)
 {
-  return !section->curved || ed_menegotto_pinto_valid(section->n_padded, curved_state(section, state));
+  return (!section->curved || ed_menegotto_pinto_valid(section->n_padded, curved_state(section, state))) &&
+         (!section->fatigue || fatigue_valid(section, state));
 }
 
 typedef ed_lanes lanes;
@@ -277,13 +310,9 @@ ED_CLONES static void curved_trial(const ed_section *section, const double *stat
   response->reach = reach;
 }
 
-void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
-                      ed_section_response *response)
+static void layers_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
+                         ed_section_response *response)
 {
-  if (section->elastic) {
-    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1, FAR};
-    return;
-  }
   if (section->straight)
     straight_trial(section, state, e0, kappa, response);
   if (!section->curved)
@@ -303,6 +332,54 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
   response->reach = fmin(response->reach, curved.reach);
 }
 
+/* Stress and tangent of a layer as if it had not broken. */
+static double layer_trial(const ed_section *section, const double *state, int layer, double strain, double *tangent)
+{
+  double stress;
+  if (section->steel[layer]->law != ED_MENEGOTTO_PINTO) {
+    ed_steel_trial(section->steel[layer], state + layer, strain, &stress, tangent);
+    return stress;
+  }
+  const int first = layer / HALF * HALF;
+  double strains[HALF], stresses[HALF], tangents[HALF], reach;
+  for (int i = 0; i < HALF; i++)
+    strains[i] = strain;
+  ed_menegotto_pinto_trial(&section->menegotto_pinto, curved_state(section, state), first, HALF, strains, stresses, tangents, &reach);
+  *tangent = tangents[layer - first];
+  return stresses[layer - first];
+}
+
+/* What layers that have broken took part with. */
+static void remove_broken(const ed_section *section, const double *state, double e0, double kappa, ed_section_response *response)
+{
+  response->elastic = 0; /* every strain is followed by a commit */
+  for (int i = 0; fatigue_head(section, state)[BROKEN_LAYERS] > 0.0 && i < section->n; i++) {
+    if (!ed_fatigue_broken(fatigue_of(section, state, i)))
+      continue;
+    const double y = section->y[i];
+    double tangent, stress = layer_trial(section, state, i, e0 - kappa * y, &tangent);
+    stress *= section->area[i];
+    tangent *= section->area[i];
+    response->N -= stress;
+    response->M += stress * y;
+    response->k11 -= tangent;
+    response->k12 += tangent * y;
+    response->k22 -= tangent * y * y;
+  }
+}
+
+void ed_section_trial(const ed_section *section, const double *state, double e0, double kappa, double *record,
+                      ed_section_response *response)
+{
+  if (section->elastic) {
+    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1, FAR};
+    return;
+  }
+  layers_trial(section, state, e0, kappa, record, response);
+  if (section->fatigue)
+    remove_broken(section, state, e0, kappa, response);
+}
+
 /* Stresses of curved layers first to first + count at (e0, kappa), from a record within reach. */
 ED_INLINE void recorded_stresses(const ed_section *section, const double *record, int first, int count, double e0, double kappa,
                                  double *stress)
@@ -313,7 +390,9 @@ ED_INLINE void recorded_stresses(const ed_section *section, const double *record
     ED_STORE(stress + i, ED_LOAD(recorded + i) + ED_LOAD(tangent + i) * ED_LOAD(stress + i));
 }
 
-ED_CLONES static double curved_commit(const ed_section *section, double *state, double e0, double kappa, const double *record)
+/* `area`: of the curved layers. */
+ED_CLONES static double curved_commit(const ed_section *section, double *state, double e0, double kappa, const double *record,
+                                      const double *area)
 {
   lanes low = {0}, high = {0};
   for (int first = 0; first < section->n_padded; first += CHUNK) {
@@ -326,20 +405,64 @@ ED_CLONES static double curved_commit(const ed_section *section, double *state, 
       ed_menegotto_pinto_trial(&section->menegotto_pinto, state, first, count, strain, stress, tangent, &reach);
     ed_menegotto_pinto_commit(&section->menegotto_pinto, state, first, count, strain, stress, dissipated);
     for (int i = 0; i < count; i += ED_LANES) {
-      low += ED_LOAD(section->curved_area + first + i) * ED_LOAD(dissipated + i);
-      high += ED_LOAD(section->curved_area + first + i + HALF) * ED_LOAD(dissipated + i + HALF);
+      low += ED_LOAD(area + first + i) * ED_LOAD(dissipated + i);
+      high += ED_LOAD(area + first + i + HALF) * ED_LOAD(dissipated + i + HALF);
     }
   }
   return total(&low, &high);
 }
 
+/* Follows the strains of the layers; the return is the energy that those gave up which break here. */
+static double follow_fatigue(const ed_section *section, double *state, double e0, double kappa)
+{
+  double energy = 0.0, *head = fatigue_head(section, state);
+  for (int i = 0; i < section->n; i++) {
+    const ed_steel *steel = section->steel[i];
+    double *fatigue = fatigue_of(section, state, i), tangent;
+    const double strain = e0 - kappa * section->y[i];
+    if (steel->fatigue_strain == 0.0 || ed_fatigue_broken(fatigue))
+      continue;
+    const double damage = ed_fatigue_follow(steel, fatigue, strain);
+    head[DAMAGE] = fmin(fmax(head[DAMAGE], damage), 1.0);
+    if (damage < 1.0)
+      continue;
+    const double stress = layer_trial(section, state, i, strain, &tangent);
+    if (!(stress > 0.0))
+      continue;
+    ed_fatigue_break(fatigue);
+    head[BROKEN_LAYERS] += 1.0;
+    state[section->fatigue + i] = 0.0;
+    energy += section->area[i] * ed_steel_stored(steel, stress);
+  }
+  return energy;
+}
+
 double ed_section_commit(const ed_section *section, double *state, double e0, double kappa, const double *record)
 {
-  double energy = section->curved ? curved_commit(section, curved_state(section, state), e0, kappa, record) : 0.0;
+  const double *area = section->fatigue ? state + section->fatigue : section->area; /* what has broken dissipates nothing */
+  double energy = 0.0;
+  if (section->curved)
+    energy = curved_commit(section, curved_state(section, state), e0, kappa, record,
+                           section->fatigue && !section->straight ? area : section->curved_area);
   for (int i = 0; i < section->n && section->straight; i++)
     if (section->steel[i]->law != ED_MENEGOTTO_PINTO)
-      energy += section->area[i] * ed_steel_commit(section->steel[i], state + i, e0 - kappa * section->y[i]);
-  return energy;
+      energy += area[i] * ed_steel_commit(section->steel[i], state + i, e0 - kappa * section->y[i]);
+  return section->fatigue ? energy + follow_fatigue(section, state, e0, kappa) : energy;
+}
+
+double ed_section_damage(const ed_section *section, const double *state)
+{
+  return section->fatigue ? fatigue_head(section, state)[DAMAGE] : 0.0;
+}
+
+double ed_section_broken_share(const ed_section *section, const double *state)
+{
+  double broken = 0.0, all = 0.0;
+  for (int i = 0; i < section->n && section->fatigue; i++) {
+    all += section->area[i];
+    broken += section->area[i] - state[section->fatigue + i];
+  }
+  return all > 0.0 ? broken / all : 0.0;
 }
 
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa)
@@ -352,9 +475,15 @@ double ed_section_stored(const ed_section *section, const double *state, double 
     *(i % ED_LANES ? &high : &low) += ED_LOAD(section->EA + i) * strain * strain;
   }
   double energy = 0.5 * total(&low, &high);
+  for (int i = 0; section->fatigue && section->straight && i < section->n; i++)
+    if (section->steel[i]->law != ED_MENEGOTTO_PINTO && ed_fatigue_broken(fatigue_of(section, state, i))) {
+      const double strain = e0 - kappa * section->y[i] - state[i];
+      energy -= 0.5 * section->EA[i] * strain * strain;
+    }
+  const double *area = section->fatigue ? state + section->fatigue : section->area;
   for (int i = 0; i < section->n && section->curved; i++)
     if (section->steel[i]->law == ED_MENEGOTTO_PINTO)
-      energy += section->area[i] *
+      energy += area[i] *
                 ed_steel_stored(section->steel[i], ed_menegotto_pinto_stress(curved_state(section, state), i));
   return energy;
 }
@@ -364,13 +493,6 @@ void ed_section_layer(const ed_section *section, const double *state, int layer,
 {
   double tangent;
   *strain = e0 - kappa * section->y[layer];
-  if (section->steel[layer]->law != ED_MENEGOTTO_PINTO) {
-    ed_steel_trial(section->steel[layer], state + layer, *strain, stress, &tangent);
-    return;
-  }
-  const int first = layer / HALF * HALF;
-  double strains[HALF], stresses[HALF], tangents[HALF], reach;
-  strains_of(section, first, HALF, e0, kappa, strains);
-  ed_menegotto_pinto_trial(&section->menegotto_pinto, curved_state(section, state), first, HALF, strains, stresses, tangents, &reach);
-  *stress = stresses[layer - first];
+  const int broken = section->fatigue && ed_fatigue_broken(fatigue_of(section, state, layer));
+  *stress = broken ? 0.0 : layer_trial(section, state, layer, *strain, &tangent);
 }

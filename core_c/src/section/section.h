@@ -22,6 +22,7 @@ typedef struct {
   int n_padded;
   int straight;         /* some laws are bilinear or elastic */
   int curved;           /* some laws are Menegotto-Pinto's */
+  int fatigue;          /* layers may break: where the state keeps their intact areas and their damage; 0: they do not */
   int state_size;       /* doubles a section of this kind keeps */
   int record_size;      /* doubles of a trial that its commit can use; 0: none */
   double k11, k12, k22; /* initial stiffness */
@@ -56,6 +57,9 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
 double ed_section_commit(const ed_section *section, double *state, double e0, double kappa, const double *record);
 /* Recoverable energy a unit length at (e0, kappa), to which the state has been committed. */
 double ed_section_stored(const ed_section *section, const double *state, double e0, double kappa);
+/* Largest damage of a layer, 1 where one has broken, and the share of the area that has broken; both 0 where layers do not break. */
+double ed_section_damage(const ed_section *section, const double *state);
+double ed_section_broken_share(const ed_section *section, const double *state);
 void ed_section_layer(const ed_section *section, const double *state, int layer, double e0, double kappa,
                       double *stress, double *strain);
 

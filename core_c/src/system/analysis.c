@@ -102,6 +102,8 @@ void ed_analysis_free(ed_analysis *a)
   ed_run_end(a);
   ed_solver_free(a->solver);
   ed_devices_free(a);
+  for (int m = 0; a->elements && m < a->model->n_members; m++)
+    ed_element_clear(&a->elements[m]);
   void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
                     a->tangent,         a->initial,       a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,

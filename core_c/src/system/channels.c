@@ -1,4 +1,5 @@
 /* Recorded quantities at the committed state. */
+#include "element/strut.h"
 #include "system/analysis.h"
 
 #include <limits.h>
@@ -15,8 +16,10 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     return component >= 0 && component < 2;
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
+  if (kind >= ED_DEFLECTION)
+    return kind <= ED_BROKEN_SHARE && object >= 0 && object < model->n_members && component == 0 && a->elements[object].kind == ED_STRUT;
   if (kind >= ED_GIVEN_FORCE)
-    return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
+    return object >= 0 && object < ED_HISTORY_FORCES && component == 0;
   if (kind >= ED_DAMPER_FORCE)
     return object >= 0 && object < model->n_devices && component >= 0 && component <= (kind == ED_DAMPER_DEFORMATION);
   if (object < 0 || object >= model->n_members || component < 0)
@@ -165,6 +168,15 @@ static double element_value(const ed_analysis *a, const ed_term *term)
   }
 }
 
+static double strut_value(const ed_analysis *a, const ed_term *term)
+{
+  const ed_element *e = &a->elements[term->object];
+  if (term->kind == ED_DEFLECTION)
+    return ed_strut_deflection(e->strut, a->committed.elements + e->state);
+  const double *layers = a->layers + e->layers;
+  return term->kind == ED_DAMAGE ? ed_strut_damage(e->strut, layers) : ed_strut_broken_share(e->strut, layers);
+}
+
 double ed_channel_value(const ed_analysis *a, int channel)
 {
   const ed_channel_head *head = &a->channels[channel];
@@ -178,6 +190,8 @@ double ed_channel_value(const ed_analysis *a, int channel)
       part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
     else if (term->kind == ED_LOAD_FACTOR)
       part = a->factors_committed[term->object];
+    else if (term->kind >= ED_DEFLECTION)
+      part = strut_value(a, term);
     else if (term->kind >= ED_GIVEN_FORCE)
       part = ed_history_force_value(a, term->kind, term->object);
     else if (term->kind >= ED_DAMPER_FORCE)

@@ -1,5 +1,7 @@
 #include "system/model.h"
 
+#include "element/strut.h"
+
 #include <math.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -94,6 +96,19 @@ int ed_model_material(ed_model *model, int law, int n, const double *p)
   return model->n_materials - 1;
 }
 
+int ed_model_fatigue(ed_model *model, int material, double strain, double exponent)
+{
+  if (material < 0 || material >= model->n_materials)
+    return ed_model_refuse(model, ED_E_ID, "there is no material %d", material);
+  if (!(strain > 0.0 && exponent > 0.0) || !isfinite(strain + exponent))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: fatigue strain %g and exponent %g must be positive", strain, exponent);
+  if (model->n_sections)
+    return ed_model_refuse(model, ED_E_STATE, "material: declare fatigue before the first section");
+  model->materials[material].fatigue_strain = strain;
+  model->materials[material].fatigue_exponent = exponent;
+  return ED_OK;
+}
+
 int ed_model_elastic_section(ed_model *model, double EA, double EI)
 {
   if (!(EA > 0.0 && EI > 0.0 && isfinite(EA) && isfinite(EI)))
@@ -113,6 +128,13 @@ int ed_model_fibre_section(ed_model *model, int n, const double *y, const double
     if (material[i] < 0 || material[i] >= model->n_materials)
       return ed_model_refuse(model, ED_E_ID, "section: fibre %d has no material %d", i + 1, material[i]);
   }
+  int laws[ED_MENEGOTTO_PINTO + 1] = {0}, breaks = 0;
+  for (int i = 0; i < n; i++) {
+    laws[model->materials[material[i]].law] = 1;
+    breaks |= model->materials[material[i]].fatigue_strain > 0.0;
+  }
+  if (breaks && laws[ED_MENEGOTTO_PINTO] && (laws[ED_ELASTIC] || laws[ED_BILINEAR]))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "section: fibres that break take one kind of law");
   APPEND(model, sections, n_sections);
   ed_section *section = &model->sections[model->n_sections - 1];
   if (!ed_section_from_fibres(section, n, y, area, material, model->materials)) {
@@ -272,6 +294,39 @@ int ed_model_truss(ed_model *model, const char *name, int i, int j, int material
     return id;
   model->members[id].material = material;
   model->members[id].area = area;
+  return id;
+}
+
+int ed_model_strut(ed_model *model, const char *name, int i, int j, int section, int points, int elements, double camber,
+                   double buckling_length, double end_stiffness, int material, double area, int geometry)
+{
+  const char *shown = name ? name : "";
+  if (section < 0 || section >= model->n_sections || model->sections[section].elastic)
+    return ed_model_refuse(model, ED_E_ID, "strut %s: there is no fibre section %d", shown, section);
+  if (points < 3 || points > ED_MAX_POINTS)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d integration points are not in 3..%d", shown, points, ED_MAX_POINTS);
+  if (elements < 2 || elements > ED_STRUT_MAX_ELEMENTS || elements % 2)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d elements are no even number in 2..%d", shown, elements,
+                           ED_STRUT_MAX_ELEMENTS);
+  if (!(camber > 0.0 && camber <= 0.1))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: the camber %g is not above 0 and at most 0.1", shown, camber);
+  if (!(buckling_length > 0.0 && buckling_length <= 1.0))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: the share %g of its length that buckles is not above 0 and at most 1", shown,
+                           buckling_length);
+  if (!(end_stiffness >= 0.0))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: the stiffness of its ends must not be negative", shown);
+  const int id = ed_model_truss(model, name, i, j, material, area, geometry);
+  if (id < 0)
+    return id;
+  ed_member *m = &model->members[id];
+  m->kind = ED_STRUT;
+  m->points = points;
+  for (int p = 0; p < points; p++)
+    m->section[p] = section;
+  m->elements = elements;
+  m->camber = camber;
+  m->buckling_length = buckling_length;
+  m->end_stiffness = end_stiffness;
   return id;
 }
 

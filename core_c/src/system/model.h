@@ -12,7 +12,7 @@
 
 enum { ED_NAME = 48, ED_MESSAGE = 1024 };
 
-typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK } ed_element_kind;
+typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK, ED_STRUT } ed_element_kind;
 
 typedef struct {
   char name[ED_NAME];
@@ -28,10 +28,13 @@ typedef struct {
   int node[2];
   int geometry;
   int release[2];
-  int points;                   /* fibre beam */
+  int points;                   /* fibre beam, strut */
   int section[ED_MAX_POINTS];   /* beams; ids */
-  int material;                 /* truss */
-  double area;                  /* truss */
+  int material;                 /* truss, strut */
+  double area;                  /* truss, strut */
+  int elements;                 /* strut: beams over its buckling length */
+  double camber, buckling_length; /* strut: camber / buckling length, buckling length / length */
+  double end_stiffness;         /* strut: rotational, of its ends; HUGE_VAL: fixed */
   double stiffness[3], angle;   /* link */
   int loaded;
 } ed_member;
