@@ -57,6 +57,8 @@ _SOURCES = {
     "beam_plastic_rotation_rad": _Source("beam_plastic_rotation"),
     "column_plastic_rotation_rad": _Source("column_plastic_rotation"),
     "column_axial_force_N": _Source("column_axial_force"),
+    "brace_ductility": _Source("brace_ductility"),
+    "brace_damage": _Source("brace_damage"),
     "damper_strain": _Source("damper_strain"),
     "damper_deformation_m": _Source("damper_deformation"),
     "damper_force_N": _Source("damper_force"),
@@ -69,6 +71,8 @@ _DIMENSIONS = {  # of the components of a measure that may be selected by storey
     "beam_plastic_rotation_rad": "beam",
     "column_plastic_rotation_rad": "column",
     "column_axial_force_N": "column",
+    "brace_ductility": "buckling_brace",
+    "brace_damage": "buckling_brace",
     "damper_strain": "damper",
     "damper_deformation_m": "damper",
     "damper_force_N": "damper",
@@ -81,10 +85,11 @@ def response_measures(group: Group) -> dict[str, float | None]:
     All are absolute values, the largest over time and over floors, storeys, members and member ends. Displacements are
     relative to the ground, the acceleration is total where its name does not say otherwise. Residual values are means
     over the last fundamental period of a history, so that what is left of the free vibration does not count; final
-    values are those of the last moment. Rotations are plastic rotations of member ends;
-    the axial force is of columns, gravity included; the strain of dampers is the shear of their layers. The base shear
-    is that of the reactions, with what dampers bring into the supports; the one of columns is the shear of the columns
-    and braces of storey 1.
+    values are those of the last moment. Rotations are plastic rotations of member ends; the axial force is of columns,
+    gravity included. The ductility of braces that buckle is their elongation, positive or negative, over that of first
+    yield, their damage that of low-cycle fatigue. The strain of dampers is the shear of their layers. The base shear is
+    that of the reactions, with what dampers bring into the supports; the one of columns is the shear of the columns and
+    braces of storey 1.
 
     Args:
         group: results of one analysis, as archived.
@@ -172,6 +177,8 @@ def _storey(group: Group, dimension: str, at: int) -> int:
     if dimension == "damper":
         stored = group.variables.get("damper_storey")
         return 0 if stored is None else int(stored.values[at])
+    if dimension == "buckling_brace":
+        return int(_label(group, dimension, at).split("_")[2])  # D_1_3_r
     return int(_label(group, dimension, at).rpartition("_")[2])  # 3, C_A_3, B_1_3
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -14,13 +15,15 @@ from edesign.building.loads import beam_loads, node_loads
 from edesign.building.masses import node_masses
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
+from edesign.building.struts import equivalent_camber
 from edesign.errors import InputError
 from edesign.project import names
+from edesign.project.braces import BraceBuckling, Fracture
 from edesign.project.frame import Frame
 from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
-from edesign.project.members import BeamRun, BraceRun, ColumnRun, SectionAxis
+from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection
+from edesign.project.sections import ElasticSection, SectionAxis
 
 if TYPE_CHECKING:
     from edesign.core import Model, Steel
@@ -37,6 +40,7 @@ class Member:
         element: its id in the core.
         start, end: names of its nodes; a column starts below, beams and braces start at the left.
         layers: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
+        yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
     """
 
     name: str
@@ -45,6 +49,7 @@ class Member:
     start: str
     end: str
     layers: np.ndarray | None = None
+    yield_elongation: float | None = None
 
 
 @dataclass(frozen=True)
@@ -189,6 +194,9 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
         start, end = ends[name]
         kind = kinds[name[0]]
         if isinstance(run, BraceRun):
+            if run.buckling is not None:
+                found[name] = _buckling_brace(project, model, parts, name, run, run.buckling, (start, end), nodes)
+                continue
             material, area = parts.brace(run)
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
             found[name] = Member(name, kind, element, start, end)
@@ -207,6 +215,46 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
     return found
 
 
+def _buckling_brace(
+    project: Project,
+    model: Model,
+    parts: _Parts,
+    name: str,
+    run: BraceRun,
+    buckling: BraceBuckling,
+    ends: tuple[str, str],
+    nodes: dict[str, int],
+) -> Member:
+    """Add a brace that buckles."""
+    start, end = ends
+    (x0, y0), (x1, y1) = (project.frame.nodes[node] for node in ends)
+    length = math.hypot(x1 - x0, y1 - y0)
+    camber = buckling.camber
+    if camber == "ec3":
+        effective = run.buckling_length_factor * length
+        camber = equivalent_camber(project, run.section, run.material, buckling.axis, effective)
+    held = {"pinned": 0.0, "fixed": math.inf}
+    stiffness = held[buckling.ends] if isinstance(buckling.ends, str) else buckling.ends.stiffness
+    section, material, area = parts.buckling_brace(run, buckling)
+    element = model.strut(
+        name,
+        nodes[start],
+        nodes[end],
+        section,
+        material,
+        area,
+        camber,
+        elements=buckling.n_elements,
+        points=project.elements.integration_points,
+        buckling_length=run.buckling_length_factor,
+        end_stiffness=stiffness,
+        geometry=project.elements.geometry.braces,
+    )
+    steel = project.materials[run.material]
+    yields = math.inf if isinstance(steel, ElasticMaterial) else steel.fy * length / steel.E
+    return Member(name, "brace", element, start, end, yield_elongation=yields)
+
+
 ONE_OF_A_PAIR = 0.5
 """Share of its area that a brace has that does not count in compression.
 
@@ -223,10 +271,14 @@ class _Parts:
         self._model = model
         self._shapes: dict[tuple[str, SectionAxis], CrossSection | ElasticSection] = {}
         self._materials: dict[tuple[str, bool], int] = {}
+        self._breaking: dict[tuple[str, Fracture], int] = {}
         self._sections: dict[tuple[str, str, SectionAxis], tuple[int, np.ndarray | None]] = {}
+        self._buckling: dict[tuple[str, int, SectionAxis], int] = {}
         for run in project.frame.members.values():
             if isinstance(run, BraceRun) or not self._stays_elastic(run):
                 self._material(run)
+            if isinstance(run, BraceRun) and run.buckling is not None:
+                self._fibre_material(run, run.buckling)
 
     def section(self, run: Run) -> tuple[int, np.ndarray | None]:
         """Id of the section of a column or beam, and the depths of its layers unless it is elastic."""
@@ -238,6 +290,18 @@ class _Parts:
     def brace(self, run: BraceRun) -> tuple[int, float]:
         """Material id and area of a brace; on an elastic section the material is its elastic part."""
         return self._material(run), self._shape(run).area * (1.0 if run.compression else ONE_OF_A_PAIR)
+
+    def buckling_brace(self, run: BraceRun, buckling: BraceBuckling) -> tuple[int, int, float]:
+        """Ids of the section and of the material of a brace that buckles, and its area."""
+        shape = cross_section(self._project, run.section, buckling.axis)
+        if not isinstance(shape, CrossSection):
+            where = self._project.where("sections", run.section)
+            raise InputError(f"{where}: section {run.section}: a brace that buckles needs a section of fibres")
+        material = self._fibre_material(run, buckling)
+        key = (run.section, material, buckling.axis)
+        if key not in self._buckling:
+            self._buckling[key] = self._model.fibre_section(*shape.fibres, material)
+        return self._buckling[key], self._material(run), shape.area
 
     def _make(self, run: Run) -> tuple[int, np.ndarray | None]:
         shape = self._shape(run)
@@ -265,6 +329,18 @@ class _Parts:
         if key not in self._materials:
             self._materials[key] = self._model.material(_law(self._project.materials[run.material], key[1]))
         return self._materials[key]
+
+    def _fibre_material(self, run: BraceRun, buckling: BraceBuckling) -> int:
+        """The material of the fibres of a brace that buckles."""
+        if buckling.fracture is None:
+            return self._material(run)
+        key = (run.material, buckling.fracture)
+        if key not in self._breaking:
+            from edesign import core
+
+            fatigue = core.Fatigue(buckling.fracture.strain, buckling.fracture.exponent)
+            self._breaking[key] = self._model.material(_law(self._project.materials[run.material], False), fatigue)
+        return self._breaking[key]
 
 
 def _axis(run: Run) -> SectionAxis:

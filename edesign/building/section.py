@@ -67,6 +67,11 @@ class CrossSection:
         moments = [s.width * s.depth * s.centre for s in self.strips] + [s.area * s.centre for s in self.spots]
         return math.fsum(moments) / self.area
 
+    @property
+    def farthest(self) -> float:
+        """Distance of the outermost edge of a rectangle from the centroid, m; spots lie inside."""
+        return max(abs(s.centre - self.centroid) + 0.5 * s.depth for s in self.strips)
+
     @cached_property
     def inertia(self) -> float:
         """Second moment of area about the centroid, exact for the parts (not for the fibres), m4."""

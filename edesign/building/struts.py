@@ -1,4 +1,4 @@
-"""Members as struts: the compression at which they buckle by EN 1993-1-1, which the analysis does not follow.
+"""Members as struts: the compression at which they buckle by EN 1993-1-1, which the analysis of most does not follow.
 
 A brace is a bar between two nodes and carries compression as it carries tension; a column is analysed in the plane of
 the frame only. Both axes count here, with the buckling length between nodes (of braces times their factor).
@@ -8,13 +8,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
-from edesign.building.frame import FrameModel
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
 from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.buckling import (
+    IMPERFECTION,
+    NO_BUCKLING,
     Curve,
     buckling_resistance,
     critical_force,
@@ -25,10 +26,14 @@ from edesign.codes.ec3.buckling import (
     solid_curve,
     welded_i_curve,
 )
+from edesign.project.braces import CAMBER
 from edesign.project.materials import ElasticMaterial, Material
 from edesign.project.members import BraceRun
 from edesign.project.project import Project
-from edesign.project.sections import PlateSection
+from edesign.project.sections import PlateSection, RectangleSection, SectionAxis
+
+if TYPE_CHECKING:
+    from edesign.building.frame import FrameModel
 
 AxisData = tuple[float, Curve]  # second moment of area, m4, and buckling curve
 
@@ -60,8 +65,8 @@ class Bar:
     Attributes:
         name: of the column or brace, or of the damper that the brace belongs to.
         section: its name.
-        strut: None: the section has no second moment of area, or the bar does not count in compression.
-        compression: whether it counts there.
+        strut: None: the section has no second moment of area, or the bar is not to be judged.
+        compression: whether its compression is to be judged: not where it does not count, or the bar buckles itself.
     """
 
     name: str
@@ -97,6 +102,38 @@ def strut(project: Project, section: str, material: str, length: float) -> Strut
     return Strut(length, governing, buckling_resistance(area, steel.fy, chi), squash)
 
 
+SMALLEST_CAMBER = 1e-5
+"""Camber / length of a brace that by EN 1993-1-1, 6.3.1.2(4), needs none: a straight one has no side to buckle to."""
+
+
+def equivalent_camber(project: Project, section: str, material: str, axis: SectionAxis, length: float) -> float:
+    """Return the camber / length with which first yield of a pinned strut is at N_b,Rd.
+
+    Args:
+        project: the validated project.
+        section, material: names in it; the steel yields.
+        axis: about which the strut buckles; a stack of rectangles has its own only.
+        length: L_cr, m.
+
+    Source: EN 1993-1-1:2005, 5.3.2(11) with 6.3.1.2: e_0 = alpha (lambda - 0.2) W_el / A.
+    """
+    steel = project.materials[material]
+    if isinstance(steel, ElasticMaterial):
+        return CAMBER
+    own, shape = project.sections.get(section), cross_section(project, section, axis)
+    area, axes = _section(project, section, steel)
+    inertia, curve = axes[1 if axis == "weak" and not isinstance(own, RectangleSection) else 0]
+    if own is not None:
+        assert isinstance(shape, CrossSection)  # an elastic section does not buckle
+        farthest = shape.farthest
+    else:
+        known = steel_section(section)
+        farthest = 0.5 * (known.b if axis == "weak" else known.h)
+    relative = slenderness(area, steel.fy, critical_force(steel.E, inertia, length))
+    camber = IMPERFECTION[curve] * (relative - NO_BUCKLING) * inertia / (farthest * area)
+    return max(camber / length, SMALLEST_CAMBER)
+
+
 def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
     """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
     found = []
@@ -105,7 +142,7 @@ def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
         (x0, y0), (x1, y1) = (frame.frame.nodes[node] for node in (member.start, member.end))
         length = math.hypot(x1 - x0, y1 - y0) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
         kind: Kind = "brace" if member.kind == "brace" else "column"
-        if isinstance(run, BraceRun) and not run.compression:
+        if isinstance(run, BraceRun) and (run.buckling is not None or not run.compression):
             found.append(Bar(member.name, kind, run.section, None, compression=False))
             continue
         found.append(Bar(member.name, kind, run.section, strut(project, run.section, run.material, length)))

@@ -17,7 +17,7 @@ OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 
 """Probability of exceedance in 50 years of each rehabilitation objective (thesis Table 5.4)."""
 
 _SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
-_PREFIXES = {"beam": "B_", "column": "C_"}
+_PREFIXES = {"beam": "B_", "column": "C_", "brace": "D_"}
 
 
 def check_criteria(
@@ -93,7 +93,7 @@ def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCr
     if isinstance(criterion, MeasureCriterion):
         kind = criterion.measure.partition("_")[0]
         whole = "drift" in criterion.measure and criterion.measure != "roof_drift"
-        if kind not in ("beam", "column", "damper") or criterion.measure == "column_base_shear_N":
+        if kind not in ("beam", "column", "brace", "damper") or criterion.measure == "column_base_shear_N":
             if criterion.members:
                 problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
             if not criterion.storeys.is_all and not whole:
@@ -101,6 +101,11 @@ def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCr
             return
     else:
         kind = {"columns": "column", "beams": "beam", "all": ""}[criterion.of]
+    buckling = any(run.buckling is not None for run in project.frame.braces)
+    if isinstance(criterion, MeasureCriterion) and kind == "brace" and not buckling:
+        message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none"
+        problems.at_value((*at, "measure"), message)
+        return
     if kind == "damper":
         return  # its names are given when the variant is built
     allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from edesign.project import names
 from edesign.project.frame import Frame
+from edesign.project.materials import ElasticMaterial
 from edesign.project.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
 from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.project import Project
@@ -34,6 +35,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     for i, brace in enumerate(frame.braces):
         check.numbers(("frame", "braces", i, "bays"), brace.bays, "bay", frame.n_bays)
         check.numbers(("frame", "braces", i, "storeys"), brace.storeys, "storey", frame.n_storeys)
+        _buckling(project, problems, ("frame", "braces", i), brace)
     for i, gap in enumerate(frame.missing.columns):
         check.column_places(("frame", "missing", "columns", i), gap)
     for i, hole in enumerate(frame.missing.beams):
@@ -130,6 +132,28 @@ def _supports(frame: Frame, problems: Problems) -> None:
                 allowed = ["default", *frame.lines]
                 message = f"there is no line `{line}`{did_you_mean(line, allowed)} (allowed here: {listed(allowed)})"
                 problems.at_key(("frame", "supports", line), message)
+
+
+def _buckling(project: Project, problems: Problems, keys: Keys, brace: BraceRun) -> None:
+    """A brace that buckles is compressed, made of fibres, and has points enough; one that breaks yields."""
+    if brace.buckling is None:
+        return
+    where = (*keys, "buckling")
+    if not brace.compression:
+        problems.at_value(
+            (*keys, "compression"), "a brace with `buckling` counts in compression; leave one of them out"
+        )
+    if isinstance(project.sections.get(brace.section), ElasticSection):
+        message = (
+            f"the section `{brace.section}` is elastic; a brace that buckles needs plates, `rectangles` or a profile"
+        )
+        problems.at_value((*keys, "section"), message)
+    if project.elements.integration_points < 3:
+        message = "a brace that buckles needs at least 3 `integration_points`, `elements` has "
+        problems.at_key(where, f"{message}{project.elements.integration_points}")
+    if brace.buckling.fracture is not None and isinstance(project.materials.get(brace.material), ElasticMaterial):
+        message = f"the material `{brace.material}` is elastic; only a steel that yields breaks by low-cycle fatigue"
+        problems.at_key((*where, "fracture"), message)
 
 
 def _covered(frame: Frame, problems: Problems) -> bool:

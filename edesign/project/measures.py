@@ -24,6 +24,8 @@ MEASURE_KINDS = {
     "beam_plastic_rotation_rad": ROTATION,
     "column_plastic_rotation_rad": ROTATION,
     "column_axial_force_N": FORCE,
+    "brace_ductility": RATIO,
+    "brace_damage": RATIO,
     "damper_strain": RATIO,
     "damper_deformation_m": LENGTH,
     "damper_force_N": FORCE,

@@ -5,11 +5,12 @@ from __future__ import annotations
 from typing import Literal
 
 from edesign.project.base import Model
+from edesign.project.braces import BraceBuckling
+from edesign.project.sections import SectionAxis
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.units import PositiveRatio
 
 BraceKind = Literal["rising", "falling", "cross", "chevron", "v"]
-SectionAxis = Literal["strong", "weak"]
 
 
 class ColumnPlaces(Model):
@@ -49,7 +50,7 @@ class BraceRun(Model):
 
     A chevron is two braces to the middle of the beam above, a v two from the middle of the beam below. Their buckling
     length is `buckling_length_factor` times the length between nodes. Without `compression` one of each pair is meant
-    to act, the one in tension; each then has half its area.
+    to act, the one in tension; each then has half its area. With `buckling` they buckle in the analysis.
     """
 
     bays: Numbers
@@ -59,6 +60,7 @@ class BraceRun(Model):
     material: str
     compression: bool = True
     buckling_length_factor: PositiveRatio = 1.0
+    buckling: BraceBuckling | None = None
 
 
 class Missing(Model):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from typing import Annotated, Any, Protocol
+from typing import Annotated, Any, Literal, Protocol
 
 from pydantic import BaseModel, Discriminator, Field, Tag
 
@@ -11,6 +11,7 @@ from edesign.project.base import Model
 from edesign.project.problems import did_you_mean, listed
 from edesign.project.units import Length, PositiveArea, PositiveInertia, PositiveLength
 
+SectionAxis = Literal["strong", "weak"]
 FibreCount = Annotated[int, Field(ge=1, le=1000)]
 
 

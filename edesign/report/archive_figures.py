@@ -12,6 +12,7 @@ from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.axial_figures import axial_figures
+from edesign.report.brace_figures import brace_figures
 from edesign.report.building_curves import mode_shapes, spectra, storey_curves
 from edesign.report.building_figures import elevations
 from edesign.report.building_plans import plans
@@ -66,6 +67,7 @@ FIGURES = (
     response_figures,
     energy_figures,
     moment_rotation_figures,
+    brace_figures,
     damper_figures,
     temperature_figures,
     incremental_figures,

@@ -20,7 +20,11 @@ DAMPER_COLUMNS = (
     ("damper u [mm]", "damper_deformation_m", 1e-3),
     ("damper F [kN]", "damper_force_N", 1e3),
 )
-MEASURE_COLUMNS = (*FRAME_COLUMNS, *DAMPER_COLUMNS)
+BRACE_COLUMNS = (
+    ("brace ductility", "brace_ductility", 1.0),
+    ("brace damage", "brace_damage", 1.0),
+)
+MEASURE_COLUMNS = (*FRAME_COLUMNS, *BRACE_COLUMNS, *DAMPER_COLUMNS)
 
 MEASURE_ROWS = (  # name, measure, unit of the name in SI; those of the frame are in thesis Tables 5.8 and 5.9
     ("roof displacement [cm]", "roof_displacement_m", 0.01),
@@ -34,6 +38,8 @@ MEASURE_ROWS = (  # name, measure, unit of the name in SI; those of the frame ar
     ("beam plastic rotation [rad]", "beam_plastic_rotation_rad", 1.0),
     ("column plastic rotation [rad]", "column_plastic_rotation_rad", 1.0),
     ("column axial force [kN]", "column_axial_force_N", 1e3),
+    ("brace ductility", "brace_ductility", 1.0),
+    ("brace damage", "brace_damage", 1.0),
     ("damper strain [%]", "damper_strain", 0.01),
     ("damper deformation [mm]", "damper_deformation_m", 1e-3),
     ("damper force [kN]", "damper_force_N", 1e3),

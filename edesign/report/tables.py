@@ -12,7 +12,7 @@ from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project, is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
-from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
+from edesign.report.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
 from edesign.report.pushover_tables import events_table, target_tables
 from edesign.report.record_tables import tables_of
 from edesign.report.study_tables import study_tables
@@ -119,7 +119,11 @@ def analyses_table(entries: list[dict[str, Any]]) -> Table:
 def measures_table(entries: list[dict[str, Any]]) -> Table:
     """Return the response measures of the analyses that have any; columns that apply to none are left out."""
     rows = [item for item in entries if any(value is not None for value in item["measures"].values())]
-    shown = [column for column in FRAME_COLUMNS if any(item["measures"][column[1]] is not None for item in rows)]
+    shown = [
+        column
+        for column in (*FRAME_COLUMNS, *BRACE_COLUMNS)
+        if any(item["measures"][column[1]] is not None for item in rows)
+    ]
     table = Table("Response measures (largest absolute values)", ("analysis", *(header for header, _, _ in shown)))
     for item in rows:
         mark = "" if item["status"] == "completed" else " *"

@@ -1,4 +1,4 @@
-"""Compression of members over their buckling resistance: the analysis lets braces yield in compression, not buckle."""
+"""Compression over the buckling resistance, of members that yield in compression in the analysis and do not buckle."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list
         lowest = group.variables.get(f"{kind}_axial_force_min")
         if lowest is not None:
             resistance = [math.nan if bar.strut is None else bar.strut.resistance for bar in bars if bar.kind == kind]
-            label = f"N_b,Rd of the {kind} by {CLAUSE}, nan: not known, or not counted in compression"
+            label = f"N_b,Rd of the {kind} by {CLAUSE}, nan: not known, or not to be judged"
             group.add(f"{kind}_buckling_resistance", (kind,), resistance, "N", label)
             names = group.coords[kind].values
             compression |= {(kind, str(name)): -float(n) for name, n in zip(names, lowest.values, strict=True)}

@@ -12,6 +12,7 @@ from edesign.core import Response
 from edesign.project.analyses import GravityAnalysis
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.structure import make_structure
@@ -40,6 +41,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
+        *brace_quantities(project, frame, group),
         *_node_displacements(frame),
         *_reactions(frame),
     ]
@@ -54,7 +56,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
     warnings = buckling_warnings(group, project, frame)
-    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
     store_run(group, response)
     return group
 

@@ -13,6 +13,7 @@ from edesign.core import ENERGIES, Channel, Response
 from edesign.project.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study import quantities as q
+from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import strain_warnings
@@ -66,6 +67,7 @@ class HistoryResults:
             *q.member_forces(frame, q.bending_members(frame), "member", history=False),
             *q.axial_forces(frame),
             *q.plastic_rotations(frame),
+            *brace_quantities(project, frame, self._group),
             *q.dampers(frame, "dampers" in self._wanted),
             *requested_quantities(project, frame, self._group),
         ]
@@ -104,6 +106,7 @@ class HistoryResults:
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
+        warnings += fracture_warnings(group)
         store_warnings(group, [] if doubts is None else [*doubts, *warnings])
         _store_energy(group, response, self.energies)
         if response.status == "completed":

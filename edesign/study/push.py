@@ -14,6 +14,7 @@ from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.project import Project
 from edesign.project.pushover import pattern_name
 from edesign.study import quantities as q
+from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.capacity_events import EventChannels
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
@@ -99,6 +100,7 @@ def push(
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
+        *brace_quantities(project, frame, group),
         *q.dampers(frame, history=False),
         *requested_quantities(project, frame, group),
     ]
@@ -120,7 +122,7 @@ def push(
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
     warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
-    store_warnings(group, [] if doubts is None else [*doubts, *warnings])
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
     label = "share of the node in the lateral load"

@@ -8,6 +8,7 @@ from edesign.errors import InputError
 from edesign.project.outputs import FibreOutput
 from edesign.project.project import Project
 from edesign.project.selections import NumberSelection
+from edesign.study.brace_results import recorded_braces
 from edesign.study.quantities import member_forces
 from edesign.study.recording import Quantity, coordinate
 
@@ -24,6 +25,7 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
         members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
         found += member_forces(frame, members, "recorded_member", history=True)
+        found += recorded_braces(members, group)
         found += _rotations([member if member.kind != "brace" else None for member in members])
     if outputs.sections:
         found += _sections(project, frame, group)

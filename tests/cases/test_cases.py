@@ -48,6 +48,8 @@ TOLERANCES = {
     "final_roof_displacement_m": (5e-3, 2e-5),
     "final_interstorey_drift": (5e-3, 1e-5),
     "residual_storey_drift": (5e-3, 1e-5),
+    "brace_ductility": (5e-4, 1e-9),
+    "brace_damage": (5e-3, 1e-9),  # a square of strain ranges
     "damper_strain": (5e-4, 1e-9),
     "damper_deformation_m": (5e-4, 1e-9),
     "damper_force_N": (1e-3, 1e-3),  # powers of the velocity, and SUNDIALS' tolerance of 1e-6 a step
@@ -62,12 +64,12 @@ UNITS = {
 
 
 def measures(archive: Path) -> Rows:
-    """Status and response measures of every analysis; those of dampers where there are any."""
+    """Status and response measures of every analysis; those of dampers and braces where there are any."""
     items = summarise(archive)["analyses"]
     names = [
         name
         for name in items[0]["measures"]
-        if not name.startswith("damper_") or any(item["measures"][name] is not None for item in items)
+        if not name.startswith(("damper_", "brace_")) or any(item["measures"][name] is not None for item in items)
     ]
     return [
         {"analysis": item["name"], "status": item["status"]} | {name: text(item["measures"][name]) for name in names}

@@ -73,6 +73,11 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
   head->time = target;
   reference_load(a, run->pattern, load);
   a->n_residuals = 0;
+  /* where a strut is about to snap a frame leaves its path slowly at first, and without the tangents that forbid it */
+  a->control.no_softening = a->n_struts > 0 && rung >= ED_RUNG_LINE_SEARCH;
+  const int iterations = a->max_iterations * (a->control.no_softening ? 16 : rung >= ED_RUNG_LINE_SEARCH ? 2 : 1);
+  if (a->control.no_softening && (status = ed_update_elements(a)) != ED_OK)
+    return status;
   /* from the safer rungs on, the step in free degrees is shortened when it overshoots */
   const double damp = rung >= ED_RUNG_LINE_SEARCH ? 0.5 : 1.0;
   for (int iteration = 0;; iteration++) {
@@ -88,7 +93,7 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
       return ed_accept(a, unbalance);
     if (ed_stalls(a, iteration) && unbalance <= ed_rounding(a))
       return ed_accept(a, unbalance);
-    if (iteration == a->max_iterations * (rung >= ED_RUNG_LINE_SEARCH ? 2 : 1))
+    if (iteration == iterations)
       return ED_E_NOT_CONVERGED;
     if ((status = ed_factor_effective(a, 1.0, 0.0, 0.0)) != ED_OK)
       return status;

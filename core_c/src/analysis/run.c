@@ -15,6 +15,7 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->run.every = 1;
   a->watch = ed_watch_of(&a->stop);
   a->n_events = 0;
+  a->control.no_softening = 0;
   a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
   a->committed.head->time = a->trial.head->time = abscissa;

@@ -42,6 +42,7 @@ typedef struct {
 typedef struct {
   double tolerance;
   int fast_elastic;
+  int no_softening;      /* tangents of struts that lose force count as 0: past a snap there is no other way */
   long updates, iterations, elastic;
 } ed_element_control;
 

@@ -29,6 +29,8 @@ static const double REMAINS = 1e-6;
 
 static const double FAR = 1e12;
 
+
+
 enum { SIZE = ED_STRUT_MAX_UNKNOWNS + 1, MAX_ITERATIONS = 60, MAX_SEARCH = 8 };
 
 /* In the block behind its head: elongation, force and stored energy of the last commit; whether the trial snapped through, and whether the
@@ -317,6 +319,8 @@ static int equilibrate(const ed_strut *s, double elongation, const double *layer
     if (balanced && stable) {
       block[ED_BLOCK_Q] = -force[s->driven];
       block[ED_BLOCK_K] = condense(s, K, F);
+      if (control->no_softening)
+        block[ED_BLOCK_K] = fmax(block[ED_BLOCK_K], 0.0);
       return ED_OK;
     }
     if (iteration == MAX_ITERATIONS)

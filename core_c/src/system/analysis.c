@@ -55,6 +55,7 @@ static int prepare(ed_analysis *a)
     if (!ed_element_setup(&a->elements[m], model, m))
       return ed_fail(a, ED_E_NOT_FINITE, "element %s: its length or stiffness is not a finite number", model->members[m].name);
     total += a->elements[m].length;
+    a->n_struts += a->elements[m].kind == ED_STRUT;
     long_ones += a->elements[m].length > 0.0;
   }
   a->length = long_ones ? total / long_ones : 1.0;

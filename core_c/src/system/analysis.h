@@ -108,6 +108,7 @@ struct ed_analysis {
   /* matrix */
   int nnz;
   int *column_start, *row, *diagonal;
+  int n_struts;                  /* among the elements */
   int *scatter;                  /* 36 a member, into values; nnz is a bin for fixed degrees */
   double *tangent;               /* nnz + 1: K at the trial state */
   double *initial;               /* nnz + 1: K of the unloaded structure */

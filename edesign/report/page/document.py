@@ -14,6 +14,7 @@ from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.page.render import Cover, render
 from edesign.report.page.section import Section
+from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections
 from edesign.report.page.sections.dampers import dampers
 from edesign.report.page.sections.design import design
@@ -42,6 +43,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     response,
     performance,
     hinges,
+    braces,
     moment_rotation,
     histories,
     dampers,

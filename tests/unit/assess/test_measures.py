@@ -24,6 +24,8 @@ KNOWN = {
     "beam_plastic_rotation_rad": 0.011,
     "column_plastic_rotation_rad": 0.002,
     "column_axial_force_N": 9e5,  # compression
+    "brace_ductility": None,  # it has none that buckle
+    "brace_damage": None,
     "damper_strain": None,  # it has none
     "damper_deformation_m": None,
     "damper_force_N": None,
@@ -44,7 +46,7 @@ def test_what_does_not_apply_is_none() -> None:
     names = ("roof_displacement_m", "interstorey_drift")
     left = {f"{which}_{name}" for which in ("residual", "final") for name in names}
     none = left | {"roof_acceleration_m_s2", "relative_roof_acceleration_m_s2"}
-    dampers = {"damper_strain", "damper_deformation_m", "damper_force_N"}
+    dampers = {"brace_ductility", "brace_damage", "damper_strain", "damper_deformation_m", "damper_force_N"}
     assert {name for name, value in pushover.items() if value is None} == none | dampers
 
 

@@ -1,0 +1,16 @@
+"""Braces that buckle."""
+
+from __future__ import annotations
+
+from edesign.report.brace_figures import brace_figures
+from edesign.report.brace_table import brace_table
+from edesign.report.page.section import Part, Section
+from edesign.report.page.source import Source
+
+
+def braces(source: Source) -> Section:
+    """What braces that buckle went through, and the loops of those that were recorded."""
+    table = brace_table(source.groups)
+    tables: list[Part] = [table] if table.rows else []
+    parts = (*tables, *source.pictures(brace_figures))
+    return Section("braces", "Braces that buckle", (), parts)
