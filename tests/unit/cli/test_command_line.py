@@ -136,8 +136,8 @@ def test_show_json_has_the_agreed_form(archive: Path, capsys: pytest.CaptureFixt
             "roof_displacement_m", "residual_roof_displacement_m", "final_roof_displacement_m", "roof_drift",
             "interstorey_drift", "residual_interstorey_drift", "final_interstorey_drift", "base_shear_N",
             "column_base_shear_N", "roof_acceleration_m_s2", "relative_roof_acceleration_m_s2",
-            "beam_plastic_rotation_rad", "column_plastic_rotation_rad", "column_axial_force_N", "damper_strain",
-            "damper_deformation_m", "damper_force_N",
+            "beam_plastic_rotation_rad", "column_plastic_rotation_rad", "column_axial_force_N", "brace_ductility",
+            "brace_damage", "damper_strain", "damper_deformation_m", "damper_force_N",
         ]  # fmt: skip
         statistics = {"steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error"}
         assert statistics <= item["statistics"].keys()
