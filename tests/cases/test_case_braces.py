@@ -63,6 +63,9 @@ def test_broken_chevrons_carry_nothing_and_energy_is_kept(results_of: Results) -
     others = [float(of_brace(group, "brace_broken_share_final", brace)) for brace in ("D_1_2_r", "D_1_2_f", "D_2_2_r")]
     assert others == [0.0, 0.0, 0.0]
     assert group.attributes["statistics"]["energy_error"] < 1e-3
+    terms = list(group.coords["energy_term"].values)
+    damping = group.variables["energy"].values[:, terms.index("damping")]
+    assert np.min(np.diff(damping)) > -1e-4 * damping[-1] and damping[-1] > 0.0  # braces that soften are not driven
     assert "broken by low-cycle fatigue" in str(group.attributes["warnings"])
 
 

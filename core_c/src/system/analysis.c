@@ -107,7 +107,7 @@ void ed_analysis_free(ed_analysis *a)
     ed_element_clear(&a->elements[m]);
   void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
-                    a->tangent,         a->initial,       a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
+                    a->tangent,         a->initial,       a->reference,     a->damped,        a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
                     a->committed.block, a->block_backup,  a->layers,        a->layers_backup,   a->records,       a->displacement,
                     a->resisting,       a->member_force,  a->factors,       a->factors_committed, a->factors_backup,
                     a->external,        a->external_committed, a->loads_committed, a->modal,     a->modal_solved,

@@ -113,6 +113,7 @@ struct ed_analysis {
   double *tangent;               /* nnz + 1: K at the trial state */
   double *initial;               /* nnz + 1: K of the unloaded structure */
   double *reference;             /* nnz + 1: K that Rayleigh damping uses when it is not the current one */
+  double *damped;                /* nnz + 1: the tangent without softening of struts; NULL: there is none */
   double *effective;             /* nnz + 1: what the factors are of */
   ed_solver *solver;
 
@@ -134,7 +135,7 @@ struct ed_analysis {
   double *external;              /* n: loads at `factors` */
   double *external_committed;    /* n: loads at the last commit */
   ed_loads *loads_committed;     /* per member: element loads at the last commit */
-  long tangent_stamp, assembled_stamp, factored_stamp; /* of the tangent, of `tangent`, of the factors (-1: none) */
+  long tangent_stamp, assembled_stamp, damped_stamp, factored_stamp; /* of the tangent, of `tangent` and `damped`, of the factors (-1: none) */
   double factored_k, factored_m, factored_c; /* of the factors */
   ed_factored kept;              /* of the last commit, once others have replaced them */
   ed_factored backed;            /* of ed_backup */
@@ -218,6 +219,7 @@ int ed_update_elements(ed_analysis *a);           /* trial u, v -> states of ele
 int ed_update_members(ed_analysis *a);            /* the same, dampers are there already */
 void ed_collect_forces(ed_analysis *a);           /* element states -> resisting forces */
 void ed_assemble_tangent(ed_analysis *a);
+const double *ed_damped_stiffness(ed_analysis *a); /* that Rayleigh damping takes as current */
 void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y); /* symmetric, y = A x */
 
 /* damping.c */

@@ -122,7 +122,8 @@ int ed_build_pattern(ed_analysis *a)
   a->effective = malloc(bytes);
   a->kept.matrix = malloc(bytes);
   a->backed.matrix = malloc(bytes);
-  if (!a->tangent || !a->initial || !a->reference || !a->effective ||
+  a->damped = a->n_struts ? malloc(bytes) : NULL;
+  if (!a->tangent || (a->n_struts && !a->damped) || !a->initial || !a->reference || !a->effective ||
       !a->kept.matrix || !a->backed.matrix)
     return ED_E_MEMORY;
   a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal, a->solver_scale);
@@ -256,6 +257,34 @@ void ed_assemble_tangent(ed_analysis *a)
   }
   a->tangent[a->nnz] = 0.0;
   a->assembled_stamp = a->tangent_stamp;
+}
+
+const double *ed_damped_stiffness(ed_analysis *a)
+{
+  ed_assemble_tangent(a);
+  if (a->n_struts == 0)
+    return a->tangent;
+  if (a->damped_stamp == a->tangent_stamp)
+    return a->damped;
+  memcpy(a->damped, a->tangent, ((size_t)a->nnz + 1) * sizeof *a->damped);
+  for (int m = 0; m < a->model->n_members; m++) {
+    const ed_element *e = &a->elements[m];
+    const double *block = a->trial.elements + e->state;
+    if (e->kind != ED_STRUT || !(block[ED_BLOCK_K] < 0.0))
+      continue;
+    /* just before a snap the tangent falls without bound, and damping by it would drive the brace */
+    double d[6], with[36], without[36], head[ED_BLOCK_POINTS];
+    memcpy(head, block, sizeof head);
+    head[ED_BLOCK_K] = 0.0;
+    gather(a, m, d);
+    ed_element_tangent(e, d, block, with);
+    ed_element_tangent(e, d, head, without);
+    for (int i = 0; i < 36; i++)
+      a->damped[a->scatter[36 * m + i]] += without[i] - with[i];
+  }
+  a->damped[a->nnz] = 0.0;
+  a->damped_stamp = a->tangent_stamp;
+  return a->damped;
 }
 
 void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y)

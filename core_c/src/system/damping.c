@@ -74,8 +74,7 @@ static const double *damping_stiffness(ed_analysis *a)
 {
   if (a->rayleigh_kind != ED_STIFFNESS_CURRENT || a->frozen)
     return a->reference;
-  ed_assemble_tangent(a);
-  return a->tangent;
+  return ed_damped_stiffness(a);
 }
 
 void ed_damping_force(ed_analysis *a, const double *v, double *force)
