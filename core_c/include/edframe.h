@@ -204,7 +204,7 @@ void ed_get_statistics(const ed_analysis *analysis, ed_statistics *statistics);
 enum {
   ED_RUNG_FULL_NEWTON = 1,    /* new factors in each iteration */
   ED_RUNG_FROZEN_DAMPING = 2, /* the same, with the damping stiffness of the step's start instead of the current one */
-  ED_RUNG_LINE_SEARCH = 3,    /* the same, and steps are shortened */
+  ED_RUNG_LINE_SEARCH = 3,    /* the same, and steps are shortened; in pushovers tangents of struts do not soften */
   ED_RUNG_HALVE = 4
 };
 typedef struct {
