@@ -55,6 +55,24 @@ int ed_model_strut(ed_model *model, const char *name, int i, int j, int section,
  * acts at mid-length; at one place: local x is at `angle` (rad) from global x. */
 int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, double ky, double krz, double angle);
 
+/* A spring without length: its deformation is the sum of coefficient * displacement of the degrees of i, then of j (6), which may be at
+ * one place. Laws and their parameters, of force and deformation (or moment and rotation):
+ * MULTILINEAR  deformation and force of each corner (0..4), then the last slope: kinematic, Masing's rule; without corners it is linear.
+ * CONTACT      stiffness and capacity: forces are negative, up to the capacity, at which it gives way (HUGE_VAL: never).
+ * DETERIORATING stiffness; of the positive and the negative side each the deformation from yield to capping, from there to no force, the
+ *              ultimate one, the force at yield, force at capping / at yield, residual force / force at yield, D; energies that may be
+ *              dissipated until nothing is left of strength, of the line after capping and of the unloading stiffness (HUGE_VAL: no
+ *              deterioration); their exponents c. The modified Ibarra-Medina-Krawinkler law with bilinear hysteresis. */
+enum { ED_SPRING_MULTILINEAR = 0, ED_SPRING_CONTACT = 1, ED_SPRING_DETERIORATING = 2 };
+int ed_model_spring(ed_model *model, const char *name, int i, int j, const double *coefficient, int law, int n_parameters,
+                    const double *parameters);
+/* An elastic beam's ends leave out these flexibilities (rad a moment), because springs beside them have them: with the springs it
+ * is the plain member. Each must be below that of the simply supported member, L / 3EI. */
+int ed_model_without_flexibility(ed_model *model, int element, double at_i, double at_j);
+/* Damping that is proportional to stiffness takes this factor (default 1) times the stiffness of the element: 0 for springs that are
+ * stiffer than what they stand for, and more than 1 for the members beside them (Zareian & Medina 2010). */
+int ed_model_damping_factor(ed_model *model, int element, double factor);
+
 /* A damper (laws: eddamper.h) whose deformation is the sum of coefficient * displacement of n_terms degrees (0 ux, 1 uy, 2 rz) of nodes,
  * F = force_scale * law(deformation_scale * u); brace: stiffness in series at the size of the device, 0: rigid; play: of its pins, from
  * end to end, 0: none. It carries nothing before ed_install_dampers. Give its degrees mass: velocities of others are left to ring by the trapezoidal rule. Up to 12 terms. */
@@ -121,9 +139,9 @@ enum {
   ED_LOAD_FACTOR = 6,        /* pattern */
   ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, axes of the undeformed member */
   ED_GLOBAL_FORCE = 8,       /* element (0..5), the same in global axes; both with second-order terms */
-  ED_AXIAL_FORCE = 9,        /* element */
-  ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord) */
-  ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part */
+  ED_AXIAL_FORCE = 9,        /* element; of a spring its force */
+  ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord); of a spring 0 */
+  ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part; of a spring 0, the same of its deformation */
   ED_SECTION_FORCE = 12,     /* element (2 point + 0 N, + 1 M) */
   ED_SECTION_DEFORMATION = 13,
   ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
@@ -136,7 +154,8 @@ enum {
   ED_GIVEN_WORK = 21,
   ED_DEFLECTION = 22,        /* strut: of its middle from the chord, camber included */
   ED_DAMAGE = 23,            /* strut: of its fibre with most, 1 has broken */
-  ED_BROKEN_SHARE = 24       /* strut: of the area of its section of which most has broken */
+  ED_BROKEN_SHARE = 24,      /* strut: of the area of its section of which most has broken */
+  ED_STRENGTH_LEFT = 25      /* spring: what deterioration has left of its strength, 0..1 */
 };
 int ed_channel(ed_analysis *analysis, int n_terms, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history);

@@ -9,6 +9,7 @@ from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, S
 from edesign.core.model import Model
 from edesign.core.modes import Modes, natural_modes
 from edesign.core.response import ENERGIES, Channel, Response
+from edesign.core.springs import ContactSpring, DeterioratingSide, DeterioratingSpring, MultilinearSpring, SpringLaw
 
 __all__ = [
     "ENERGIES",
@@ -17,8 +18,11 @@ __all__ = [
     "Analysis",
     "Bilinear",
     "Channel",
+    "ContactSpring",
     "CoreDamper",
     "CoreError",
+    "DeterioratingSide",
+    "DeterioratingSpring",
     "Elastic",
     "Fatigue",
     "GeneralisedAlpha",
@@ -27,8 +31,10 @@ __all__ = [
     "MenegottoPinto",
     "Model",
     "Modes",
+    "MultilinearSpring",
     "Newmark",
     "Response",
+    "SpringLaw",
     "Steel",
     "natural_modes",
     "version",

@@ -12,6 +12,7 @@ from edesign.core._edcore import ffi, lib
 from edesign.core.damper import LawValues, amendment_number, law_number
 from edesign.core.errors import CoreError, status_name
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
+from edesign.core.springs import SpringLaw
 
 GEOMETRY = {"linear": lib.ED_LINEAR, "p_delta": lib.ED_P_DELTA, "corotational": lib.ED_COROTATIONAL}
 
@@ -202,6 +203,26 @@ class Model:
         rad.
         """
         return self._element(name, lib.ed_model_link(self._c, name.encode(), i, j, *stiffness, angle), -1)
+
+    def spring(self, name: str, i: int, j: int, terms: Sequence[float], law: SpringLaw) -> int:
+        """Add a spring without length.
+
+        Args:
+            terms: coefficients of ux, uy, rz at i and of those at j (6,) whose sum is its deformation; between turns
+                of two nodes at one place (0, 0, -1, 0, 0, 1).
+            law: of its force and deformation.
+        """
+        kind, values = law.parameters()
+        result = lib.ed_model_spring(self._c, name.encode(), i, j, [float(c) for c in terms], kind, len(values), values)
+        return self._element(name, result, -1)
+
+    def without_flexibility(self, element: int, at_i: float, at_j: float) -> None:
+        """Let the ends of an elastic beam leave out flexibilities (rad/(N m)) that springs beside them have."""
+        self._checked(lib.ed_model_without_flexibility(self._c, element, at_i, at_j))
+
+    def damping_factor(self, element: int, factor: float) -> None:
+        """Multiply the stiffness of an element by this where damping is proportional to it."""
+        self._checked(lib.ed_model_damping_factor(self._c, element, factor))
 
     def damper(
         self,

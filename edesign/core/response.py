@@ -34,6 +34,7 @@ KINDS = {
     "deflection": lib.ED_DEFLECTION,
     "damage": lib.ED_DAMAGE,
     "broken_share": lib.ED_BROKEN_SHARE,
+    "strength_left": lib.ED_STRENGTH_LEFT,
 }
 
 ENERGIES = ("input", "kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers", "residual")

@@ -51,7 +51,7 @@ void ed_freeze_damping(ed_analysis *a, int rung)
   if (a->rayleigh_stiffness == 0.0)
     return;
   if (a->rayleigh_kind == ED_STIFFNESS_COMMITTED || (a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->frozen)) {
-    memcpy(a->reference, ed_damped_stiffness(a), ((size_t)a->nnz + 1) * sizeof(double));
+    memcpy(a->reference, ed_damping_tangent(a), ((size_t)a->nnz + 1) * sizeof(double));
   }
 }
 

@@ -58,6 +58,14 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     setup_link(e, m, dx, dy);
     return isfinite(e->length) && ed_all_finite(36, e->link);
   }
+  if (m->kind == ED_SPRING) {
+    e->spring = &model->springs[m->spring];
+    e->length = 0.0; /* none to make moments comparable by */
+    e->c = 1.0;
+    e->stiffness[0] = e->spring->stiffness;
+    e->flexibility[0] = 1.0 / e->stiffness[0];
+    return isfinite(e->stiffness[0]);
+  }
   e->c = dx / e->length;
   e->s = dy / e->length;
   if (m->kind == ED_TRUSS) {
@@ -82,6 +90,8 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     e->inverse[0][2] = f22;
     const double F[6] = {f11 * L, -f12 * L / 2.0, f12 * L / 2.0, f22 * L / 3.0, -f22 * L / 6.0, f22 * L / 3.0};
     memcpy(e->flexibility, F, sizeof F);
+    e->flexibility[3] -= m->without[0];
+    e->flexibility[5] -= m->without[1];
   } else {
     e->points = m->points;
     ed_gauss_lobatto(m->points, e->x, e->weight);
@@ -148,6 +158,8 @@ int ed_element_layer_size(const ed_element *e)
     return ed_strut_layer_size(e->strut);
   if (e->kind == ED_TRUSS)
     return ed_steel_state_size(e->steel);
+  if (e->kind == ED_SPRING)
+    return ed_spring_state_size(e->spring);
   int size = 0;
   for (int p = 0; p < e->points; p++)
     size += e->section[p]->state_size;
@@ -163,6 +175,8 @@ void ed_element_initialise(const ed_element *e, double *block, double *layers)
   memset(block, 0, (size_t)ed_element_block_size(e) * sizeof *block);
   if (e->kind == ED_TRUSS)
     ed_steel_initialise(e->steel, layers);
+  if (e->kind == ED_SPRING)
+    ed_spring_initialise(e->spring, layers);
   for (int p = 0; p < e->points; p++)
     ed_section_initialise(e->section[p], layers + e->layer_offset[p]);
   memcpy(block + ED_BLOCK_K, e->stiffness, sizeof e->stiffness);
@@ -255,6 +269,15 @@ int ed_element_update(const ed_element *e, const double *displacement, const dou
 {
   if (e->kind == ED_LINK)
     return ED_OK;
+  if (e->kind == ED_SPRING) {
+    double u = 0.0;
+    for (int i = 0; i < 6; i++)
+      u += e->member->coefficient[i] * displacement[i];
+    control->updates++;
+    block[ED_BLOCK_V] = u;
+    control->elastic += ed_spring_trial(e->spring, layers, u, &block[ED_BLOCK_Q], &block[ED_BLOCK_K]);
+    return ED_OK;
+  }
   ed_kinematics k;
   ed_kinematics_of(e, displacement, &k);
   if (e->kind == ED_FIBRE_BEAM)
@@ -284,6 +307,8 @@ int ed_element_layers_valid(const ed_element *e, const double *layers)
     return ed_steel_state_valid(e->steel, layers);
   if (e->kind == ED_STRUT)
     return ed_strut_layers_valid(e->strut, layers);
+  if (e->kind == ED_SPRING)
+    return ed_spring_state_valid(e->spring, layers);
   for (int p = 0; p < e->points; p++)
     if (!ed_section_state_valid(e->section[p], layers + e->layer_offset[p]))
       return 0;
@@ -297,6 +322,11 @@ double ed_element_commit(const ed_element *e, double *block, double *layers)
   if (e->kind == ED_STRUT)
     return ed_strut_commit(e->strut, block, layers);
   double dissipated = 0.0;
+  if (e->kind == ED_SPRING) {
+    dissipated = ed_spring_commit(e->spring, layers, block[ED_BLOCK_V]);
+    if (dissipated != 0.0)
+      block[ED_BLOCK_INELASTIC] = 1.0;
+  }
   for (int p = 0; p < e->points; p++) {
     double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
     if (point[ED_POINT_ELASTIC] != 0.0 && !e->section[p]->curved && !e->section[p]->fatigue)
@@ -316,6 +346,8 @@ double ed_element_stored(const ed_element *e, const double *block, const double 
     return 0.5 * q[0] * q[0] * e->flexibility[0];
   if (e->kind == ED_STRUT)
     return ed_strut_stored(e->strut, block, layers);
+  if (e->kind == ED_SPRING)
+    return ed_spring_stored(e->spring, layers, v[0]);
   if (e->kind == ED_FIBRE_BEAM) {
     double energy = 0.0;
     for (int p = 0; p < e->points; p++) {
@@ -338,6 +370,8 @@ double ed_element_stored(const ed_element *e, const double *block, const double 
 
 double ed_element_plastic_rotation(const ed_element *e, const double *block, int end)
 {
+  if (e->kind == ED_SPRING)
+    return block[ED_BLOCK_V] - e->flexibility[0] * block[ED_BLOCK_Q];
   if (e->kind != ED_FIBRE_BEAM || e->release[end])
     return 0.0; /* a hinge turns freely */
   double elastic[3];

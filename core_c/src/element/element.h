@@ -27,6 +27,7 @@ typedef struct {
   double area;
   ed_strut *strut;               /* owns */
   double link[36];               /* link: stiffness, global */
+  const ed_spring *spring;
   double link_axis[2];
   int state;                     /* offset of the block */
   int layers;                    /* offset of the layers' state */

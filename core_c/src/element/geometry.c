@@ -43,6 +43,11 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
     }
     return;
   }
+  if (e->kind == ED_SPRING) {
+    for (int i = 0; i < 6; i++)
+      force[i] = e->member->coefficient[i] * block[ED_BLOCK_Q];
+    return;
+  }
   ed_kinematics k;
   ed_kinematics_of(e, d, &k);
   const double *q = block + ED_BLOCK_Q;
@@ -76,6 +81,12 @@ void ed_element_tangent(const ed_element *e, const double *d, const double *bloc
   if (e->kind == ED_LINK) {
     for (int i = 0; i < 36; i++)
       t[i] = e->link[i];
+    return;
+  }
+  if (e->kind == ED_SPRING) {
+    const double *b = e->member->coefficient;
+    for (int i = 0; i < 36; i++)
+      t[i] = block[ED_BLOCK_K] * b[i / 6] * b[i % 6];
     return;
   }
   ed_kinematics k;

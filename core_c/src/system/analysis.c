@@ -63,11 +63,13 @@ static int prepare(ed_analysis *a)
       (status = ed_build_pattern(a)) != ED_OK)
     return status;
   a->tangent_stamp = 1;
+  a->damped_stamp = 0;
   a->factored_stamp = -1;
   if ((status = ed_check_structure(a)) != ED_OK || (status = ed_condensation_allocate(a)) != ED_OK)
     return status;
   memcpy(a->initial, a->tangent, ((size_t)a->nnz + 1) * sizeof(double));
-  memcpy(a->reference, a->initial, ((size_t)a->nnz + 1) * sizeof(double));
+  memcpy(a->initial_damping, ed_damping_tangent(a), ((size_t)a->nnz + 1) * sizeof(double));
+  memcpy(a->reference, a->initial_damping, ((size_t)a->nnz + 1) * sizeof(double));
   return ED_OK;
 }
 
@@ -107,7 +109,7 @@ void ed_analysis_free(ed_analysis *a)
     ed_element_clear(&a->elements[m]);
   void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
-                    a->tangent,         a->initial,       a->reference,     a->damped,        a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
+                    a->tangent,         a->initial,       a->initial_damping, a->damped,      a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
                     a->committed.block, a->block_backup,  a->layers,        a->layers_backup,   a->records,       a->displacement,
                     a->resisting,       a->member_force,  a->factors,       a->factors_committed, a->factors_backup,
                     a->external,        a->external_committed, a->loads_committed, a->modal,     a->modal_solved,

@@ -112,8 +112,9 @@ struct ed_analysis {
   int *scatter;                  /* 36 a member, into values; nnz is a bin for fixed degrees */
   double *tangent;               /* nnz + 1: K at the trial state */
   double *initial;               /* nnz + 1: K of the unloaded structure */
+  double *initial_damping;       /* nnz + 1: the same with the damping factors of the elements */
   double *reference;             /* nnz + 1: K that Rayleigh damping uses when it is not the current one */
-  double *damped;                /* nnz + 1: the tangent without softening of struts; NULL: there is none */
+  double *damped;                /* nnz + 1: the tangent with the damping factors of the elements, without softening of struts; NULL: the same */
   double *effective;             /* nnz + 1: what the factors are of */
   ed_solver *solver;
 
@@ -219,7 +220,7 @@ int ed_update_elements(ed_analysis *a);           /* trial u, v -> states of ele
 int ed_update_members(ed_analysis *a);            /* the same, dampers are there already */
 void ed_collect_forces(ed_analysis *a);           /* element states -> resisting forces */
 void ed_assemble_tangent(ed_analysis *a);
-const double *ed_damped_stiffness(ed_analysis *a); /* that Rayleigh damping takes as current */
+const double *ed_damping_tangent(ed_analysis *a); /* K of stiffness-proportional damping at the trial state */
 void ed_multiply(const ed_analysis *a, const double *matrix, const double *x, double *y); /* symmetric, y = A x */
 
 /* damping.c */

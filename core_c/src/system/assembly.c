@@ -118,12 +118,14 @@ int ed_build_pattern(ed_analysis *a)
   const size_t bytes = ((size_t)nnz + 1) * sizeof(double);
   a->tangent = malloc(bytes);
   a->initial = malloc(bytes);
+  a->initial_damping = malloc(bytes);
   a->reference = malloc(bytes);
   a->effective = malloc(bytes);
   a->kept.matrix = malloc(bytes);
   a->backed.matrix = malloc(bytes);
-  a->damped = a->n_struts ? malloc(bytes) : NULL;
-  if (!a->tangent || (a->n_struts && !a->damped) || !a->initial || !a->reference || !a->effective ||
+  a->damped = a->n_struts || a->model->uneven_damping ? malloc(bytes) : NULL;
+  if (!a->tangent || !a->initial || !a->initial_damping || !a->reference || !a->effective ||
+      ((a->n_struts || a->model->uneven_damping) && !a->damped) ||
       !a->kept.matrix || !a->backed.matrix)
     return ED_E_MEMORY;
   a->solver = ed_solver_new(n, a->column_start, a->row, a->diagonal, a->solver_scale);
@@ -259,10 +261,10 @@ void ed_assemble_tangent(ed_analysis *a)
   a->assembled_stamp = a->tangent_stamp;
 }
 
-const double *ed_damped_stiffness(ed_analysis *a)
+const double *ed_damping_tangent(ed_analysis *a)
 {
   ed_assemble_tangent(a);
-  if (a->n_struts == 0)
+  if (!a->damped)
     return a->tangent;
   if (a->damped_stamp == a->tangent_stamp)
     return a->damped;
@@ -270,17 +272,21 @@ const double *ed_damped_stiffness(ed_analysis *a)
   for (int m = 0; m < a->model->n_members; m++) {
     const ed_element *e = &a->elements[m];
     const double *block = a->trial.elements + e->state;
-    if (e->kind != ED_STRUT || !(block[ED_BLOCK_K] < 0.0))
+    const int softens = e->kind == ED_STRUT && block[ED_BLOCK_K] < 0.0;
+    const double factor = e->member->damping_factor;
+    if (!softens && factor == 1.0)
       continue;
-    /* just before a snap the tangent falls without bound, and damping by it would drive the brace */
-    double d[6], with[36], without[36], head[ED_BLOCK_POINTS];
-    memcpy(head, block, sizeof head);
-    head[ED_BLOCK_K] = 0.0;
+    double d[6], is[36], damped[36], head[ED_BLOCK_POINTS];
     gather(a, m, d);
-    ed_element_tangent(e, d, block, with);
-    ed_element_tangent(e, d, head, without);
+    ed_element_tangent(e, d, block, is);
+    memcpy(damped, is, sizeof damped);
+    if (softens) { /* just before a snap the tangent falls without bound, and damping by it would drive the brace */
+      memcpy(head, block, sizeof head);
+      head[ED_BLOCK_K] = 0.0;
+      ed_element_tangent(e, d, head, damped);
+    }
     for (int i = 0; i < 36; i++)
-      a->damped[a->scatter[36 * m + i]] += without[i] - with[i];
+      a->damped[a->scatter[36 * m + i]] += factor * damped[i] - is[i];
   }
   a->damped[a->nnz] = 0.0;
   a->damped_stamp = a->tangent_stamp;

@@ -16,11 +16,11 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     return component >= 0 && component < 2;
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
-  if (kind >= ED_DEFLECTION)
-    return kind <= ED_BROKEN_SHARE && object >= 0 && object < model->n_members && component == 0 && a->elements[object].kind == ED_STRUT;
-  if (kind >= ED_GIVEN_FORCE)
-    return object >= 0 && object < ED_HISTORY_FORCES && component == 0;
-  if (kind >= ED_DAMPER_FORCE)
+  if (kind >= ED_DEFLECTION && kind <= ED_BROKEN_SHARE)
+    return object >= 0 && object < model->n_members && component == 0 && a->elements[object].kind == ED_STRUT;
+  if (kind >= ED_GIVEN_FORCE && kind != ED_STRENGTH_LEFT)
+    return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
+  if (kind >= ED_DAMPER_FORCE && kind != ED_STRENGTH_LEFT)
     return object >= 0 && object < model->n_devices && component >= 0 && component <= (kind == ED_DAMPER_DEFORMATION);
   if (object < 0 || object >= model->n_members || component < 0)
     return 0;
@@ -33,9 +33,11 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     case ED_AXIAL_FORCE:
       return component == 0 && e->kind != ED_LINK;
     case ED_DEFORMATION:
-      return component < 3 && e->kind != ED_LINK;
+      return component < (e->kind == ED_SPRING ? 1 : 3) && e->kind != ED_LINK;
     case ED_PLASTIC_ROTATION:
-      return component < 2 && fibres;
+      return fibres ? component < 2 : e->kind == ED_SPRING && component == 0;
+    case ED_STRENGTH_LEFT:
+      return e->kind == ED_SPRING && component == 0;
     case ED_SECTION_FORCE:
     case ED_SECTION_DEFORMATION:
       return fibres && component < 2 * e->points;
@@ -152,6 +154,8 @@ static double element_value(const ed_analysis *a, const ed_term *term)
       return block[ED_BLOCK_V + c];
     case ED_PLASTIC_ROTATION:
       return ed_element_plastic_rotation(e, block, c);
+    case ED_STRENGTH_LEFT:
+      return ed_spring_strength_left(e->spring, a->layers + e->layers);
     case ED_SECTION_FORCE:
       return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_S + c % 2];
     case ED_SECTION_DEFORMATION:
@@ -190,6 +194,8 @@ double ed_channel_value(const ed_analysis *a, int channel)
       part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
     else if (term->kind == ED_LOAD_FACTOR)
       part = a->factors_committed[term->object];
+    else if (term->kind == ED_STRENGTH_LEFT)
+      part = element_value(a, term);
     else if (term->kind >= ED_DEFLECTION)
       part = strut_value(a, term);
     else if (term->kind >= ED_GIVEN_FORCE)

@@ -15,7 +15,7 @@ int ed_rayleigh(ed_analysis *a, double mass_factor, double stiffness_factor, int
   a->rayleigh_mass = mass_factor;
   a->rayleigh_stiffness = stiffness_factor;
   a->rayleigh_kind = stiffness;
-  memcpy(a->reference, a->initial, ((size_t)a->nnz + 1) * sizeof(double));
+  memcpy(a->reference, a->initial_damping, ((size_t)a->nnz + 1) * sizeof(double));
   a->factored_stamp = -1;
   return ED_OK;
 }
@@ -74,7 +74,7 @@ static const double *damping_stiffness(ed_analysis *a)
 {
   if (a->rayleigh_kind != ED_STIFFNESS_CURRENT || a->frozen)
     return a->reference;
-  return ed_damped_stiffness(a);
+  return ed_damping_tangent(a);
 }
 
 void ed_damping_force(ed_analysis *a, const double *v, double *force)

@@ -50,6 +50,7 @@ void ed_model_free(ed_model *model)
     ed_section_free(&model->sections[i]);
   free(model->materials);
   free(model->sections);
+  free(model->springs);
   free(model->nodes);
   free(model->members);
   free(model->nodal_loads);
@@ -245,6 +246,7 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
   m->node[0] = i;
   m->node[1] = j;
   m->geometry = geometry;
+  m->damping_factor = 1.0;
   return model->n_members - 1;
 }
 
@@ -345,6 +347,70 @@ int ed_model_link(ed_model *model, const char *name, int i, int j, double kx, do
   return id;
 }
 
+int ed_model_spring(ed_model *model, const char *name, int i, int j, const double *coefficient, int law, int n, const double *parameters)
+{
+  ed_spring spring;
+  const char *wrong = ed_spring_set(&spring, law, n, parameters);
+  if (wrong)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "spring %s: %s", name ? name : "", wrong);
+  double largest = 0.0;
+  for (int d = 0; d < 6; d++) {
+    if (!isfinite(coefficient[d]))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "spring %s: coefficient %d is not a finite number", name ? name : "", d + 1);
+    largest = fmax(largest, fabs(coefficient[d]));
+  }
+  if (largest == 0.0)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "spring %s: all its coefficients are 0", name ? name : "");
+  APPEND(model, springs, n_springs);
+  const int id = member(model, name, ED_SPRING, i, j, ED_LINEAR, 1);
+  if (id < 0) {
+    model->n_springs--;
+    return id;
+  }
+  model->springs[model->n_springs - 1] = spring;
+  ed_member *m = &model->members[id];
+  m->spring = model->n_springs - 1;
+  memcpy(m->coefficient, coefficient, sizeof m->coefficient);
+  return id;
+}
+
+static int bad_element(ed_model *model, int element)
+{
+  if (element >= 0 && element < model->n_members)
+    return 0;
+  ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  return 1;
+}
+
+int ed_model_without_flexibility(ed_model *model, int element, double at_i, double at_j)
+{
+  if (bad_element(model, element))
+    return ED_E_ID;
+  ed_member *m = &model->members[element];
+  if (m->kind != ED_ELASTIC_BEAM)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no elastic beam and cannot leave out flexibility", m->name);
+  const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
+  const double most = hypot(j->x - i->x, j->y - i->y) / (3.0 * model->sections[m->section[0]].k22);
+  if (!(at_i >= 0.0 && at_i < most && at_j >= 0.0 && at_j < most))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: flexibilities %g and %g to leave out must be from 0 to below %g", m->name,
+                           at_i, at_j, most);
+  m->without[0] = at_i;
+  m->without[1] = at_j;
+  return ED_OK;
+}
+
+int ed_model_damping_factor(ed_model *model, int element, double factor)
+{
+  if (bad_element(model, element))
+    return ED_E_ID;
+  if (!(factor >= 0.0) || !isfinite(factor))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: the damping factor %g must not be negative", model->members[element].name,
+                           factor);
+  model->members[element].damping_factor = factor;
+  model->uneven_damping |= factor != 1.0;
+  return ED_OK;
+}
+
 int ed_model_pattern(ed_model *model)
 {
   return model->n_patterns++;
@@ -367,8 +433,8 @@ static int member_load(ed_model *model, int pattern, int element, double positio
 {
   if (pattern < 0 || pattern >= model->n_patterns)
     return ed_model_refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
-  if (element < 0 || element >= model->n_members)
-    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  if (bad_element(model, element))
+    return ED_E_ID;
   ed_member *m = &model->members[element];
   if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and takes no load", m->name);
@@ -387,8 +453,8 @@ int ed_model_uniform_load(ed_model *model, int pattern, int element, double axia
 
 int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
 {
-  if (element < 0 || element >= model->n_members)
-    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  if (bad_element(model, element))
+    return ED_E_ID;
   if (!(position >= 0.0 && position <= 1.0))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load at %g of its length is not on it",
                   model->members[element].name, position);

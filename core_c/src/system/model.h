@@ -7,12 +7,13 @@
 #include "edcore.h"
 #include "material/steel.h"
 #include "section/section.h"
+#include "spring/spring.h"
 
 #include <stddef.h>
 
 enum { ED_NAME = 48, ED_MESSAGE = 1024 };
 
-typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK, ED_STRUT } ed_element_kind;
+typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK, ED_STRUT, ED_SPRING } ed_element_kind;
 
 typedef struct {
   char name[ED_NAME];
@@ -36,6 +37,10 @@ typedef struct {
   double camber, buckling_length; /* strut: camber / buckling length, buckling length / length */
   double end_stiffness;         /* strut: rotational, of its ends; HUGE_VAL: fixed */
   double stiffness[3], angle;   /* link */
+  int spring;                   /* spring; index */
+  double coefficient[6];        /* spring */
+  double without[2];            /* elastic beam: flexibility that its ends leave out */
+  double damping_factor;        /* of stiffness-proportional damping */
   int loaded;
 } ed_member;
 
@@ -64,13 +69,15 @@ typedef struct {
 struct ed_model {
   ed_steel *materials;
   ed_section *sections;
+  ed_spring *springs;
   ed_node *nodes;
   ed_member *members;
   ed_nodal_load *nodal_loads;
   ed_member_load *member_loads;
   ed_device *devices;
   int n_devices;
-  int n_materials, n_sections, n_nodes, n_members, n_nodal_loads, n_member_loads, n_patterns;
+  int uneven_damping;           /* some damping factor is not 1 */
+  int n_materials, n_sections, n_springs, n_nodes, n_members, n_nodal_loads, n_member_loads, n_patterns;
   char message[ED_MESSAGE];
 };
 
