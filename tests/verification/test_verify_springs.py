@@ -48,7 +48,7 @@ def along(law: SpringLaw, path: np.ndarray) -> tuple[np.ndarray, Analysis]:
 
 
 def base_spring_cantilever(k: float, mass: float = 0.0, n: float = 0.0) -> tuple[Model, int, int, int]:
-    """An upright cantilever on a rotational spring; n > 0: the spring is n + 1 times 6EI/L and the member leaves it out."""
+    """An upright cantilever on a rotational spring; n > 0: the spring is (n + 1) 6EI/L, and the member leaves it out."""
     m = Model()
     ground, foot, top = m.node("ground", 0.0, 0.0), m.node("foot", 0.0, 0.0), m.node("top", 0.0, L)
     m.fix(ground, True, True, True)
@@ -274,7 +274,7 @@ def test_no_spurious_moment_beside_a_yielding_hinge(kind: str) -> None:
     """Zareian & Medina 2010: with the springs left out of the damping, inertia balances what the hinge can carry.
 
     The hinge is elastic-plastic: the moment of the mass at the foot, m (a + a_g) L, never exceeds M_y by more than the
-    damping of the elastic member's own small motion, some per cent; with the stiff spring in the damping it is far more.
+    damping of the elastic member's own small motion, some per cent; with the stiff spring damped it is far more.
     """
     largest = {}
     for excluded in (True, False):
