@@ -48,7 +48,7 @@ def along(law: SpringLaw, path: np.ndarray) -> tuple[np.ndarray, Analysis]:
 
 
 def base_spring_cantilever(k: float, mass: float = 0.0, n: float = 0.0) -> tuple[Model, int, int, int]:
-    """An upright cantilever on a rotational spring; n > 0: the spring is (n + 1) 6EI/L, and the member leaves it out."""
+    """An upright cantilever on a rotational spring; n > 0: that is (n + 1) 6EI/L, and the member leaves it out."""
     m = Model()
     ground, foot, top = m.node("ground", 0.0, 0.0), m.node("foot", 0.0, 0.0), m.node("top", 0.0, L)
     m.fix(ground, True, True, True)
