@@ -10,17 +10,12 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile, profile_names
-from edesign.building.section import CrossSection
+from edesign.building.i_shape import i_section
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
-from edesign.project.materials import ElasticMaterial
-from edesign.project.members import BeamRun, ColumnRun
 from edesign.project.names import column_name
 from edesign.project.project import Project
-from edesign.project.sections import PlateSection
 
 Kind = Literal["column", "beam"]
 
@@ -99,50 +94,6 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
         if section is not None:
             found[name] = FrameMember(name, "beam", beam.floor, beam.length, section)
     return found
-
-
-def i_section(project: Project, run: ColumnRun | BeamRun) -> ISection | None:
-    """Return the properties of a member's I section as it is analysed (with fillets or not); None if it has none."""
-    material = project.materials[run.material]
-    own = project.sections.get(run.section)
-    if isinstance(material, ElasticMaterial) or (own is not None and not isinstance(own, PlateSection)):
-        return None
-    if own is None and profile_names().canonical(run.section) is None:
-        return None
-    if isinstance(run, ColumnRun) and run.axis == "weak":
-        return None
-    shape = cross_section(project, run.section)
-    if not isinstance(shape, CrossSection):
-        return None
-    if isinstance(own, PlateSection):
-        height, width, flange, web, radius = own.height, own.width, own.flange, own.web, 0.0
-    else:
-        rolled = profile(run.section)
-        height, width, flange, web, radius = rolled.h, rolled.b, rolled.tf, rolled.tw, rolled.r
-    return ISection(
-        flange_slenderness=width / (2.0 * flange),
-        web_slenderness=(height - 2.0 * flange - 2.0 * radius) / web,
-        area=shape.area,
-        inertia=shape.inertia,
-        weak_inertia=math.fsum(s.depth * s.width**3 / 12.0 for s in shape.strips),  # fillets add nothing that counts
-        plastic_modulus=plastic_modulus(shape),
-        E=material.E,
-        expected_yield=material.fy,
-        lower_bound_yield=material.fy,
-    )
-
-
-def plastic_modulus(shape: CrossSection) -> float:
-    """Return Z of a section that is symmetric about its axis of bending, m3: the sum of |y| over its area.
-
-    A fillet counts with its area at its centroid, which is exact.
-    """
-    total = [spot.area * abs(spot.centre - shape.centroid) for spot in shape.spots]
-    for strip in shape.strips:
-        low, high = (strip.centre - shape.centroid + side * 0.5 * strip.depth for side in (-1.0, 1.0))
-        across = low < 0.0 < high
-        total.append(strip.width * ((low**2 + high**2) if across else abs(high**2 - low**2)) / 2.0)
-    return math.fsum(total)
 
 
 def member_usages(

@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
+from edesign.building.hinges import EndOf, EndSpring, MemberBuilder, member_ends
 from edesign.building.loads import beam_loads, node_loads
 from edesign.building.masses import node_masses
 from edesign.building.named_section import cross_section
 from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
+from edesign.building.supports import support_springs
 from edesign.errors import InputError
 from edesign.project import names
 from edesign.project.braces import BraceBuckling, Fracture
@@ -24,6 +26,7 @@ from edesign.project.materials import BilinearMaterial, ElasticMaterial, Materia
 from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection, SectionAxis
+from edesign.project.supports import springs_of
 
 if TYPE_CHECKING:
     from edesign.core import Model, Steel
@@ -37,9 +40,11 @@ class Member:
     """A member of the model.
 
     Attributes:
-        element: its id in the core.
+        element: its id in the core; of a member with hinges the part between them.
         start, end: names of its nodes; a column starts below, beams and braces start at the left.
         layers: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
+        parts: its elements from the start: most members are one.
+        springs: hinges and joints at its start and at its end.
         yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
     """
 
@@ -49,7 +54,18 @@ class Member:
     start: str
     end: str
     layers: np.ndarray | None = None
+    parts: tuple[int, ...] = ()
+    springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]] = ((), ())
     yield_elongation: float | None = None
+
+    @property
+    def yields(self) -> bool:
+        """Whether it can yield, in bending."""
+        return self.layers is not None or any(spring.yields for end in self.springs for spring in end)
+
+    def at_end(self, end: int) -> int:
+        """The element at its start (0) or end (1)."""
+        return self.parts[-end]
 
 
 @dataclass(frozen=True)
@@ -62,9 +78,10 @@ class FrameModel:
         nodes: ids by name, floor by floor from the left.
         members: by name, columns, then beams, then braces.
         masses: kg, by node.
-        supports: fixed degrees of freedom (ux, uy, rz) of each supported node, by name.
+        supports: held degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
+        grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
     """
 
     frame: Frame
@@ -76,11 +93,17 @@ class FrameModel:
     supports: dict[str, tuple[bool, bool, bool]]
     devices: tuple[Device, ...] = ()
     attached: dict[str, int] = field(default_factory=dict)
+    grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
         """Total mass, kg."""
         return float(sum(self.masses.values()))
+
+    def reaction(self, support: str, degree: int) -> tuple[str, int, int]:
+        """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as a quantity of the core."""
+        ground = self.grounds.get(support, (None, None, None))[degree]
+        return "reaction", self.nodes[support] if ground is None else ground, degree
 
     def of_kind(self, kind: Kind) -> list[Member]:
         """Members of a kind in the order of `members`."""
@@ -125,7 +148,7 @@ def build_frame(
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
     members = _members(project, model, nodes)
-    supports = _supports(frame, model, nodes)
+    supports, grounds = _supports(frame, model, nodes)
     for floor in frame.diaphragm_floors:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
         for node in tied[1:]:
@@ -136,7 +159,8 @@ def build_frame(
         model.mass(nodes[name], mass, mass if vertical else 0.0, 0.0)
     gravity = model.pattern("gravity")
     for name, load in beam_loads(project, project.loads.gravity).items():
-        model.uniform_load(gravity, members[name].element, axial=0.0, transverse=-load)
+        for part in members[name].parts:
+            model.uniform_load(gravity, part, axial=0.0, transverse=-load)
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
@@ -144,28 +168,37 @@ def build_frame(
     for item in attachments:
         leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)
         attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
-    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached)
+    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds)
 
 
-def _supports(frame: Frame, model: Model, nodes: dict[str, int]) -> dict[str, tuple[bool, bool, bool]]:
+def _supports(
+    frame: Frame, model: Model, nodes: dict[str, int]
+) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, tuple[int | None, int | None, int | None]]]:
+    """Hold the feet of the columns; returns what is held, and where springs that hold it stand."""
     held = _held_rotations(frame)
     at_base = {names.node_name(line, 0): frame.support(line) for line in frame.lines}
-    supports = {}
+    supports, grounds = {}, {}
     for name, node in nodes.items():
-        kind = at_base.get(name)
-        ux, uy = kind in ("fixed", "pinned"), kind is not None
-        rz = kind == "fixed" or name not in held
-        if ux or uy or rz:
-            model.fix(node, ux=ux, uy=uy, rz=rz)
-        if kind is not None:
-            supports[name] = (ux, uy, rz)
-    return supports
+        support = at_base.get(name)
+        if support is None:
+            if name not in held:
+                model.fix(node, rz=True)
+            continue
+        springs = springs_of(support)
+        directions = [springs.horizontal, springs.vertical, springs.rotation if name in held else "fixed"]
+        ux, uy, rz = (direction == "fixed" for direction in directions)
+        model.fix(node, ux=ux, uy=uy, rz=rz)
+        ux, uy, rz = (direction != "free" for direction in directions)
+        supports[name] = ux, uy, rz
+        if not all(direction in ("fixed", "free") for direction in directions):
+            grounds[name] = support_springs(model, name, node, frame.nodes[name], directions)
+    return supports, grounds
 
 
 def _held_rotations(frame: Frame) -> set[str]:
     """Nodes at which the end of a column or beam is not released."""
     held = set()
-    for name, (start, end) in _ends(frame).items():
+    for name, (start, end) in frame.ends.items():
         if name.startswith("D_"):
             continue
         released = frame.released.get(name, (False, False))
@@ -173,25 +206,16 @@ def _held_rotations(frame: Frame) -> set[str]:
     return held
 
 
-def _ends(frame: Frame) -> dict[str, tuple[str, str]]:
-    """Start and end node of every member, by name: columns, then beams, then braces."""
-    ends = {}
-    for line, storey in frame.column_at:
-        ends[names.column_name(line, storey)] = (names.node_name(line, storey - 1), names.node_name(line, storey))
-    ends |= {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
-    ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
-    return ends
-
-
 def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str, Member]:
     parts = _Parts(project, model)
     geometry = project.elements.geometry
     of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
     kinds: dict[str, Kind] = {"C": "column", "B": "beam", "D": "brace"}
-    ends = _ends(project.frame)
+    builder = MemberBuilder(model, {node: project.frame.nodes[place] for place, node in nodes.items()})
+    at_ends = member_ends(project)
     found = {}
     for name, run in project.frame.members.items():
-        start, end = ends[name]
+        start, end = project.frame.ends[name]
         kind = kinds[name[0]]
         if isinstance(run, BraceRun):
             if run.buckling is not None:
@@ -199,19 +223,22 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
                 continue
             material, area = parts.brace(run)
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
-            found[name] = Member(name, kind, element, start, end)
+            found[name] = Member(name, kind, element, start, end, None, (element,))
             continue
-        section, layers = parts.section(run)
-        element = model.beam_column(
+        ends = at_ends.get(name, (EndOf(), EndOf()))
+        hinged = any(of.hinge is not None for of in ends)
+        section, layers = parts.section(run, hinged)
+        built = builder.add(
             name,
-            nodes[start],
-            nodes[end],
+            (nodes[start], nodes[end]),
             section,
-            points=project.elements.integration_points,
-            geometry=of_kind[kind],
-            release=project.frame.released.get(name, (False, False)),
+            parts.bending_stiffness(run) if hinged else None,
+            project.elements.integration_points,
+            of_kind[kind],
+            project.frame.released.get(name, (False, False)),
+            ends,
         )
-        found[name] = Member(name, kind, element, start, end, layers)
+        found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, built.springs)
     return found
 
 
@@ -272,7 +299,7 @@ class _Parts:
         self._shapes: dict[tuple[str, SectionAxis], CrossSection | ElasticSection] = {}
         self._materials: dict[tuple[str, bool], int] = {}
         self._breaking: dict[tuple[str, Fracture], int] = {}
-        self._sections: dict[tuple[str, str, SectionAxis], tuple[int, np.ndarray | None]] = {}
+        self._sections: dict[tuple[str, str, SectionAxis, bool], tuple[int, np.ndarray | None]] = {}
         self._buckling: dict[tuple[str, int, SectionAxis], int] = {}
         for run in project.frame.members.values():
             if isinstance(run, BraceRun) or not self._stays_elastic(run):
@@ -280,12 +307,16 @@ class _Parts:
             if isinstance(run, BraceRun) and run.buckling is not None:
                 self._fibre_material(run, run.buckling)
 
-    def section(self, run: Run) -> tuple[int, np.ndarray | None]:
-        """Id of the section of a column or beam, and the depths of its layers unless it is elastic."""
-        key = (run.section, run.material, _axis(run))
+    def section(self, run: Run, elastic: bool = False) -> tuple[int, np.ndarray | None]:
+        """Id of the section of a column or beam, and the depths of its layers unless it is elastic, or is to be."""
+        key = (run.section, run.material, _axis(run), elastic)
         if key not in self._sections:
-            self._sections[key] = self._make(run)
+            self._sections[key] = self._make(run, elastic)
         return self._sections[key]
+
+    def bending_stiffness(self, run: Run) -> float:
+        """E I of a column or beam, N m2."""
+        return self._project.materials[run.material].E * (self._shape(run).inertia or 0.0)
 
     def brace(self, run: BraceRun) -> tuple[int, float]:
         """Material id and area of a brace; on an elastic section the material is its elastic part."""
@@ -303,9 +334,9 @@ class _Parts:
             self._buckling[key] = self._model.fibre_section(*shape.fibres, material)
         return self._buckling[key], self._material(run), shape.area
 
-    def _make(self, run: Run) -> tuple[int, np.ndarray | None]:
+    def _make(self, run: Run, elastic: bool) -> tuple[int, np.ndarray | None]:
         shape = self._shape(run)
-        if isinstance(shape, CrossSection) and not self._stays_elastic(run):
+        if isinstance(shape, CrossSection) and not (elastic or self._stays_elastic(run)):
             depths, areas = shape.fibres
             return self._model.fibre_section(depths, areas, self._material(run)), shape.layers[0]
         if shape.inertia is None:

@@ -75,8 +75,8 @@ class DeterioratingSpring:
     Attributes:
         stiffness: elastic stiffness.
         positive, negative: the sides.
-        strength, after_capping, unloading: reference cumulative deformations (Lambda_s, Lambda_c, Lambda_k), with which
-            the energies E_t = Lambda M_y of the positive side are reached; inf: no deterioration.
+        strength, after_capping, unloading: energies E_t = Lambda M_y that may be dissipated until nothing is left of
+            the strength, the line after capping, the unloading stiffness; inf: no deterioration.
         exponents: c of the three.
     """
 
@@ -94,9 +94,8 @@ class DeterioratingSpring:
         for side in (self.positive, self.negative):
             values += [side.plastic, side.capping, side.ultimate, side.yield_force]
             values += [side.capped, side.residual, side.rate]
-        reference = self.positive.yield_force
-        values += [Lambda * reference for Lambda in (self.strength, self.after_capping, self.unloading)]
-        return lib.ED_SPRING_DETERIORATING, [*values, *self.exponents]
+        values += [self.strength, self.after_capping, self.unloading, *self.exponents]
+        return lib.ED_SPRING_DETERIORATING, values
 
 
 SpringLaw = MultilinearSpring | ContactSpring | DeterioratingSpring

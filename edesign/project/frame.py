@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Annotated, Literal
+from typing import Annotated
 
 from pydantic import Discriminator, Field, Tag
 
@@ -14,9 +14,9 @@ from edesign.project import names
 from edesign.project.base import Model, by_shape
 from edesign.project.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
 from edesign.project.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
+from edesign.project.supports import Support, SupportKind, SupportSprings
 from edesign.project.units import PositiveLength
 
-Support = Literal["fixed", "pinned", "roller"]
 Count = Annotated[int, Field(ge=1, le=1000)]
 Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
 
@@ -64,7 +64,7 @@ class Frame(Model):
         Annotated[Lengths, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
     ]
     supports: Annotated[
-        Annotated[Support, Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")], Discriminator(by_shape)
+        Annotated[SupportKind, Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")], Discriminator(by_shape)
     ] = "fixed"
     diaphragms: NumbersOrNone = NO_NUMBERS
     columns: tuple[ColumnRun, ...]
@@ -121,7 +121,7 @@ class Frame(Model):
         """The lines left and right of a bay (bays count from 1)."""
         return self.lines[bay - 1], self.lines[bay]
 
-    def support(self, line: str) -> Support:
+    def support(self, line: str) -> SupportKind | SupportSprings:
         """Support at the base of a line; lines that a mapping does not name take its `default`, else fixed."""
         if isinstance(self.supports, dict):
             return self.supports.get(line, self.supports.get("default", "fixed"))
@@ -207,7 +207,7 @@ class Frame(Model):
         """Members with moment releases, by name: (released at the start, released at the end)."""
         found: dict[str, tuple[bool, bool]] = {}
         for release in self.releases:
-            for first, last in self._members_in(release):
+            for first, last in self.members_in(release.beams, release.columns):
                 if release.ends != "end":
                     found[first] = (True, found.get(first, (False, False))[1])
                 if release.ends != "start":
@@ -241,6 +241,17 @@ class Frame(Model):
         found.update({names.brace_name(*place): run for place, run in self.brace_at.items()})
         return found
 
+    @cached_property
+    def ends(self) -> dict[str, tuple[str, str]]:
+        """Start and end node of every member, by name: columns, then beams, then braces."""
+        found = {}
+        for line, storey in self.column_at:
+            nodes = names.node_name(line, storey - 1), names.node_name(line, storey)
+            found[names.column_name(line, storey)] = nodes
+        found |= {name: (beam.start, beam.end) for name, beam in self.beam_members.items()}
+        found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
+        return found
+
     # --- selections on this grid
 
     def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[str, int]]:
@@ -268,12 +279,12 @@ class Frame(Model):
             if names.node_name(line, floor) in self.nodes
         ]
 
-    def _members_in(self, release: Release) -> Iterator[tuple[str, str]]:
-        """The first and the last member of each beam or column of a release; of most they are one."""
-        if release.beams is not None:
-            yield from (self.ends_of_beam(*place) for place in self.standing_beams(release.beams))
-        if release.columns is not None:
-            for line, storey in self.column_places(release.columns):
+    def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
+        """The first and the last member of each selected beam or column that stands; of most they are one."""
+        if beams is not None:
+            yield from (self.ends_of_beam(*place) for place in self.standing_beams(beams))
+        if columns is not None:
+            for line, storey in self.column_places(columns):
                 if (line, storey) in self.column_at:
                     yield (names.column_name(line, storey),) * 2
 

@@ -10,6 +10,7 @@ from edesign.project.checks_actions import check_actions
 from edesign.project.checks_dampers import check_dampers
 from edesign.project.checks_frame import check_frame
 from edesign.project.checks_hazard import check_hazard
+from edesign.project.checks_hinges import check_hinges
 from edesign.project.checks_outputs import check_outputs
 from edesign.project.dampers import BraceSection
 from edesign.project.members import BeamRun, BraceRun, ColumnRun
@@ -59,6 +60,7 @@ def parse_project(
         project.read_from(path, text, problems.root, read)
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
+        check_hinges(project, problems)
         check_actions(project, problems, files)
         check_dampers(project, problems)
         check_hazard(project.hazard, project, problems, files)

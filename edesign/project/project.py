@@ -17,6 +17,7 @@ from edesign.project.elements import Elements
 from edesign.project.file_model import FileModel
 from edesign.project.frame import Frame
 from edesign.project.hazard import AnyHazard
+from edesign.project.hinges import Hinges, Joints
 from edesign.project.integration import Integration
 from edesign.project.loads import Loads
 from edesign.project.masses import Masses
@@ -45,6 +46,8 @@ class Project(RecordFiles, FileModel):
     loads: Loads = Loads()
     masses: Masses | None = None
     elements: Elements = Elements()
+    hinges: tuple[Hinges, ...] = ()
+    joints: tuple[Joints, ...] = ()
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

@@ -53,7 +53,7 @@ _KINDS = (
     TIME := Kind("time", "s", "0.01 s"),
     ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g"),
     Kind("volume", "m^3", "1 m^3"),
-    Kind("moment", "N*m", "10 kN*m"),
+    MOMENT := Kind("moment", "N*m", "10 kN*m"),
     VELOCITY := Kind("velocity", "m/s", "360 m/s"),
     DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3"),
     Kind("mass per length", "kg/m", "77.6 kg/m"),

@@ -123,10 +123,7 @@ def _reactions(frame: FrameModel) -> list[Quantity]:
             name,
             ("support",),
             (len(frame.supports),),
-            tuple(
-                ((1.0, "reaction", frame.nodes[node], at),) if fixed[at] else ()
-                for node, fixed in frame.supports.items()
-            ),
+            tuple(((1.0, *frame.reaction(node, at)),) if fixed[at] else () for node, fixed in frame.supports.items()),
             unit,
             label,
             keep=("final",),

@@ -110,7 +110,7 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
     """Horizontal force in all columns and braces of each storey, second-order terms included."""
     cells: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
     for line, storey in frame.frame.column_at:
-        element = frame.members[names.column_name(line, storey)].element
+        element = frame.members[names.column_name(line, storey)].at_end(1)
         cells[storey - 1] += ((1.0, "global_force", element, 3),)
     for bay, storey, way in frame.frame.brace_at:
         element = frame.members[names.brace_name(bay, storey, way)].element
@@ -122,7 +122,7 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
 
 def base_shear(frame: FrameModel, history: bool) -> Quantity:
     """The sum of the horizontal reactions, with the sign of the loads they carry."""
-    terms = tuple((-1.0, "reaction", frame.nodes[name], 0) for name, fixed in frame.supports.items() if fixed[0])
+    terms = tuple((-1.0, *frame.reaction(name, 0)) for name, fixed in frame.supports.items() if fixed[0])
     name = "base shear: minus the sum of the horizontal reactions"
     return Quantity("base_shear", (), (), (terms,), "N", name, history)
 
@@ -141,7 +141,7 @@ def member_forces(frame: FrameModel, members: list[Member], dim: str, history: b
             f"member_{name}",
             (dim, "end"),
             (len(members), 2),
-            tuple(((1.0, "end_force", m.element, at + 3 * end),) for m in members for end in (0, 1)),
+            tuple(((1.0, "end_force", m.at_end(end), at + 3 * end),) for m in members for end in (0, 1)),
             unit,
             label,
             history,
@@ -168,16 +168,18 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
     found = []
     for kind in ("column", "beam"):
         members = frame.of_kind(kind)
-        cells = tuple(
-            ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
-            for member in members
-            for end in (0, 1)
-        )
+        cells = tuple(plastic_rotation(member, end) for member in members for end in (0, 1))
         if members:
             name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
             shape = (len(members), 2)
             found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
     return found
+
+
+def plastic_rotation(member: Member, end: int) -> Terms:
+    """Plastic rotation of the start (0) or end (1) of a member: of its fibres, hinges and joints."""
+    fibres: Terms = ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
+    return fibres + tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)
 
 
 def dampers(frame: FrameModel, history: bool) -> list[Quantity]:

@@ -9,8 +9,8 @@ from edesign.project.outputs import FibreOutput
 from edesign.project.project import Project
 from edesign.project.selections import NumberSelection
 from edesign.study.brace_results import recorded_braces
-from edesign.study.quantities import member_forces
-from edesign.study.recording import Quantity, coordinate
+from edesign.study.quantities import member_forces, plastic_rotation
+from edesign.study.recording import Quantity, Terms, coordinate
 
 
 def requested_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
@@ -26,7 +26,7 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
         found += member_forces(frame, members, "recorded_member", history=True)
         found += recorded_braces(members, group)
-        found += _rotations([member if member.kind != "brace" else None for member in members])
+        found += _rotations(frame, [member if member.kind != "brace" else None for member in members])
     if outputs.sections:
         found += _sections(project, frame, group)
     if outputs.fibres:
@@ -34,20 +34,14 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
     return found
 
 
-def _rotations(members: list[Member | None]) -> list[Quantity]:
+def _rotations(frame: FrameModel, members: list[Member | None]) -> list[Quantity]:
     """Rotations of the ends of members, anticlockwise as the moments on them; None stands for a brace, which has none.
 
     The plastic part is there if at least one of the members can yield.
     """
     shape, dims = (len(members), 2), ("recorded_member", "end")
-    chord = tuple(
-        ((1.0, "deformation", member.element, 1 + end),) if member else () for member in members for end in (0, 1)
-    )
-    plastic = tuple(
-        ((1.0, "plastic_rotation", member.element, end),) if member and member.layers is not None else ()
-        for member in members
-        for end in (0, 1)
-    )
+    chord = tuple(_chord_rotation(frame, member, end) if member else () for member in members for end in (0, 1))
+    plastic = tuple(plastic_rotation(member, end) if member else () for member in members for end in (0, 1))
     parts = (
         ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
         ("plastic", plastic, "plastic rotation of the member's end: chord rotation less its elastic part"),
@@ -57,6 +51,24 @@ def _rotations(members: list[Member | None]) -> list[Quantity]:
         for part, cells, label in parts
         if any(cells)
     ]
+
+
+def _chord_rotation(frame: FrameModel, member: Member, end: int) -> Terms:
+    """Rotation of the node at a member's end against its chord; with hinges inside the member, of small rotations."""
+    inside: Terms = ((1.0, "deformation", member.element, 1 + end),)
+    if len(member.parts) == 1:
+        return inside + tuple((1.0, "deformation", spring.element, 0) for spring in member.springs[end])
+    nodes = [frame.nodes[member.start], frame.nodes[member.end]]
+    (x0, y0), (x1, y1) = (frame.frame.nodes[name] for name in (member.start, member.end))
+    length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
+    across = (-(y1 - y0) / length**2, (x1 - x0) / length**2)
+    turned = tuple(
+        (sign * share, "displacement", node, degree)
+        for node, sign in zip(nodes, (1.0, -1.0), strict=True)
+        for degree, share in enumerate(across)
+        if share
+    )
+    return ((1.0, "displacement", nodes[end], 2), *turned)
 
 
 def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:

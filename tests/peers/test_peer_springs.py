@@ -64,7 +64,7 @@ def theirs(law: DeterioratingSpring, path: np.ndarray) -> np.ndarray:
     ops.wipe()
     ops.model("basic", "-ndm", 1, "-ndf", 1)
     rates = (law.positive.rate, law.negative.rate)
-    lambdas = (law.strength, law.after_capping, law.unloading)
+    lambdas = (E_t / law.positive.yield_force for E_t in (law.strength, law.after_capping, law.unloading))
     ops.uniaxialMaterial("IMKBilin", 1, law.stiffness, *sides, *lambdas, *law.exponents, *rates)
     ops.testUniaxialMaterial(1)
     moments = []
@@ -79,7 +79,8 @@ def theirs(law: DeterioratingSpring, path: np.ndarray) -> np.ndarray:
 @pytest.mark.parametrize("protocol", [SAC, NEAR_COLLAPSE], ids=["SAC", "near collapse"])
 def test_cyclic_protocols(negative: DeterioratingSide, Lambda: float, protocol: Sequence[tuple[float, int]]) -> None:
     """Moments within 1 % of yield along the path, energy within 0.5 %, while the strength is above the residual one."""
-    law = DeterioratingSpring(K, STEEL, negative, Lambda, Lambda, 1.5 * Lambda)
+    E_t = Lambda * STEEL.yield_force
+    law = DeterioratingSpring(K, STEEL, negative, E_t, E_t, 1.5 * E_t)
     path, moments = ours(law, turning_points(protocol))
     peer = theirs(law, path)
     assert np.max(np.abs(peer)) > 5e5  # the peer has not refused the values

@@ -11,7 +11,8 @@ import dataclasses
 
 import pytest
 
-from edesign.assess.members import frame_members, plastic_modulus
+from edesign.assess.members import frame_members
+from edesign.building.i_shape import plastic_modulus
 from edesign.building.profiles import profile
 from edesign.building.section import rolled_section
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits

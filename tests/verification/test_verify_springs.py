@@ -25,7 +25,7 @@ L, EA, EI = 3.0, 2.0e9, 2.0e7
 
 def steel_hinge(stiffness: float = 1.0e7, Lambda: float = 0.8) -> DeterioratingSpring:
     side = DeterioratingSide(plastic=0.025, capping=0.15, ultimate=0.4, yield_force=1e5, capped=1.1, residual=0.4)
-    return DeterioratingSpring(stiffness, side, side, Lambda, Lambda, Lambda)
+    return DeterioratingSpring(stiffness, side, side, *(Lambda * 1e5,) * 3)
 
 
 def along(law: SpringLaw, path: np.ndarray) -> tuple[np.ndarray, Analysis]:
@@ -182,7 +182,7 @@ def test_strength_deteriorates_by_the_energy_of_each_excursion() -> None:
     Elastic-plastic (M_c = M_y), capping far away: the energy of an excursion is M_y times its plastic rotation.
     """
     side = DeterioratingSide(plastic=1.0, capping=1.0, ultimate=inf, yield_force=1e5, capped=1.0)
-    law = DeterioratingSpring(1e7, side, side, strength=0.5)
+    law = DeterioratingSpring(1e7, side, side, strength=0.5e5)
     forces, _ = along(law, np.array([0.03, -0.03, 0.03]))
     E_t = 0.5e5
     first = 1e5 * 0.02

@@ -16,6 +16,7 @@ from edesign.project.integration import HHTIntegration, Integration, NewmarkInte
 from edesign.project.loads import BeamLoad
 from edesign.project.materials import ElasticMaterial
 from edesign.project.project import Project
+from edesign.project.supports import support_name
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.captions import plain
 
@@ -91,7 +92,7 @@ def _over_height(sections: Iterable[tuple[int, str]], what: str) -> str:
 
 
 def _supports(project: Project) -> str:
-    kinds = {line: project.frame.support(line) for line in project.frame.lines}
+    kinds = {line: support_name(project.frame.support(line)) for line in project.frame.lines}
     if len(set(kinds.values())) == 1:
         return next(iter(kinds.values()))
     return ", ".join(f"{line} {kind}" for line, kind in kinds.items())

@@ -1,0 +1,354 @@
+"""Members with springs at their ends: plastic hinges, and joints that turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from math import inf, sqrt
+from typing import TYPE_CHECKING, Literal
+
+from edesign.building.i_shape import i_section, i_shape
+from edesign.codes.lignos_krawinkler import (
+    CAPPING_RATIO,
+    EFFECTIVE_YIELD,
+    RESIDUAL_RATIO,
+    ULTIMATE_ROTATION,
+    rotation_capacity,
+)
+from edesign.errors import InputError
+from edesign.project import names
+from edesign.project.hinges import Hinges, HingeSide, HingeValues, Joints
+from edesign.project.members import BraceRun
+from edesign.project.project import Project
+
+if TYPE_CHECKING:
+    from edesign.core import DeterioratingSide, Model, SpringLaw
+
+TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
+LATERAL_BRACING = 0.086
+"""Largest distance of lateral braces of highly ductile beams over r_y E / F_y (AISC 341-10, D1.2b)."""
+
+SpringKind = Literal["hinge", "joint"]
+
+
+@dataclass(frozen=True)
+class EndSpring:
+    """A spring at a member's end; its moment is that on the end, anticlockwise, its rotation adds to the chord's.
+
+    Attributes:
+        element: its id in the core.
+        kind: what it stands for.
+        yields: whether it can.
+        stiffness: at the start, N m/rad.
+        M_y: effective yield moment, or resistance of the joint, N m; infinite if it does not yield.
+        rotations: theta_p, theta_pc, theta_u of a hinge, rad; of a joint nan.
+    """
+
+    element: int
+    kind: SpringKind
+    stiffness: float
+    M_y: float = inf
+    rotations: tuple[float, float, float] = (float("nan"),) * 3
+
+    @property
+    def yields(self) -> bool:
+        """Whether it can."""
+        return self.M_y < inf
+
+
+@dataclass(frozen=True)
+class EndOf:
+    """What stands at one end of a member.
+
+    Attributes:
+        hinge: the moment and rotation of a hinge, None: none.
+        distance: from the node to the hinge, m.
+        ratio: n of the hinge.
+        joint: the joint, None: it does not turn.
+    """
+
+    hinge: HingeValues | None = None
+    distance: float = 0.0
+    ratio: float = 10.0
+    joint: Joints | None = None
+
+
+Ends = tuple[EndOf, EndOf]
+
+
+def member_ends(project: Project) -> dict[str, Ends]:
+    """Return what stands at the ends of the members that have hinges or joints, by name.
+
+    Raises:
+        InputError: the regression does not know a section.
+    """
+    found: dict[str, list[EndOf]] = {}
+    frame = project.frame
+    for i, hinges in enumerate(project.hinges):
+        for first, last in frame.members_in(hinges.beams, hinges.columns):
+            for name, end in _chosen(first, last, hinges.ends):
+                distance = _distance(project, hinges, name, end, i)
+                of = found.setdefault(name, [EndOf(), EndOf()])
+                of[end] = EndOf(None, distance, hinges.stiffness_ratio, of[end].joint)
+        for first, last in frame.members_in(hinges.beams, hinges.columns):
+            for name, end in _chosen(first, last, hinges.ends):
+                of = found[name]
+                values = _values(project, hinges, name, of, i)
+                of[end] = EndOf(values, of[end].distance, of[end].ratio, of[end].joint)
+    for joints in project.joints:
+        for first, last in frame.members_in(joints.beams, joints.columns):
+            for name, end in _chosen(first, last, joints.ends):
+                of = found.setdefault(name, [EndOf(), EndOf()])
+                of[end] = EndOf(of[end].hinge, of[end].distance, of[end].ratio, joints)
+    return {name: (of[0], of[1]) for name, of in found.items()}
+
+
+def _chosen(first: str, last: str, ends: str) -> list[tuple[str, int]]:
+    """(member, end) of a beam or column, which may be two members in line."""
+    both = {"start": [(first, 0)], "end": [(last, 1)]}
+    return [*both["start"], *both["end"]] if ends == "both" else both[ends]
+
+
+def _length(project: Project, name: str) -> float:
+    frame = project.frame
+    (x0, y0), (x1, y1) = (frame.nodes[node] for node in frame.ends[name])
+    return float(((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5)
+
+
+def _distance(project: Project, hinges: Hinges, name: str, end: int, i: int) -> float:
+    cut = hinges.reduced_section
+    distance = hinges.distance
+    if distance is None:
+        distance = 0.0
+        if cut is not None:
+            distance = 0.5 * _column_depth(project, name, end, i) + cut.a + 0.5 * cut.b
+    if not distance < 0.5 * _length(project, name):
+        where = project.where("hinges", i)
+        raise InputError(
+            f"{where}: the hinge of {name} is {distance:.3g} m from its node, beyond the middle of the member"
+        )
+    return distance
+
+
+def _column_depth(project: Project, name: str, end: int, i: int) -> float:
+    """Depth of the deeper column at the node of a beam's end, m."""
+    frame = project.frame
+    node = frame.ends[name][end]
+    depths = []
+    for (line, storey), run in frame.column_at.items():
+        if node in (names.node_name(line, storey), names.node_name(line, storey - 1)):
+            plates = i_shape(project, run)
+            if plates is None:
+                where = project.where("hinges", i)
+                raise InputError(f"{where}: the column at {node} has no I section; give the `distance` of the hinges")
+            depths.append(plates.height)
+    return max(depths, default=0.0)
+
+
+def _values(project: Project, hinges: Hinges, name: str, of: Sequence[EndOf], i: int) -> HingeValues:
+    if isinstance(hinges.parameters, HingeValues):
+        return hinges.parameters
+    run = project.frame.members[name]
+    where = project.where("hinges", i, "parameters")
+    assert not isinstance(run, BraceRun)
+    section, plates = i_section(project, run), i_shape(project, run)
+    if section is None or plates is None:
+        raise InputError(
+            f"{where}: the regression is for I sections of steel that yields; {name} has `{run.section}` of "
+            f"`{run.material}`: give its parameters one by one"
+        )
+    cut, kind = hinges.reduced_section, "other" if hinges.reduced_section is None else "reduced"
+    r_y = sqrt(section.weak_inertia / section.area)
+    unbraced = hinges.unbraced_length
+    if unbraced is None:
+        unbraced = LATERAL_BRACING * r_y * section.E / section.expected_yield
+    clear = _length(project, name) - of[0].distance - of[1].distance
+    span = 0.5 * clear if hinges.ends == "both" else clear
+    capacity = rotation_capacity(
+        section.web_slenderness,
+        section.flange_slenderness,
+        unbraced / r_y,
+        span / plates.height,
+        plates.height,
+        section.expected_yield,
+        cut is not None,
+    )
+    Z = section.plastic_modulus
+    if cut is not None:
+        if not 2.0 * cut.c < plates.width:
+            at = project.where("hinges", i, "reduced_section", "c")
+            raise InputError(
+                f"{at}: two cuts of {cut.c:g} m leave nothing of the flange of {name}, {plates.width:g} m wide"
+            )
+        Z -= 2.0 * cut.c * plates.flange * (plates.height - plates.flange)
+    M_y = EFFECTIVE_YIELD[kind] * Z * section.expected_yield
+    return HingeValues.model_construct(
+        M_y=M_y,
+        M_c_ratio=CAPPING_RATIO[kind],
+        M_r_ratio=RESIDUAL_RATIO,
+        theta_p=capacity.plastic,
+        theta_pc=capacity.post_capping,
+        theta_u=ULTIMATE_ROTATION,
+        Lambda=capacity.Lambda,
+    )
+
+
+def hinge_law(values: HingeValues, stiffness: float, end: int) -> SpringLaw:
+    """Return the core's law of a hinge at the start (0) or end (1) of a member.
+
+    A moment that pulls at the bottom turns the start clockwise and the end anticlockwise, which is positive.
+    """
+    from edesign.core import DeterioratingSpring
+
+    other = values.hogging
+    sagging = _side(values, HingeSide())
+    hogging = _side(values, other)
+    sides = (hogging, sagging) if end == 0 else (sagging, hogging)
+
+    def energy(own: float | None) -> float:
+        Lambda = own if own is not None else values.Lambda
+        return inf if Lambda is None else Lambda * values.M_y
+
+    strength, after_capping, unloading = map(energy, (values.Lambda_s, values.Lambda_c, values.Lambda_k))
+    return DeterioratingSpring(stiffness, *sides, strength, after_capping, unloading, (values.c,) * 3)
+
+
+def _side(values: HingeValues, other: HingeSide) -> DeterioratingSide:
+    from edesign.core import DeterioratingSide
+
+    def of(name: str) -> float:
+        own = getattr(other, name)
+        return float(getattr(values, name) if own is None else own)
+
+    return DeterioratingSide(
+        plastic=of("theta_p"),
+        capping=of("theta_pc"),
+        ultimate=of("theta_u"),
+        yield_force=of("M_y"),
+        capped=of("M_c_ratio"),
+        residual=of("M_r_ratio"),
+        rate=of("D"),
+    )
+
+
+def joint_law(joint: Joints) -> SpringLaw:
+    """Return the core's law of a joint: linear, or bilinear from its resistance on."""
+    from edesign.core import MultilinearSpring
+
+    if joint.resistance is None:
+        return MultilinearSpring(joint.stiffness)
+    corner = (joint.resistance / joint.stiffness, joint.resistance)
+    return MultilinearSpring(joint.hardening * joint.stiffness, (corner,))
+
+
+@dataclass(frozen=True)
+class BuiltMember:
+    """A member as it stands in the core.
+
+    Attributes:
+        parts: its elements from the start; springs are not among them.
+        interior: the one between the hinges.
+        springs: at its start and at its end.
+    """
+
+    parts: tuple[int, ...]
+    interior: int
+    springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]]
+
+
+class MemberBuilder:
+    """Adds members with springs at their ends to a model.
+
+    Args:
+        model: of the core.
+        places: of all nodes by their ids, m; nodes that are added are noted.
+    """
+
+    def __init__(self, model: Model, places: dict[int, tuple[float, float]]) -> None:
+        self._model, self._places = model, places
+
+    def add(
+        self,
+        name: str,
+        nodes: tuple[int, int],
+        section: int,
+        EI: float | None,
+        points: int,
+        geometry: str,
+        release: tuple[bool, bool],
+        ends: Ends,
+    ) -> BuiltMember:
+        """Add a member.
+
+        Args:
+            name: of the member.
+            nodes: ids of its nodes.
+            section: id in the core, elastic if there are hinges.
+            EI: of the elastic section, N m2; None without hinges.
+            points, geometry, release: of the member.
+            ends: what stands at its start and end.
+        """
+        model = self._model
+        (x0, y0), (x1, y1) = (self._places[node] for node in nodes)
+        length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
+        interior = length - ends[0].distance - ends[1].distance
+        parts: list[tuple[int, int, int]] = []  # end, nodes of the short parts outside of hinges
+        inner, springs, without = [], [], []
+        for end, of in enumerate(ends):
+            label = f"{name}.{('start', 'end')[end]}"
+            at, found, flexibility = nodes[end], [], 0.0
+            if of.joint is not None:
+                at, spring = self._spring(f"{label}.joint", at, joint_law(of.joint))
+                resistance = inf if of.joint.resistance is None else of.joint.resistance
+                found.append(EndSpring(spring, "joint", of.joint.stiffness, resistance))
+            if of.hinge is not None:
+                assert EI is not None
+                if of.distance > 0.0:
+                    share = of.distance / length if end == 0 else 1.0 - of.distance / length
+                    outside = self._node(f"{label}.cut", (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
+                    parts.append((end, at, outside))
+                    at = outside
+                stiffness = (of.ratio + 1.0) * 6.0 * EI / interior
+                flexibility = 1.0 / stiffness
+                at, spring = self._spring(f"{label}.hinge", at, hinge_law(of.hinge, stiffness, end))
+                model.damping_factor(spring, 0.0)
+                values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
+                found.append(EndSpring(spring, "hinge", stiffness, of.hinge.M_y, values))
+            inner.append(at)
+            springs.append(tuple(found))
+            without.append(flexibility)
+        hinged = any(without)
+        element = model.beam_column(
+            name, inner[0], inner[1], section, points=points, geometry=geometry, release=release
+        )
+        if hinged:
+            model.without_flexibility(element, without[0], without[1])
+            model.damping_factor(element, _damping_factor(ends, without, EI, interior))
+        outer = {}
+        for end, node, cut in parts:
+            pair = (node, cut) if end == 0 else (cut, node)
+            outer[end] = model.beam_column(f"{name}.{('start', 'end')[end]}", *pair, section, 2, geometry)
+        order = [outer[0]] if 0 in outer else []
+        order += [element, *([outer[1]] if 1 in outer else [])]
+        return BuiltMember(tuple(order), element, (springs[0], springs[1]))
+
+    def _node(self, name: str, place: tuple[float, float]) -> int:
+        node = self._model.node(name, *place)
+        self._places[node] = place
+        return node
+
+    def _spring(self, name: str, outer: int, law: SpringLaw) -> tuple[int, int]:
+        """A spring between a node and another one at the same place, which is returned with it."""
+        inner = self._node(name, self._places[outer])
+        self._model.tie(inner, outer, ux=True, uy=True)
+        return inner, self._model.spring(name, inner, outer, TURN, law)
+
+
+def _damping_factor(ends: Ends, without: Sequence[float], EI: float | None, length: float) -> float:
+    """Energy of the plain member over that of the part between its hinges, in double curvature.
+
+    With hinges of one n at both ends it is (n + 1) / n (Zareian & Medina 2010, Eq. 9).
+    """
+    assert EI is not None
+    plain = length / (6.0 * EI)
+    return 2.0 * plain / (2.0 * plain - sum(without))
