@@ -81,6 +81,7 @@ class FrameModel:
         supports: held degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
+        moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
     """
 
@@ -94,16 +95,24 @@ class FrameModel:
     devices: tuple[Device, ...] = ()
     attached: dict[str, int] = field(default_factory=dict)
     grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
+    moving_with: dict[int, list[int]] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
         """Total mass, kg."""
         return float(sum(self.masses.values()))
 
-    def reaction(self, support: str, degree: int) -> tuple[str, int, int]:
-        """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as a quantity of the core."""
+    def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
+        """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as terms of the core.
+
+        A column that stands on a hinge or joint pushes at a node of its own.
+        """
         ground = self.grounds.get(support, (None, None, None))[degree]
-        return "reaction", self.nodes[support] if ground is None else ground, degree
+        if ground is not None:
+            return ((1.0, "reaction", ground, degree),)
+        node = self.nodes[support]
+        pushed = [node] if degree == 2 else [node, *self.moving_with.get(node, ())]
+        return tuple((1.0, "reaction", at, degree) for at in pushed)
 
     def of_kind(self, kind: Kind) -> list[Member]:
         """Members of a kind in the order of `members`."""
@@ -147,7 +156,7 @@ def build_frame(
         model = Model()
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
-    members = _members(project, model, nodes)
+    members, moving_with = _members(project, model, nodes)
     supports, grounds = _supports(frame, model, nodes)
     for floor in frame.diaphragm_floors:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
@@ -168,7 +177,7 @@ def build_frame(
     for item in attachments:
         leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)
         attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
-    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds)
+    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds, moving_with)
 
 
 def _supports(
@@ -206,7 +215,7 @@ def _held_rotations(frame: Frame) -> set[str]:
     return held
 
 
-def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str, Member]:
+def _members(project: Project, model: Model, nodes: dict[str, int]) -> tuple[dict[str, Member], dict[int, list[int]]]:
     parts = _Parts(project, model)
     geometry = project.elements.geometry
     of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
@@ -232,14 +241,14 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> dict[str,
             name,
             (nodes[start], nodes[end]),
             section,
-            parts.bending_stiffness(run) if hinged else None,
+            parts.bending_stiffness(run),
             project.elements.integration_points,
             of_kind[kind],
             project.frame.released.get(name, (False, False)),
             ends,
         )
         found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, built.springs)
-    return found
+    return found, builder.moving_with
 
 
 def _buckling_brace(

@@ -38,8 +38,8 @@ class EndSpring:
     Attributes:
         element: its id in the core.
         kind: what it stands for.
-        yields: whether it can.
         stiffness: at the start, N m/rad.
+        of_member: E I / L of its member, N m.
         M_y: effective yield moment, or resistance of the joint, N m; infinite if it does not yield.
         rotations: theta_p, theta_pc, theta_u of a hinge, rad; of a joint nan.
     """
@@ -47,6 +47,7 @@ class EndSpring:
     element: int
     kind: SpringKind
     stiffness: float
+    of_member: float
     M_y: float = inf
     rotations: tuple[float, float, float] = (float("nan"),) * 3
 
@@ -262,17 +263,21 @@ class MemberBuilder:
     Args:
         model: of the core.
         places: of all nodes by their ids, m; nodes that are added are noted.
+
+    Attributes:
+        moving_with: nodes behind springs that share the displacements of a node, by its id.
     """
 
     def __init__(self, model: Model, places: dict[int, tuple[float, float]]) -> None:
         self._model, self._places = model, places
+        self.moving_with: dict[int, list[int]] = {}
 
     def add(
         self,
         name: str,
         nodes: tuple[int, int],
         section: int,
-        EI: float | None,
+        EI: float,
         points: int,
         geometry: str,
         release: tuple[bool, bool],
@@ -284,7 +289,7 @@ class MemberBuilder:
             name: of the member.
             nodes: ids of its nodes.
             section: id in the core, elastic if there are hinges.
-            EI: of the elastic section, N m2; None without hinges.
+            EI: bending stiffness of the elastic section, N m2.
             points, geometry, release: of the member.
             ends: what stands at its start and end.
         """
@@ -300,9 +305,8 @@ class MemberBuilder:
             if of.joint is not None:
                 at, spring = self._spring(f"{label}.joint", at, joint_law(of.joint))
                 resistance = inf if of.joint.resistance is None else of.joint.resistance
-                found.append(EndSpring(spring, "joint", of.joint.stiffness, resistance))
+                found.append(EndSpring(spring, "joint", of.joint.stiffness, EI / length, resistance))
             if of.hinge is not None:
-                assert EI is not None
                 if of.distance > 0.0:
                     share = of.distance / length if end == 0 else 1.0 - of.distance / length
                     outside = self._node(f"{label}.cut", (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
@@ -313,7 +317,7 @@ class MemberBuilder:
                 at, spring = self._spring(f"{label}.hinge", at, hinge_law(of.hinge, stiffness, end))
                 model.damping_factor(spring, 0.0)
                 values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
-                found.append(EndSpring(spring, "hinge", stiffness, of.hinge.M_y, values))
+                found.append(EndSpring(spring, "hinge", stiffness, EI / length, of.hinge.M_y, values))
             inner.append(at)
             springs.append(tuple(found))
             without.append(flexibility)
@@ -323,7 +327,7 @@ class MemberBuilder:
         )
         if hinged:
             model.without_flexibility(element, without[0], without[1])
-            model.damping_factor(element, _damping_factor(ends, without, EI, interior))
+            model.damping_factor(element, _damping_factor(without, EI, interior))
         outer = {}
         for end, node, cut in parts:
             pair = (node, cut) if end == 0 else (cut, node)
@@ -341,14 +345,16 @@ class MemberBuilder:
         """A spring between a node and another one at the same place, which is returned with it."""
         inner = self._node(name, self._places[outer])
         self._model.tie(inner, outer, ux=True, uy=True)
+        for moving in self.moving_with.values():
+            moving += [inner] if outer in moving else []
+        self.moving_with.setdefault(outer, []).append(inner)
         return inner, self._model.spring(name, inner, outer, TURN, law)
 
 
-def _damping_factor(ends: Ends, without: Sequence[float], EI: float | None, length: float) -> float:
+def _damping_factor(without: Sequence[float], EI: float, length: float) -> float:
     """Energy of the plain member over that of the part between its hinges, in double curvature.
 
     With hinges of one n at both ends it is (n + 1) / n (Zareian & Medina 2010, Eq. 9).
     """
-    assert EI is not None
     plain = length / (6.0 * EI)
     return 2.0 * plain / (2.0 * plain - sum(without))

@@ -15,6 +15,7 @@ from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
+from edesign.study.springs import spring_quantities
 from edesign.study.structure import make_structure
 from edesign.study.validity import judged, rotation_limits, rotation_names
 from edesign.study.warnings import store_warnings
@@ -42,6 +43,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
         *brace_quantities(project, frame, group),
+        *spring_quantities(frame, group),
         *_node_displacements(frame),
         *_reactions(frame),
     ]
@@ -123,7 +125,7 @@ def _reactions(frame: FrameModel) -> list[Quantity]:
             name,
             ("support",),
             (len(frame.supports),),
-            tuple(((1.0, *frame.reaction(node, at)),) if fixed[at] else () for node, fixed in frame.supports.items()),
+            tuple(frame.reaction(node, at) if fixed[at] else () for node, fixed in frame.supports.items()),
             unit,
             label,
             keep=("final",),

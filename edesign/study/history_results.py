@@ -20,6 +20,7 @@ from edesign.study.dampers import strain_warnings
 from edesign.study.recording import SINGLE, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
+from edesign.study.springs import spring_quantities
 from edesign.study.validity import judged, rotation_limits, rotation_names
 from edesign.study.warnings import store_warnings
 
@@ -68,6 +69,7 @@ class HistoryResults:
             *q.axial_forces(frame),
             *q.plastic_rotations(frame),
             *brace_quantities(project, frame, self._group),
+            *spring_quantities(frame, self._group),
             *q.dampers(frame, "dampers" in self._wanted),
             *requested_quantities(project, frame, self._group),
         ]

@@ -20,6 +20,7 @@ from edesign.study.capacity_events import EventChannels
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.structure import make_frame, make_structure
+from edesign.study.springs import spring_quantities
 from edesign.study.validity import judged, rotation_limits, rotation_names
 from edesign.study.warnings import AnalysisWarning, store_warnings
 
@@ -101,6 +102,7 @@ def push(
         *q.axial_forces(frame),
         *q.plastic_rotations(frame),
         *brace_quantities(project, frame, group),
+        *spring_quantities(frame, group),
         *q.dampers(frame, history=False),
         *requested_quantities(project, frame, group),
     ]

@@ -122,7 +122,8 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
 
 def base_shear(frame: FrameModel, history: bool) -> Quantity:
     """The sum of the horizontal reactions, with the sign of the loads they carry."""
-    terms = tuple((-1.0, *frame.reaction(name, 0)) for name, fixed in frame.supports.items() if fixed[0])
+    held = [name for name, fixed in frame.supports.items() if fixed[0]]
+    terms = tuple((-factor, kind, node, at) for name in held for factor, kind, node, at in frame.reaction(name, 0))
     name = "base shear: minus the sum of the horizontal reactions"
     return Quantity("base_shear", (), (), (terms,), "N", name, history)
 

@@ -56,7 +56,9 @@ def test_hinged_ends_carry_no_moment(results_of: Results, analysis: str) -> None
     assert moments["B_1_4"][0] > 0.01 * largest  # the other end of that beam is rigid
 
 
-@pytest.mark.parametrize(("case", "storeys"), [("irregular_setback", 4), ("braced_truss", 3)])
+@pytest.mark.parametrize(
+    ("case", "storeys"), [("irregular_setback", 4), ("braced_truss", 3), ("deteriorating_hinges", 2)]
+)
 def test_storey_shear_is_the_sum_of_the_lateral_loads_above(results_of: Results, case: str, storeys: int) -> None:
     group = results_of(case, "push")
     load = group.variables["lateral_load"].values

@@ -97,6 +97,7 @@ def test_every_key_is_documented() -> None:
         "project_file",
         "hazard",
         "record_choice",
+        "hinges_and_springs",
         "study_file",
         "damper_design",
         "viscous_design",

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from edesign.report.axial_figures import axial_figures
 from edesign.report.frame_figures import frame_figures
+from edesign.report.hinge_tables import hinge_tables
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source, headed
 
 
 def hinges(source: Source) -> Section:
-    """Where members yield, at each hazard level, and what the columns carry."""
+    """Where members yield, at each hazard level, what hinges and joints did, and what the columns carry."""
     pictures = source.pictures(frame_figures, axial_figures)
-    return Section("hinges", "Plastic hinges and columns", (), tuple(headed(pictures, source.levels)))
+    tables = hinge_tables(source.groups)
+    return Section("hinges", "Plastic hinges and columns", (), (*tables, *headed(pictures, source.levels)))

@@ -1,0 +1,87 @@
+"""What analyses of frames with hinges, joints and springs under the columns record of these."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.building.hinges import EndSpring, SpringKind
+from edesign.building.joint_stiffness import classified
+from edesign.study.recording import Quantity, Terms, coordinate
+
+_KINDS: tuple[SpringKind, ...] = ("hinge", "joint")
+_SUPPORT = (
+    ("support_displacement_x", "displacement", 0, "m", "horizontal displacement of the supported node"),
+    ("support_displacement_y", "displacement", 1, "m", "vertical displacement of the supported node, upwards"),
+    ("support_rotation", "displacement", 2, "rad", "rotation of the supported node, anticlockwise"),
+    ("support_reaction_x", "reaction", 0, "N", "horizontal reaction of the spring"),
+    ("support_reaction_y", "reaction", 1, "N", "vertical reaction of the spring, upwards"),
+    ("support_reaction_moment", "reaction", 2, "N*m", "moment of the spring on the foot, anticlockwise"),
+)
+
+
+def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
+    """Return the hinges or joints of a frame by their names, such as B_1_2:start."""
+    return {
+        f"{member.name}:{('start', 'end')[end]}": spring
+        for member in frame.members.values()
+        for end in (0, 1)
+        for spring in member.springs[end]
+        if spring.kind == kind
+    }
+
+
+def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Return what is recorded of hinges, joints and springs at supports, and add what they are to a group."""
+    found = []
+    for kind in _KINDS:
+        springs = end_springs(frame, kind)
+        if not springs:
+            continue
+        coordinate(group, kind, list(springs), "", f"{kind} as member:end")
+        _facts(group, kind, list(springs.values()))
+        quantities = [
+            ("moment", "axial_force", "N*m", "moment on the member's end, anticlockwise"),
+            ("rotation", "deformation", "rad", f"rotation of the {kind}, anticlockwise"),
+            ("plastic_rotation", "plastic_rotation", "rad", f"rotation of the {kind} less its elastic part"),
+        ]
+        if kind == "hinge":
+            quantities.append(("strength_left", "strength_left", "1", "yield moment over that at first, weaker side"))
+        for name, what, unit, label in quantities:
+            cells = tuple(((1.0, what, spring.element, 0),) for spring in springs.values())
+            keep = ("final",) if what == "strength_left" else ("max", "min", "final")
+            found.append(Quantity(f"{kind}_{name}", (kind,), (len(cells),), cells, unit, label, keep=keep))
+    return found + _supports(frame, group)
+
+
+def _facts(group: Group, kind: SpringKind, values: list[EndSpring]) -> None:
+    group.add(f"{kind}_stiffness", (kind,), [s.stiffness for s in values], "N*m/rad", "stiffness at the start")
+    label = "effective yield moment" if kind == "hinge" else "resistance; infinite: it stays elastic"
+    group.add(f"{kind}_M_y", (kind,), [s.M_y for s in values], "N*m", label)
+    if kind == "hinge":
+        for i, name in enumerate(("theta_p", "theta_pc", "theta_u")):
+            label = f"{name} of the hinge, of beams under sagging moments"
+            group.add(f"hinge_{name}", (kind,), [s.rotations[i] for s in values], "rad", label)
+        return
+    classes = [classified(s.stiffness, s.of_member) for s in values]
+    group.add("joint_stiffness_ratio", (kind,), [c.ratio for c in classes], "1", "S_j L_b / (E I_b)")
+    words = np.asarray([c.name for c in classes])
+    group.add("joint_class", (kind,), words, "", "of an unbraced frame by stiffness (EN 1993-1-8, 5.2.2.5)")
+
+
+def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
+    if not frame.grounds:
+        return []
+    coordinate(group, "sprung_support", list(frame.grounds), "", "name of the node that springs support")
+    found = []
+    for name, what, degree, unit, label in _SUPPORT:
+        cells: list[Terms] = []
+        for node, grounds in frame.grounds.items():
+            moving: Terms = ((1.0, "displacement", frame.nodes[node], degree),)
+            force = frame.reaction(node, degree)
+            cells.append(() if grounds[degree] is None else moving if what == "displacement" else force)
+        if any(cells):
+            shape = (len(cells),)
+            found.append(Quantity(name, ("sprung_support",), shape, tuple(cells), unit, f"{label}; 0: no spring there"))
+    return found

@@ -1,0 +1,155 @@
+"""Whatever is wrong with hinges, joints and springs at supports is told with line, column and key."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from edesign.errors import InputError
+from edesign.project import Problem, ProjectError, parse_project
+from edesign.project.supports import SupportSprings
+
+Broken = Callable[..., list[Problem]]
+
+VALUES = "{M_y: 300 kN*m, theta_p: 0.02 rad, theta_pc: 0.1 rad, theta_u: 0.3 rad}"
+AT = "analyses:\n"
+WRONG = {
+    "moment without unit": (
+        "hinges",
+        "{beams: {floors: 1}, parameters: {M_y: «300, theta_p: 0.02 rad, theta_pc: 0.1 rad, theta_u: 1 rad}}",
+        "parameters.M_y",
+        "needs a unit",
+    ),  # fmt: skip # noqa: E501
+    "unknown value": (
+        "hinges",
+        "{beams: {floors: 1}, parameters: {M_y: 1 kN*m, «M_yy: 3 kN*m, theta_p: 1 rad, theta_pc: 1 rad, theta_u: 2 rad}}",
+        "parameters.M_yy",
+        "did you mean `M_y`?",
+    ),  # fmt: skip # noqa: E501
+    "unknown set": (
+        "hinges",
+        "{beams: {floors: 1}, parameters: «lignos_krawinkler}",
+        "parameters",
+        "`lignos_krawinkler_2011`",
+    ),  # fmt: skip # noqa: E501
+    "beams and columns": (
+        "hinges",
+        f"«{{beams: {{floors: 1}}, columns: {{storeys: 1}}, parameters: {VALUES}}}",
+        "",
+        "one of them",
+    ),  # fmt: skip # noqa: E501
+    "no such floor": (
+        "hinges",
+        f"{{beams: {{floors: «9}}, parameters: {VALUES}}}",
+        "beams.floors",
+        "there is no floor 9",
+    ),  # fmt: skip # noqa: E501
+    "regression of columns": (
+        "hinges",
+        "{columns: {storeys: 1}, parameters: «lignos_krawinkler_2011}",
+        "parameters",
+        "is for beams",
+    ),  # fmt: skip # noqa: E501
+    "reduced column": (
+        "hinges",
+        f"{{columns: {{storeys: 1}}, parameters: {VALUES}, «reduced_section: {{a: 1 mm, b: 1 mm, c: 1 mm}}}}",
+        "reduced_section",
+        "only beams",
+    ),  # fmt: skip # noqa: E501
+    "weaker at capping": (
+        "hinges",
+        f"{{beams: {{floors: 1}}, parameters: {VALUES[:-1]}, M_c_ratio: «0.9}}}}",
+        "parameters.M_c_ratio",
+        "at least 1",
+    ),  # fmt: skip # noqa: E501
+    "ultimate too soon": (
+        "hinges",
+        "{beams: {floors: 1}, parameters: {M_y: 1 kN*m, theta_p: 0.02 rad, theta_pc: 0.1 rad, theta_u: «0.01 rad}}",
+        "parameters.theta_u",
+        "not beyond theta_p",
+    ),  # fmt: skip # noqa: E501
+    "hogging column": (
+        "hinges",
+        f"{{columns: {{storeys: 1}}, parameters: {VALUES[:-1]}, «hogging: {{M_y: 1 kN*m}}}}}}",
+        "parameters.hogging",
+        "only beams",
+    ),  # fmt: skip # noqa: E501
+    "no stiffness": ("joints", "«{beams: {floors: 1}}", "stiffness", "missing"),
+    "joint of another dimension": (
+        "joints",
+        "{beams: {floors: 1}, stiffness: «3 kN/m}",
+        "stiffness",
+        "rotational stiffness",
+    ),  # fmt: skip # noqa: E501
+    "hardening of an elastic joint": (
+        "joints",
+        "{beams: {floors: 1}, stiffness: 3 MN*m/rad, «hardening: 1 %}",
+        "hardening",
+        "stays elastic",
+    ),  # fmt: skip # noqa: E501
+}
+SUPPORTS = {
+    "unknown direction": ("{«turning: fixed}", "turning", "`rotation`"),
+    "neither word nor stiffness": ("{rotation: «loose}", "rotation", "`fixed`, `free`, a stiffness"),
+    "translation in moments": ("{vertical: «3 MN*m/rad}", "vertical", "stiffness"),
+    "uplift that hardens": (
+        "{vertical: {stiffness: 3 kN/mm, resistance: 1 kN, uplift: true, «hardening: 1 %}}",
+        "vertical.hardening",
+        "gives way",
+    ),  # fmt: skip # noqa: E501
+    "elastic that hardens": (
+        "{rotation: {stiffness: 3 MN*m/rad, «hardening: 1 %}}",
+        "rotation.hardening",
+        "stays elastic",
+    ),  # fmt: skip # noqa: E501
+}
+
+
+@pytest.mark.parametrize(("what", "entry", "key", "said"), WRONG.values(), ids=WRONG.keys())
+def test_a_wrong_hinge_or_joint(broken: Broken, what: str, entry: str, key: str, said: str) -> None:
+    problems = broken((AT, f"{what}:\n  - {entry}\n{AT}"))
+    assert len(problems) == 1
+    assert str(problems[0]).count(f"{what}[0]{'.' * bool(key)}{key}") and said in str(problems[0])
+
+
+@pytest.mark.parametrize(("entry", "key", "said"), SUPPORTS.values(), ids=SUPPORTS.keys())
+def test_a_wrong_spring_at_a_support(broken: Broken, entry: str, key: str, said: str) -> None:
+    problems = broken(("B: pinned", f"B: {entry}"))
+    assert len(problems) == 1
+    assert f"frame.supports.B.{key}" in str(problems[0]) and said in str(problems[0])
+
+
+def test_a_released_end_has_no_hinge(small: str) -> None:
+    release = "  releases: [{beams: {floors: 1}, ends: end}]\n  columns:"
+    text = small.replace("  columns:", release, 1).replace(
+        AT, f"hinges: [{{beams: {{floors: 1}}, parameters: {VALUES}}}]\n{AT}"
+    )
+    with pytest.raises(ProjectError, match="the end of B_1_1 is released, so it has no hinge"):
+        parse_project(text)
+    parse_project(text.replace(f"parameters: {VALUES}", f"ends: start, parameters: {VALUES}"))
+
+
+def test_supports_are_read_in_si(small: str) -> None:
+    springs = "{rotation: 2 MN*m/rad, vertical: {stiffness: 3 kN/mm, uplift: true}, horizontal: free}"
+    support = parse_project(small.replace("B: pinned", f"B: {springs}")).frame.support("B")
+    assert isinstance(support, SupportSprings)
+    assert support.rotation == 2e6 and support.horizontal == "free"
+    assert not isinstance(support.vertical, (str, float)) and support.vertical.stiffness == 3e6
+
+
+@pytest.mark.parametrize(
+    ("hinges", "said"),
+    [
+        ("distance: 4 m", "beyond the middle of the member"),
+        ("reduced_section: {a: 0.1 m, b: 0.2 m, c: 0.2 m}", "leave nothing of"),
+    ],
+)
+def test_hinges_that_do_not_fit_their_member(small: str, hinges: str, said: str) -> None:
+    from edesign.building.frame import build_frame
+    from edesign.building.profiles import profile_names
+
+    entry = f"hinges: [{{beams: {{floors: 1}}, parameters: lignos_krawinkler_2011, {hinges}}}]\n{AT}"
+    project = parse_project(small.replace(AT, entry), profiles=profile_names())
+    with pytest.raises(InputError, match=said):
+        build_frame(project)
