@@ -23,7 +23,7 @@ WRONG = {
     ),  # fmt: skip # noqa: E501
     "unknown value": (
         "hinges",
-        "{beams: {floors: 1}, parameters: {M_y: 1 kN*m, «M_yy: 3 kN*m, theta_p: 1 rad, theta_pc: 1 rad, theta_u: 2 rad}}",
+        "{beams: {floors: 1}, parameters: {M_y: 1 N*m, «M_yy: 3 N*m, theta_p: 1 rad, theta_pc: 1 rad, theta_u: 2 rad}}",
         "parameters.M_yy",
         "did you mean `M_y`?",
     ),  # fmt: skip # noqa: E501
