@@ -15,6 +15,7 @@ from edesign.building.hinges import EndOf, EndSpring, MemberBuilder, member_ends
 from edesign.building.loads import beam_loads, node_loads
 from edesign.building.masses import node_masses
 from edesign.building.named_section import cross_section
+from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
 from edesign.building.supports import support_springs
@@ -81,6 +82,7 @@ class FrameModel:
         supports: held degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
+        panels: its panel zones by the node of their joint.
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
     """
@@ -96,6 +98,7 @@ class FrameModel:
     attached: dict[str, int] = field(default_factory=dict)
     grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
     moving_with: dict[int, list[int]] = field(default_factory=dict)
+    panels: dict[str, BuiltPanel] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -156,7 +159,7 @@ def build_frame(
         model = Model()
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
-    members, moving_with = _members(project, model, nodes)
+    members, moving_with, panels = _members(project, model, nodes)
     supports, grounds = _supports(frame, model, nodes)
     for floor in frame.diaphragm_floors:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
@@ -170,6 +173,9 @@ def build_frame(
     for name, load in beam_loads(project, project.loads.gravity).items():
         for part in members[name].parts:
             model.uniform_load(gravity, part, axial=0.0, transverse=-load)
+        for joint in (members[name].start, members[name].end):
+            if joint in panels:  # what stands on half of the joint
+                model.nodal_load(gravity, nodes[joint], 0.0, -0.5 * load * panels[joint].panel.width, 0.0)
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
@@ -177,7 +183,9 @@ def build_frame(
     for item in attachments:
         leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)
         attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
-    return FrameModel(frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds, moving_with)
+    return FrameModel(
+        frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds, moving_with, panels
+    )
 
 
 def _supports(
@@ -215,12 +223,16 @@ def _held_rotations(frame: Frame) -> set[str]:
     return held
 
 
-def _members(project: Project, model: Model, nodes: dict[str, int]) -> tuple[dict[str, Member], dict[int, list[int]]]:
+def _members(
+    project: Project, model: Model, nodes: dict[str, int]
+) -> tuple[dict[str, Member], dict[int, list[int]], dict[str, BuiltPanel]]:
     parts = _Parts(project, model)
     geometry = project.elements.geometry
     of_kind: dict[Kind, str] = {"column": geometry.columns, "beam": geometry.beams, "brace": geometry.braces}
     kinds: dict[str, Kind] = {"C": "column", "B": "beam", "D": "brace"}
-    builder = MemberBuilder(model, {node: project.frame.nodes[place] for place, node in nodes.items()})
+    places = {node: project.frame.nodes[place] for place, node in nodes.items()}
+    panels = PanelBuilder(model, nodes, places, panels_of(project))
+    builder = MemberBuilder(model, places)
     at_ends = member_ends(project)
     found = {}
     for name, run in project.frame.members.items():
@@ -234,21 +246,23 @@ def _members(project: Project, model: Model, nodes: dict[str, int]) -> tuple[dic
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
             found[name] = Member(name, kind, element, start, end, None, (element,))
             continue
-        ends = at_ends.get(name, (EndOf(), EndOf()))
+        first, last = at_ends.get(name, (EndOf(), EndOf()))
+        ends = first.from_edge(panels.arm(start, kind)), last.from_edge(panels.arm(end, kind))
         hinged = any(of.hinge is not None for of in ends)
         section, layers = parts.section(run, hinged)
+        EI = parts.bending_stiffness(run)
         built = builder.add(
             name,
-            (nodes[start], nodes[end]),
+            panels.ends(name, (start, end), EI, of_kind[kind]),
             section,
-            parts.bending_stiffness(run),
+            EI,
             project.elements.integration_points,
             of_kind[kind],
             project.frame.released.get(name, (False, False)),
             ends,
         )
         found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, built.springs)
-    return found, builder.moving_with
+    return found, builder.moving_with, panels.built
 
 
 def _buckling_brace(

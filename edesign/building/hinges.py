@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import inf, sqrt
 from typing import TYPE_CHECKING, Literal
 
@@ -72,6 +72,10 @@ class EndOf:
     distance: float = 0.0
     ratio: float = 10.0
     joint: Joints | None = None
+
+    def from_edge(self, arm: float) -> EndOf:
+        """Return the same, with the distance from the edge of a panel zone; a hinge in the panel stands at its edge."""
+        return replace(self, distance=max(self.distance - arm, 0.0)) if arm else self
 
 
 Ends = tuple[EndOf, EndOf]

@@ -1,4 +1,4 @@
-"""Cross checks of hinges, joints and springs of supports."""
+"""Cross checks of hinges, joints, panel zones and springs of supports."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from edesign.project.supports import SupportSprings, VerticalSpring
 
 
 def check_hinges(project: Project, problems: Problems) -> None:
-    """Check where hinges and joints stand, and that their values fit together.
+    """Check where hinges, joints and panel zones stand, and that their values fit together.
 
     Args:
         project: read without schema problems.
@@ -33,6 +33,8 @@ def check_hinges(project: Project, problems: Problems) -> None:
             _released(project, problems, keys, joints, "joint")
         if joints.hardening and joints.resistance is None:
             problems.at_key((*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening")
+    for i, zones in enumerate(project.panel_zones):
+        check.nodes(("panel_zones", i), zones.lines, zones.floors)
     _supports(project, problems)
 
 

@@ -23,6 +23,7 @@ from edesign.project.loads import Loads
 from edesign.project.masses import Masses
 from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
+from edesign.project.panel_zones import PanelZones
 from edesign.project.record_files import RecordChoice, RecordFiles
 from edesign.project.records import Record
 from edesign.project.sections import Fibres, Section
@@ -48,6 +49,7 @@ class Project(RecordFiles, FileModel):
     elements: Elements = Elements()
     hinges: tuple[Hinges, ...] = ()
     joints: tuple[Joints, ...] = ()
+    panel_zones: tuple[PanelZones, ...] = ()
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

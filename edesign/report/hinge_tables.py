@@ -1,4 +1,4 @@
-"""Tables of plastic hinges, joints and springs under the columns: what they are, and what analyses did to them."""
+"""Tables of plastic hinges, joints, panel zones and springs under the columns: what they are and what they did."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ SHOWN = 20
 
 
 def hinge_tables(groups: Mapping[str, Group]) -> list[Table]:
-    """Return the tables of all analyses with hinges, joints or springs at supports.
+    """Return the tables of all analyses with hinges, joints, panel zones or springs at supports.
 
     Args:
         groups: results by the name of the analysis.
     """
-    tables = (_hinges(groups), _joints(groups), _supports(groups))
+    tables = (_hinges(groups), _joints(groups), _panels(groups), _supports(groups))
     return [table for table in tables if table is not None]
 
 
@@ -122,6 +122,33 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
     table.notes.append("Class by the stiffness of the analysis, of an unbraced frame (EN 1993-1-8, 5.2.2.5).")
     if len(turned) > SHOWN:
         table.notes.append(f"The {SHOWN} of {len(turned)} joints that turned most.")
+    return table
+
+
+def _panels(groups: Mapping[str, Group]) -> Table | None:
+    distorted = _worst(groups, "panel_distortion", "panel")
+    if not distorted:
+        return None
+    facts = _facts(groups, "panel", ("panel_stiffness", "panel_yield_moment"))
+    moments = _worst(groups, "panel_moment", "panel")
+    columns = [
+        "panel",
+        "at yield [kN m]",
+        "moment [kN m]",
+        "distortion at yield [mrad]",
+        "distortion [mrad]",
+        "ratio",
+        "in",
+    ]
+    table = Table("Panel zones", columns)
+    for name, (distortion, analysis) in sorted(distorted.items(), key=lambda item: (-item[1][0], item[0]))[:SHOWN]:
+        stiffness, moment = (float(np.asarray(value)) for value in facts[name])
+        at_yield = moment / stiffness
+        cells = (number(moment, scale=1e3), number(moments[name][0], scale=1e3), number(at_yield, scale=1e-3))
+        table.rows.append([name, *cells, number(distortion, scale=1e-3), number(distortion / at_yield, 3), analysis])
+    table.notes.append("Largest distortions of all analyses; ratio: over that at yield of the web in shear.")
+    if len(distorted) > SHOWN:
+        table.notes.append(f"The {SHOWN} of {len(distorted)} panel zones that were distorted most.")
     return table
 
 

@@ -19,8 +19,8 @@ from edesign.study.buckling import buckling_warnings
 from edesign.study.capacity_events import EventChannels
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
-from edesign.study.structure import make_frame, make_structure
 from edesign.study.springs import spring_quantities
+from edesign.study.structure import make_frame, make_structure
 from edesign.study.validity import judged, rotation_limits, rotation_names
 from edesign.study.warnings import AnalysisWarning, store_warnings
 

@@ -33,7 +33,7 @@ def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
 
 
 def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
-    """Return what is recorded of hinges, joints and springs at supports, and add what they are to a group."""
+    """Return what is recorded of hinges, joints, panel zones and sprung supports; add what they are to a group."""
     found = []
     for kind in _KINDS:
         springs = end_springs(frame, kind)
@@ -52,7 +52,7 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
             cells = tuple(((1.0, what, spring.element, 0),) for spring in springs.values())
             keep = ("final",) if what == "strength_left" else ("max", "min", "final")
             found.append(Quantity(f"{kind}_{name}", (kind,), (len(cells),), cells, unit, label, keep=keep))
-    return found + _supports(frame, group)
+    return found + _panels(frame, group) + _supports(frame, group)
 
 
 def _facts(group: Group, kind: SpringKind, values: list[EndSpring]) -> None:
@@ -68,6 +68,35 @@ def _facts(group: Group, kind: SpringKind, values: list[EndSpring]) -> None:
     group.add("joint_stiffness_ratio", (kind,), [c.ratio for c in classes], "1", "S_j L_b / (E I_b)")
     words = np.asarray([c.name for c in classes])
     group.add("joint_class", (kind,), words, "", "of an unbraced frame by stiffness (EN 1993-1-8, 5.2.2.5)")
+
+
+def _panels(frame: FrameModel, group: Group) -> list[Quantity]:
+    if not frame.panels:
+        return []
+    coordinate(group, "panel", list(frame.panels), "", "panel zone, by the node of its joint")
+    panels = [built.panel for built in frame.panels.values()]
+    for name, unit, label in (
+        ("stiffness", "N*m/rad", "moment over distortion before yield"),
+        ("yield_moment", "N*m", "moment at yield of the web in shear, V_y d_b"),
+        ("full_moment", "N*m", "moment at four times the distortion at yield, V_p d_b"),
+    ):
+        group.add(f"panel_{name}", ("panel",), [getattr(panel, name) for panel in panels], unit, label)
+    shape = (len(panels),)
+    return [
+        Quantity(
+            f"panel_{name}",
+            ("panel",),
+            shape,
+            tuple(((1.0, what, p.element, 0),) for p in frame.panels.values()),
+            unit,
+            label,
+        )
+        for name, what, unit, label in (
+            ("moment", "axial_force", "N*m", "moment of the panel zone, its shear times d_b"),
+            ("distortion", "deformation", "rad", "distortion of the panel zone"),
+            ("plastic_distortion", "plastic_rotation", "rad", "distortion of the panel zone less its elastic part"),
+        )
+    ]
 
 
 def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
