@@ -32,7 +32,7 @@ def test_hinges_are_those_of_the_project(results_of: Results) -> None:
     assert list(moments.values()) == pytest.approx(expected, rel=1e-9)
     # h / t_w with fillets of 21 mm, b_f / 2 t_f, L_b / r_y = 0.086 E / f_y, half the length between the hinges / d
     web, flange, lateral = (400.0 - 27.0 - 42.0) / 8.6, 180.0 / 27.0, 0.086 * 210e9 / 275e6
-    span = 0.5 * (7.0 - 2.0 * (0.16 + 0.1 + 0.15)) / 0.4
+    span = 0.5 * (7.0 - 2.0 * (0.16 + 0.1 + 0.15)) / 0.4  # from the columns' faces
     theta_p = 0.19 * web**-0.314 * flange**-0.1 * lateral**-0.185 * span**0.113
     theta_p *= (400.0 / 533.0) ** -0.76 * (275.0 / 355.0) ** -0.07
     assert plastic["B_1_1:end"] == pytest.approx(theta_p, rel=1e-9)
@@ -75,6 +75,17 @@ def test_joint_and_spring_under_the_column(results_of: Results) -> None:
     turned = group.variables["support_rotation_final"].values
     assert at_feet[0] == pytest.approx(-120e6 * turned[0], rel=1e-6)
     assert abs(at_feet[1]) <= 500e3 * (1.0 + 1e-9)
+
+
+def test_panels_lie_on_their_lines(results_of: Results) -> None:
+    """Panels of HEB 320 and IPE 400 with 6 mm of doubler plate, pushed to a moment on their three lines."""
+    group = results_of(CASE, "push")
+    moments, turned = (group.variables[f"panel_{name}_final"].values for name in ("moment", "distortion"))
+    area = 0.95 * 0.320 * (0.0115 + 0.006)
+    K, M_y = area * E / 2.6 * 0.4, area * 355e6 / 3.0**0.5 * 0.4
+    M_p = M_y * (1.0 + 3.0 * 0.300 * 0.0205**2 / (0.4 * 0.320 * 0.0175))
+    line = np.interp(np.abs(turned) * K / M_y, [0.0, 1.0, 4.0, 104.0], [0.0, M_y, M_p, M_p + 3.0 * M_y])
+    np.testing.assert_allclose(np.abs(moments), line, rtol=1e-6)
 
 
 def test_shaken_hinges_deteriorate_within_their_bounds(results_of: Results) -> None:

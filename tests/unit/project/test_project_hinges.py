@@ -75,6 +75,8 @@ WRONG = {
         "parameters.hogging",
         "only beams",
     ),  # fmt: skip # noqa: E501
+    "no line": ("panel_zones", "{lines: «K, floors: 1}", "lines", "there is no line K"),
+    "no thickness": ("panel_zones", "{floors: 1, doubler: «8 kN}", "doubler", "is a force"),
     "no stiffness": ("joints", "«{beams: {floors: 1}}", "stiffness", "missing"),
     "joint of another dimension": (
         "joints",
