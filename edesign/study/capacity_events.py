@@ -45,7 +45,10 @@ class CapacityEvent:
 
 @dataclass(frozen=True)
 class _Yielding:
-    """Strains of the outer layers at the ends of members of a kind, over the yield strain, and plastic rotations."""
+    """Strains of the outer layers at the ends of members of a kind, over the yield strain, and plastic rotations.
+
+    Where hinges yield in place of fibres, `strains` has what `_hinge_yield` gives.
+    """
 
     kind: str
     members: tuple[Member, ...]
@@ -126,21 +129,32 @@ def store_capacity_events(
     group.add("capacity_event_base_shear", dims, base_shear[at], "N", "base shear in the direction of the push")
 
 
+def _hinge_yield(member: Member, end: int) -> Terms:
+    """Plastic rotation of hinges and joints over a millionth of that at yield: 1 where they begin to yield."""
+    springs = [spring for spring in member.springs[end] if spring.yields]
+    return tuple((1e6 * s.stiffness / s.M_y, "plastic_rotation", s.element, 0) for s in springs)
+
+
 def _yielding(project: Project, frame: FrameModel, kind: str) -> _Yielding | None:
     members, strains, rotations = [], [], []
     runs = project.frame.members
     last = project.elements.integration_points - 1
     for member in frame.members.values():
         material = project.materials[runs[member.name].material] if member.kind == kind else None
-        if material is None or isinstance(material, ElasticMaterial) or member.layers is None:
+        fibres = material is not None and not isinstance(material, ElasticMaterial) and member.layers is not None
+        if material is None or not (fibres or any(spring.yields for end in member.springs for spring in end)):
             continue
         members.append(member)
-        factor, count = material.E / material.fy, member.layers.size
         for end, point in enumerate((0, last)):
-            for layer in (0, count - 1):
-                cell: Terms = ((factor, "fibre_strain", member.element, point * count + layer),)
-                strains.append(cell)
-            rotations.append(((1.0, "plastic_rotation", member.element, end),))
+            if fibres:
+                assert member.layers is not None and not isinstance(material, ElasticMaterial)
+                factor, count = material.E / material.fy, member.layers.size
+                for layer in (0, count - 1):
+                    cell: Terms = ((factor, "fibre_strain", member.element, point * count + layer),)
+                    strains.append(cell)
+            else:
+                strains += [_hinge_yield(member, end), ()]
+            rotations.append(q.plastic_rotation(member, end))
     if not members:
         return None
     shape = (len(members), 2)

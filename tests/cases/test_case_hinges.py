@@ -100,3 +100,15 @@ def test_shaken_hinges_deteriorate_within_their_bounds(results_of: Results) -> N
     assert abs(group.variables["energy_final"].values[-1]) < 5e-3 * group.variables["energy_final"].values[0]
     energy = group.variables["energy_final"].values
     assert energy[4] > 0.3 * energy[0]  # hysteretic, of the input
+
+
+def test_events_of_the_capacity_curve_name_hinges(results_of: Results) -> None:
+    """The first yield of a beam is that of a hinge or joint, in the first step in which one has turned plastically."""
+    group = results_of(CASE, "push")
+    what = group.variables["capacity_event_what"].values.tolist()
+    first = what.index("first yield of a beam")
+    step = int(group.variables["capacity_event_step"].values[first])
+    place = str(group.variables["capacity_event_place"].values[first])
+    member = group.coords["recorded_member"].values.tolist().index(place)
+    plastic = np.abs(group.variables["member_plastic_rotation"].values[:, member]).max(axis=1)
+    assert plastic[step] > 1e-8 and np.max(plastic[:step]) < 1e-8
