@@ -302,7 +302,7 @@ def _buckling_brace(
     )
     steel = project.materials[run.material]
     yields = math.inf if isinstance(steel, ElasticMaterial) else steel.fy * length / steel.E
-    return Member(name, "brace", element, start, end, yield_elongation=yields)
+    return Member(name, "brace", element, start, end, None, (element,), yield_elongation=yields)
 
 
 ONE_OF_A_PAIR = 0.5
