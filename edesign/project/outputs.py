@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field
 from edesign.project.base import Model, refuse
 from edesign.project.selections import ALL_NUMBERS, Numbers, NumberSelection, parse_numbers
 
-HistoryKind = Literal["floors", "storeys", "energy", "dampers"]
+HistoryKind = Literal["floors", "storeys", "energy", "dampers", "supports"]
 Edge = Literal["top", "bottom"]
 
 

@@ -71,6 +71,7 @@ class HistoryResults:
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),
             *q.dampers(frame, "dampers" in self._wanted),
+            *(q.support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
         ]
         self._names = rotation_names(frame, self._drifts, self._others)

@@ -104,6 +104,7 @@ def push(
         *brace_quantities(project, frame, group),
         *spring_quantities(frame, group),
         *q.dampers(frame, history=False),
+        *(q.support_reactions(frame, group) if "supports" in project.outputs.histories else []),
         *requested_quantities(project, frame, group),
     ]
     names = rotation_names(frame, drifts, recorded)

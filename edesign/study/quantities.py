@@ -128,6 +128,45 @@ def base_shear(frame: FrameModel, history: bool) -> Quantity:
     return Quantity("base_shear", (), (), (terms,), "N", name, history)
 
 
+def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Reactions of each support, gravity included, and their moment; adds the names of the supports to the group.
+
+    A vertical reaction is positive upwards, so that a negative one is uplift. The overturning moment is that of all
+    reactions about the point of the base midway between the outer supports, positive for loads to the right.
+    """
+    supports = frame.supports
+    coordinate(group, "support", list(supports), "", "node that is supported")
+    parts = (
+        ("support_horizontal_reaction", 0, "N", "horizontal reaction on the frame, positive to the right"),
+        ("support_vertical_reaction", 1, "N", "vertical reaction on the frame, positive upwards; negative: uplift"),
+        ("support_moment", 2, "N*m", "moment of the support on the frame, anticlockwise"),
+    )
+    found = [
+        Quantity(
+            name,
+            ("support",),
+            (len(supports),),
+            tuple(((1.0, "reaction", frame.nodes[node], at),) if fixed[at] else () for node, fixed in supports.items()),
+            unit,
+            label,
+            history=True,
+        )
+        for name, at, unit, label in parts
+    ]
+    places = {node: frame.frame.nodes[node] for node in supports}
+    middle = 0.5 * (min(x for x, _ in places.values()) + max(x for x, _ in places.values()))
+    terms: Terms = ()
+    for node, fixed in supports.items():
+        x, y = places[node]
+        arms = (-y, x - middle, 1.0)
+        terms += tuple(
+            (arm, "reaction", frame.nodes[node], at) for at, arm in enumerate(arms) if fixed[at] and arm != 0.0
+        )
+    label = "moment of all reactions about the middle of the base, anticlockwise, that resists loads to the right"
+    found.append(Quantity("overturning_moment", (), (), (terms,), "N*m", label, history=True))
+    return found
+
+
 def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
     """Forces on both ends of members, in the axes of the member.
 
