@@ -18,7 +18,8 @@ class Table:
         rows: cells, as many as columns in each row.
         notes: lines below.
         left: number of columns, from the first, that hold text and are aligned left.
-        sentences: number of the column, from 0, whose cells may be broken into lines where the table is too wide.
+        sentences: number of the column, from 0, whose cells may be broken into lines where the table is too wide; of
+            several the first is broken first.
         formulas: numbers of the columns, from 0, whose cells are formulas: `N_b,y,Rd / gamma_M1`; headers and notes of
             the table are so too. None: there are no formulas in it.
     """
@@ -28,8 +29,15 @@ class Table:
     rows: list[list[str]] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
     left: int = 1
-    sentences: int | None = None
+    sentences: int | tuple[int, ...] | None = None
     formulas: tuple[int, ...] | None = None
+
+    @property
+    def sentence_columns(self) -> tuple[int, ...]:
+        """Numbers of the columns that may be broken into lines."""
+        if self.sentences is None:
+            return ()
+        return (self.sentences,) if isinstance(self.sentences, int) else self.sentences
 
 
 def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible: float = 0.0) -> str:

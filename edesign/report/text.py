@@ -6,6 +6,7 @@ import sys
 import textwrap
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import zip_longest
 from typing import TextIO
 
 from edesign.report.table import Table
@@ -13,7 +14,7 @@ from edesign.report.visible import visible, visible_line
 
 PAPER = 80  # characters of a line in files and pipes
 _GAP = 2  # between columns
-_LEAST = 16  # characters of a line inside a cell
+_LEAST = 12  # characters of a line inside a cell
 _COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
 
 
@@ -41,24 +42,26 @@ def _visible(table: Table) -> Table:
 
 
 def broken(table: Table, width: int, gap: int) -> Table:
-    """Return a table whose column of sentences is broken into lines, rows of their own, so that it fits.
+    """Return a table whose columns of sentences are broken into lines, rows of their own, so that it fits.
 
     Args:
-        table: the table; one without such a column, or that fits, is returned as it is.
+        table: the table; one without such columns, or that fits, is returned as it is.
         width: characters of a line.
         gap: characters between columns.
     """
-    if table.sentences is None or not table.rows:
-        return table
     widths = [max(len(row[i]) for row in (table.columns, *table.rows)) for i in range(len(table.columns))]
     over = sum(widths) + gap * (len(widths) - 1) - width
-    if over <= 0:
+    rooms: dict[int, int] = {}
+    for column in table.sentence_columns if table.rows else ():
+        if over > 0:
+            rooms[column] = max(widths[column] - over, len(table.columns[column]), min(_LEAST, widths[column]))
+            over -= widths[column] - rooms[column]
+    if not rooms:
         return table
-    room = max(widths[table.sentences] - over, len(table.columns[table.sentences]), _LEAST)
     rows = []
     for row in table.rows:
-        for number, line in enumerate(textwrap.wrap(row[table.sentences], room) or [""]):
-            rows.append([line if i == table.sentences else "" if number else cell for i, cell in enumerate(row)])
+        cells = [textwrap.wrap(cell, rooms[i]) if i in rooms else [cell] for i, cell in enumerate(row)]
+        rows += [list(line) for line in zip_longest(*cells, fillvalue="")]
     return replace(table, rows=rows)
 
 
@@ -69,7 +72,7 @@ def plain(table: Table) -> str:
     widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
     for position, row in enumerate(cells):
         aligned = [
-            cell.ljust(width) if i < table.left or i == table.sentences else cell.rjust(width)
+            cell.ljust(width) if i < table.left or i in table.sentence_columns else cell.rjust(width)
             for i, (cell, width) in enumerate(zip(row, widths, strict=True))
         ]
         lines.append("  ".join(aligned).rstrip())
@@ -99,7 +102,7 @@ def folded(table: Table, width: int) -> list[Table]:
         notes = table.notes if number == len(parts) else []
         rows = [[row[i] for i in part] for row in table.rows]
         left = sum(i < table.left for i in part)
-        sentences = part.index(table.sentences) if table.sentences in part else None
+        sentences = tuple(part.index(i) for i in table.sentence_columns if i in part)
         tables.append(Table(title, [table.columns[i] for i in part], rows, notes, left, sentences))
     return tables
 
@@ -119,7 +122,7 @@ def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
             shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), padding=(0, 1, 0, 0))
             for i in range(len(table.rows[0])):
                 header = Text(table.columns[i]) if table.columns else ""
-                text = i < table.left or i == table.sentences
+                text = i < table.left or i in table.sentence_columns
                 shown.add_column(header, justify="left" if text else "right", overflow="fold")
             for row in table.rows:
                 shown.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))

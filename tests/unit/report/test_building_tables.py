@@ -62,6 +62,15 @@ def test_sentences_are_broken_where_the_table_is_too_wide() -> None:
     assert max(map(len, plain(found).splitlines())) <= 26
 
 
+def test_a_second_column_is_broken_where_the_first_is_not_enough() -> None:
+    rows = [["a criterion with a long name", "DBE", "ImperialValley1979_H-EMO000"]]
+    table = Table("T", ("criterion", "level", "motion"), rows, left=3, sentences=(0, 2))
+    found = broken(table, 42, gap=2)
+    assert max(map(len, plain(found).splitlines())) <= 42
+    assert " ".join(row[0] for row in found.rows if row[0]) == rows[0][0] and len(found.rows) > 1
+    assert "".join(row[2] for row in found.rows) == rows[0][2] and found.rows[0][1] == "DBE"
+
+
 def test_missing_groups_are_named_and_the_others_are_shown(
     path: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
