@@ -129,7 +129,8 @@ def temperature(archive: Archive) -> str:
 
 def redesign(archive: Archive) -> str:
     """Rounds of the designs, mean response, and verdicts."""
-    wanted = ("Rounds", "Mean response", "Criteria")
+    wanted = ("Rounds", "Mean response", "Criteria", "What governs the criteria", "Remarks on the criteria")
+    wanted += ("What the criteria require",)
     return "\n\n".join(markdown(table) for table in study_tables(archive) if table.title in wanted)
 
 

@@ -5,17 +5,23 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Literal
 
 from edesign.archive.dataset import Group
-from edesign.assess.judgement import statistic_of, within
-from edesign.assess.members import frame_members
+from edesign.assess.judgement import share_met, statistic_of, within
+from edesign.assess.members import VariantMembers
 from edesign.assess.performance import By
 from edesign.assess.requirement import Requirement, performance_requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
+from edesign.assess.statistics import code_statistic
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.checks_criteria import objective_level
 from edesign.project.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.project import Project
+from edesign.project.study import Study, own_variant
+
+Answer = Literal["met", "not met", "open", "does not apply"]
+_STATIC = "states at target displacements have no such result"
 
 
 @dataclass(frozen=True)
@@ -25,15 +31,20 @@ class Verdict:
     Attributes:
         name: of the criterion, or `objective h, by drift`.
         requirement: in words and units.
+        statistic: that was taken; of a criterion by a code the one that the code takes of so many motions.
         value: the statistic in SI with failed histories counted as infinite where that leaves it finite, else the one
-            over the histories that have a value; None if none has. Of performance levels: usage, met up to 1.
-        limit: that decides, in SI.
+            over the histories that have a value; None if none has. Of performance levels: usage, met up to 1. Of a
+            share of the motions: that share.
+        limit: that decides, in SI; of a share the least one.
         unit: SI unit of both, "1" for ratios.
-        met: None: no history yet, or it depends on histories that have not run.
-        remark: "better than the range", "failed histories count as infinite", ...
-        governing_history, governing_storey, governing_member: of the largest value (smallest for `least`).
+        met: None: it does not apply, there is no history yet, or it depends on histories that have not run.
+        remark: "better than the range", "failed histories count as infinite", why it does not apply, ...
+        governing_history, governing_storey, governing_member, governing_floor: of the largest value (smallest for
+            `least`); the member may be a damper or a support.
         count: histories with a value.
         missing: histories without.
+        applies: False: it means nothing of this variant, or the study runs no history of it at this level.
+        from_below: the value must not be less than the limit.
     """
 
     name: str
@@ -51,15 +62,50 @@ class Verdict:
     governing_member: str
     count: int
     missing: tuple[str, ...]
+    governing_floor: int | None = None
+    applies: bool = True
+    from_below: bool = False
+
+    @property
+    def answer(self) -> Answer:
+        """The verdict in a word or three."""
+        if not self.applies:
+            return "does not apply"
+        return "open" if self.met is None else "met" if self.met else "not met"
+
+    @property
+    def ratio(self) -> float | None:
+        """Demand over capacity, met up to 1: value over limit, of a limit from below the inverse; None without.
+
+        It is infinite where failed histories decide, whatever the value of the others, and of a limit of zero.
+        """
+        demand, capacity = (self.limit, self.value) if self.from_below else (self.value, self.limit)
+        found = None if demand is None or not capacity else demand / capacity
+        return math.inf if self.met is False and (found is None or found <= 1.0) else found
+
+    @property
+    def place(self) -> str:
+        """The floor, storey, member, damper or support that governs, "" where there is none."""
+        if self.governing_member:
+            return self.governing_member
+        if self.governing_floor is not None:
+            return f"floor {self.governing_floor}"
+        return f"storey {self.governing_storey}" if self.governing_storey is not None else ""
 
 
 def judge(
-    criteria: Sequence[Criterion], objectives: Objectives, histories: Mapping[str, Group], project: Project
+    criteria: Sequence[Criterion],
+    objectives: Objectives,
+    histories: Mapping[str, Group],
+    project: Project,
+    study: Study | None = None,
 ) -> tuple[Verdict, ...]:
     """Judge the histories of a study.
 
     Each criterion is judged for each of its variants at each of its levels for which there are histories (completed,
-    failed, or planned), and for those that it names and that have none (met: None). Objectives are judged for all
+    failed, or planned), and for those that it names and that have none. Of the latter, what the study does not run does
+    not apply, and what it should have run is open; so is a quantity that a variant has not, such as the force of
+    dampers of a bare frame. Objectives are judged for all
     variants at their hazard level by the mean, by drift and by members apart.
 
     A failed history counts as infinitely far beyond the limit: a mean or a maximum over it is not met, a median is as
@@ -74,78 +120,130 @@ def judge(
         histories: results by name, with the attributes kind, variant, level and status; one that was planned and has
             not run has the status "not run".
         project: of the frame and the hazard levels.
+        study: says what should have run, and which variants have no dampers; None: what is named should have run.
     """
     sets = (*history_sets(histories), *target_sets(histories))
-    members = frame_members(project) if objectives or any(isinstance(c, PerformanceCriterion) for c in criteria) else {}
+    by_members = bool(objectives) or any(isinstance(c, PerformanceCriterion) for c in criteria)
+    members = VariantMembers(project, study)
     verdicts = []
     for criterion in criteria:
-        asked = requirement_of(criterion, members, project)
-        chosen = _chosen(sets, criterion.variants, criterion.levels)
-        verdicts += [_verdict(asked, found) for found in chosen]
+        for found in _chosen(sets, criterion.variants, criterion.levels, study):
+            of_variant = members(found.variant) if by_members else {}
+            asked = requirement_of(criterion, of_variant, members.project(found.variant))
+            verdicts.append(_verdict(asked, found, study))
     for letter in objectives:
         objective = OBJECTIVES[letter]
         level = objective_level(letter, project.hazard)
         ways: tuple[By, ...] = ("drift", "members")
         for by in ways:
             name = f"objective {letter}, by {by}"
-            asked = performance_requirement(name, objective.level, by, "all", "mean", None, members)
-            verdicts += [_verdict(asked, found) for found in _chosen(sets, (), (level or "no such level",))]
+            for found in _chosen(sets, (), (level or "no such level",), study):
+                of_variant = members(found.variant)
+                asked = performance_requirement(name, objective.level, by, "all", "mean", None, of_variant)
+                verdicts.append(_verdict(asked, found, study))
     return tuple(verdicts)
 
 
-def _chosen(sets: Sequence[HistorySet], variants: tuple[str, ...], levels: tuple[str, ...]) -> list[HistorySet]:
-    """Sets of the variants and levels (empty: all that have one); what is named and not there is an empty set."""
-    found = [s for s in sets if (s.variant in variants or not variants) and (s.level in levels if levels else s.level)]
+def _chosen(
+    sets: Sequence[HistorySet], variants: tuple[str, ...], levels: tuple[str, ...], study: Study | None
+) -> list[HistorySet]:
+    """Sets of the variants and levels (empty: all that have one); what is planned or named and not there is empty."""
+
+    def wanted(variant: str, level: str) -> bool:
+        named = study.named(variant) if study is not None else variant
+        return (not variants or variant in variants or named in variants) and (
+            level in levels if levels else bool(level)
+        )
+
+    found = [s for s in sets if wanted(s.variant, s.level)]
     there = {(s.variant, s.level) for s in found}
-    found += [HistorySet(v, level) for v in variants for level in levels if (v, level) not in there]
+    shaken = {(s.variant, s.level) for s in found if s.method is None}
+    planned = study.planned_sets if study is not None else ()
+    others = [pair for pair in planned if wanted(*pair) and pair not in shaken]
+    others += [(variant, level) for variant in variants for level in levels if (variant, level) not in there]
+    found += [HistorySet(*pair) for pair in dict.fromkeys(others)]
     return found or [HistorySet(", ".join(variants), ", ".join(levels))]
 
 
-def _verdict(asked: Requirement, found: HistorySet) -> Verdict:
+def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verdict:
+    why = _why_not(asked, found, study)
+    if why:
+        return _unanswered(asked, found, why, applies=False)
     if found.method is not None:
-        asked = replace(asked, statistic="maximum")
+        asked = replace(asked, statistic="maximum", share=None)
+    lost = next((name for group in found.completed.values() if (name := asked.missing(group))), "")
+    if lost:
+        if found.method is not None:
+            return _unanswered(asked, found, _STATIC, applies=False)
+        return _unanswered(asked, found, f"`{lost}` is not in the archive", applies=True)
     places = {name: asked.place(group) for name, group in found.completed.items()}
     values = {name: place.value if (place := places.get(name)) is not None else None for name in found.histories}
     there = {name: value for name, value in values.items() if value is not None}
+    if found.completed and not there:
+        why = _STATIC if found.method is not None else "its histories have no such result"
+        return _unanswered(asked, found, why, applies=False)
     bad = math.inf if asked.most is not None else -math.inf
-    ended = {name: value for name, value in values.items() if name not in found.not_run}
-    value = statistic_of(asked.statistic, ended, bad)
-    if value is not None and not math.isfinite(value):
-        value = statistic_of(asked.statistic, there, bad)
-    applies = bool(there) or not found.completed  # completed histories without it: the frame has no such thing
-    met = within(asked.statistic, values, found.not_run, asked.most, asked.least) if values and applies else None
+    if asked.share is not None:
+        statistic = "share"
+        value, met = share_met(asked.share, values, found.not_run, asked.most, asked.least)
+    else:
+        statistic = code_statistic(asked.statistic, len(values))
+        ended = {name: value for name, value in values.items() if name not in found.not_run}
+        value = statistic_of(statistic, ended, bad)
+        if value is not None and not math.isfinite(value):
+            value = statistic_of(statistic, there, bad)
+        met = within(statistic, values, found.not_run, asked.most, asked.least) if values else None
     governing = ""
     if there:
         governing = max(there, key=lambda name: there[name]) if bad > 0.0 else min(there, key=lambda name: there[name])
     place = places.get(governing)
-    limit = asked.most if asked.most is not None else asked.least
-    assert limit is not None
-    return Verdict(
-        asked.name,
-        asked.words,
-        found.label,
-        found.level,
-        asked.statistic,
-        value,
-        limit,
-        asked.unit,
-        met,
-        _remark(asked, found, value, met, applies),
-        governing,
-        place.storey if place is not None else None,
-        place.member if place is not None else "",
-        len(there),
-        tuple(name for name, value in values.items() if value is None),
+    return replace(
+        _unanswered(asked, found, _remark(asked, found, value, met), applies=True),
+        statistic=statistic,
+        value=value,
+        met=met,
+        governing_history=governing,
+        governing_storey=place.storey if place is not None else None,
+        governing_member=place.member if place is not None else "",
+        governing_floor=place.floor if place is not None else None,
+        count=len(there),
+        missing=tuple(name for name, one in values.items() if one is None),
     )
 
 
-def _remark(asked: Requirement, found: HistorySet, value: float | None, met: bool | None, applies: bool) -> str:
+def _why_not(asked: Requirement, found: HistorySet, study: Study | None) -> str:
+    """Why a requirement does not apply to a set, "" where it does or that is not known yet."""
+    if study is not None:
+        variant = study.variants.get(own_variant(found.variant))
+        if asked.of_dampers and variant is not None and variant.dampers == "none":
+            return "there are no dampers"
+        if not found.histories and (found.variant, found.level) not in study.planned_sets:
+            return "the study runs no such histories"
+    reasons = [asked.lacks(group) for group in found.completed.values()]
+    return reasons[0] if reasons and all(reasons) else ""
+
+
+def _unanswered(asked: Requirement, found: HistorySet, remark: str, applies: bool) -> Verdict:
+    limit, unit = _limit(asked)
+    missing = tuple(found.histories) if applies else ()
+    below = asked.share is not None or asked.most is None
+    nothing = (asked.statistic, None, limit, unit, None, remark, "", None, "", 0, missing)
+    return Verdict(asked.name, asked.words, found.label, found.level, *nothing, applies=applies, from_below=below)
+
+
+def _limit(asked: Requirement) -> tuple[float, str]:
+    if asked.share is not None:
+        return asked.share, "1"
+    limit = asked.most if asked.most is not None else asked.least
+    assert limit is not None
+    return limit, asked.unit
+
+
+def _remark(asked: Requirement, found: HistorySet, value: float | None, met: bool | None) -> str:
     remarks = []
     if not found.histories:
         remarks.append("no such histories")
-    elif not applies:
-        remarks.append("does not apply")
-    if asked.most is not None and asked.least is not None and met and value is not None:
+    if asked.share is None and asked.most is not None and asked.least is not None and met and value is not None:
         remarks.append("better than the range" if value < asked.least else "within the range")
     if found.failed:
         remarks.append("failed histories count as beyond the limit")

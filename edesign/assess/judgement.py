@@ -5,7 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 
-from edesign.assess.statistics import STATISTICS, statistics
+from edesign.assess.statistics import statistic
+
+_ROUNDING = 1e-9  # of a share times a number of histories, 0.7 * 10 = 7.000000000000001
 
 
 def statistic_of(name: str, values: Mapping[str, float | None], failed: float) -> float | None:
@@ -14,7 +16,7 @@ def statistic_of(name: str, values: Mapping[str, float | None], failed: float) -
     Order statistics stay finite as long as few enough histories failed: the median while less than half of them did.
 
     Args:
-        name: of `STATISTICS`.
+        name: of the statistic, see `statistic`.
         values: by history.
         failed: infinity for a limit from above, minus infinity for one from below.
 
@@ -23,7 +25,7 @@ def statistic_of(name: str, values: Mapping[str, float | None], failed: float) -
     """
     if all(value is None for value in values.values()):
         return None
-    return STATISTICS[name](statistics({key: failed if value is None else value for key, value in values.items()}))
+    return statistic(name, {key: failed if value is None else value for key, value in values.items()})
 
 
 def within(
@@ -35,7 +37,7 @@ def within(
     One that has not run yet may still turn out either way: the answer is None while it depends on it.
 
     Args:
-        name: of `STATISTICS`.
+        name: of the statistic, see `statistic`.
         values: by history; None: failed, or not run.
         not_run: names of those that have not run.
         most, least: limits in the unit of the values.
@@ -55,12 +57,30 @@ def within(
     return answers[0] if answers[0] == answers[1] else None
 
 
-def _holds(name: str, filled: Mapping[str, float], bad: float, most: float | None, least: float | None) -> bool:
-    if name == "mean" and bad in filled.values():
-        return False  # and not the mean of plus and minus infinity
-    value = STATISTICS[name](statistics(filled))
-    if value is None:
-        return False
+def met_by(value: float, most: float | None, least: float | None) -> bool:
+    """Say whether a value is at most `most`, or without `most` at least `least`."""
     if most is not None:
         return value <= most
     return least is None or value >= least
+
+
+def share_met(
+    share: float, values: Mapping[str, float | None], not_run: tuple[str, ...], most: float | None, least: float | None
+) -> tuple[float | None, bool | None]:
+    """Return the share of the histories that ended and met the limit, and whether it is at least `share` of all.
+
+    A failed history does not meet it. The answer is None while it depends on histories that have not run, and the
+    share is None before the first has ended. Other arguments as `within`.
+    """
+    ended = [value for key, value in values.items() if key not in not_run]
+    met = sum(value is not None and met_by(value, most, least) for value in ended)
+    total, needed = len(values), share * len(values) * (1.0 - _ROUNDING)
+    answer = True if met >= needed else False if met + (total - len(ended)) < needed else None
+    return (met / len(ended), answer) if ended else (None, None)
+
+
+def _holds(name: str, filled: Mapping[str, float], bad: float, most: float | None, least: float | None) -> bool:
+    if name == "mean" and bad in filled.values():
+        return False  # and not the mean of plus and minus infinity
+    value = statistic(name, filled)
+    return value is not None and met_by(value, most, least)

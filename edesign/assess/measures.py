@@ -25,12 +25,14 @@ class Located:
     Attributes:
         value: in SI.
         storey: number of the storey, or of the floor above it; None where there is none.
-        member: name of the column, beam or damper, "" where there is none.
+        member: name of the column, beam, brace, damper or support, "" where there is none.
+        floor: number of the floor, of quantities of floors.
     """
 
     value: float
     storey: int | None = None
     member: str = ""
+    floor: int | None = None
 
 
 @dataclass(frozen=True)
@@ -177,9 +179,16 @@ def _storey(group: Group, dimension: str, at: int) -> int:
     if dimension == "damper":
         stored = group.variables.get("damper_storey")
         return 0 if stored is None else int(stored.values[at])
-    if dimension == "buckling_brace":
-        return int(_label(group, dimension, at).split("_")[2])  # D_1_3_r
-    return int(_label(group, dimension, at).rpartition("_")[2])  # 3, C_A_3, B_1_3
+    return storey_of(_label(group, dimension, at))
+
+
+def storey_of(label: str) -> int:
+    """Return the storey in the label of a storey, or the name of a column, beam, half of a beam, or brace.
+
+    They are 3, C_A_3, B_1_3, B_1_3_2, D_1_3_r; a beam counts with the storey below its floor.
+    """
+    parts = label.split("_")
+    return int(parts[2] if len(parts) > 1 else parts[0])
 
 
 def _label(group: Group, dimension: str, at: int) -> str:

@@ -16,6 +16,7 @@ from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_r
 from edesign.codes.fema356.strength import lower_bound_axial_strength
 from edesign.project.names import column_name
 from edesign.project.project import Project
+from edesign.project.study import Study, own_variant
 
 Kind = Literal["column", "beam"]
 
@@ -71,6 +72,33 @@ class MemberUsage:
     rotation: float
     allowed: float
     axial_ratio: float = 0.0
+
+
+class VariantMembers:
+    """The members of each variant, as `frame_members` gives them.
+
+    Args:
+        project: of variants that no study is of.
+        study: whose variants may have other values of the project; None: there is none.
+    """
+
+    def __init__(self, project: Project, study: Study | None = None) -> None:
+        self._project, self._study = project, study
+        self._found: dict[int, dict[str, FrameMember]] = {}
+
+    def project(self, variant: str) -> Project:
+        """Return the project of a variant, which may be named with a temperature."""
+        own = own_variant(variant)
+        if self._study is None or own not in self._study.variants:
+            return self._project
+        return self._study.project_of(own) if self._study.variants[own].values else self._project
+
+    def __call__(self, variant: str) -> dict[str, FrameMember]:
+        """Return the members of a variant by name."""
+        project = self.project(variant)
+        if id(project) not in self._found:
+            self._found[id(project)] = frame_members(project)
+        return self._found[id(project)]
 
 
 def frame_members(project: Project) -> dict[str, FrameMember]:

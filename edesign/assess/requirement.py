@@ -3,21 +3,38 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import Located, located_measure
 from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import By, usage
+from edesign.assess.quantities import is_of_dampers, lacking, located_quantity, missing_history
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
-from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, PerformanceCriterion
+from edesign.project.criteria import (
+    Criterion,
+    HingeCriterion,
+    MeasureCriterion,
+    PerformanceCriterion,
+    QuantityCriterion,
+)
+from edesign.project.criterion_quantities import QUANTITIES, SELECTIONS
 from edesign.project.measures import MEASURE_KINDS, short_name
 from edesign.project.project import Project
 from edesign.project.selections import NumberSelection
 
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
-UNITS = {"m": ("mm", 1e-3), "N": ("kN", 1e3), "m/s^2": ("m/s2", 1.0), "rad": ("rad", 1.0), "1": ("%", 0.01)}
+UNITS = {
+    "m": ("mm", 1e-3),
+    "N": ("kN", 1e3),
+    "N*m": ("kN m", 1e3),
+    "m/s": ("mm/s", 1e-3),
+    "m/s^2": ("m/s2", 1.0),
+    "J": ("kJ", 1e3),
+    "rad": ("rad", 1.0),
+    "1": ("%", 0.01),
+}
 """Unit in which values of an SI unit are shown to people, with its size in SI."""
 _ROUNDING = 1e-9  # in SI: far below what any measure means
 
@@ -33,6 +50,10 @@ class Requirement:
         place: value and place of one completed history, None where it has none.
         most, least: limits in SI; of a performance level the usage 1.
         unit: SI unit.
+        share: of the histories that have to meet the limit, in place of a statistic; None: there is none.
+        of_dampers: it means nothing of a frame without dampers.
+        lacks: why it does not apply to a completed history, "" where it does.
+        missing: the variable over time that it needs and a completed history has not in the archive, "" if none.
     """
 
     name: str
@@ -42,14 +63,28 @@ class Requirement:
     most: float | None
     least: float | None
     unit: str
+    share: float | None = None
+    of_dampers: bool = False
+    lacks: Callable[[Group], str] = lambda group: ""
+    missing: Callable[[Group], str] = lambda group: ""
 
 
 def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
     """Make a criterion of a study ready; `members` are those of the frame, needed for performance levels only."""
+    found = _of_its_kind(criterion, members, project)
+    if criterion.share is None:
+        return found
+    words = f"{found.words}, in at least {100.0 * criterion.share:g} % of the motions"
+    return replace(found, share=criterion.share, words=words, statistic="share")
+
+
+def _of_its_kind(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
     storeys = _numbers(criterion.storeys, project)
     if isinstance(criterion, PerformanceCriterion):
         c = criterion
         return performance_requirement(c.name, c.performance, c.by, c.of, c.statistic, storeys, members)
+    if isinstance(criterion, QuantityCriterion):
+        return _of_quantity(criterion, project)
     names = criterion.members or None
     where = _where(criterion.storeys, criterion.members)
     if isinstance(criterion, HingeCriterion):
@@ -58,10 +93,53 @@ def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], pro
         of = "members" if criterion.of == "all" else criterion.of
         words = f"no plastic hinges in {of}: at most {criterion.rotation:g} rad{where}"
         return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
-    unit = MEASURE_KINDS[criterion.measure].unit
+    unit, of_dampers = MEASURE_KINDS[criterion.measure].unit, criterion.measure.startswith("damper_")
     place = partial(_worst, measures=[criterion.measure], storeys=storeys, members=names)
     words = f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion, unit)}{where}"
-    return Requirement(criterion.name, words, criterion.statistic, place, criterion.most, criterion.least, unit)
+    lacks = partial(_lacks_measure, measure=criterion.measure)
+    limits = (criterion.most, criterion.least, unit)
+    return Requirement(criterion.name, words, criterion.statistic, place, *limits, of_dampers=of_dampers, lacks=lacks)
+
+
+def _of_quantity(criterion: QuantityCriterion, project: Project) -> Requirement:
+    quantity = QUANTITIES[criterion.quantity]
+    words = f"{criterion.quantity.replace('_', ' ')}{_of_what(criterion)} {_range(criterion, quantity.kind.unit)}"
+    for key in SELECTIONS[quantity.place]:
+        chosen = getattr(criterion, key)
+        text = ", ".join(chosen) if isinstance(chosen, tuple) else "" if chosen.is_all else str(chosen)
+        words += f", {key if set(',-') & set(text) else key.removesuffix('s')} {text}" if text else ""
+    return Requirement(
+        criterion.name,
+        words,
+        criterion.statistic,
+        partial(located_quantity, asked=criterion, project=project),
+        criterion.most,
+        criterion.least,
+        quantity.kind.unit,
+        of_dampers=is_of_dampers(criterion),
+        lacks=partial(lacking, asked=criterion, project=project),
+        missing=partial(missing_history, asked=criterion),
+    )
+
+
+def _of_what(criterion: QuantityCriterion) -> str:
+    """Side, oscillator or term in words."""
+    if criterion.quantity == "support_vertical_reaction" and criterion.side is not None:
+        return {"tension": " in uplift", "compression": " in compression"}[criterion.side]
+    if criterion.side is not None:
+        return f" in {criterion.side}"
+    if criterion.frequency is not None and criterion.damping is not None:
+        return f" at {criterion.frequency:g} Hz, {100.0 * criterion.damping:g} % damping,"
+    return f" of {criterion.term.replace('_', '-')}" if criterion.term is not None else ""
+
+
+def _lacks_measure(group: Group, measure: str) -> str:
+    if measure.startswith("damper_"):
+        if "damper" not in group.coords:
+            return "there are no dampers"
+        if measure == "damper_strain" and "damper_strain_max" not in group.variables:
+            return "no damper has layers"
+    return ""
 
 
 def performance_requirement(
@@ -108,7 +186,7 @@ def _where(storeys: NumberSelection, members: tuple[str, ...]) -> str:
     return text + (f", members {', '.join(members)}" if members else "")
 
 
-def _range(criterion: MeasureCriterion, unit: str) -> str:
+def _range(criterion: MeasureCriterion | QuantityCriterion, unit: str) -> str:
     if criterion.most is None:
         assert criterion.least is not None
         return f"at least {shown(criterion.least, unit)}"

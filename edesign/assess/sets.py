@@ -10,6 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.measures import MEASURES, response_measures
 from edesign.assess.statistics import Statistics, statistics
 from edesign.project.pushover import METHODS, Method
+from edesign.project.study import warm_variant
 
 NOT_RUN = "not run"
 """Status of a history that was planned and has no result yet."""
@@ -95,7 +96,7 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
             continue
         variant, temperature = str(about.get("variant") or ""), about.get("temperature_C")
         if temperature is not None:
-            variant = f"{variant} at {float(temperature):g} degC".strip()
+            variant = warm_variant(variant, float(temperature))
         key = (variant, str(about.get("level") or ""))
         found.setdefault(key, HistorySet(*key)).histories[name] = group
     return tuple(found.values())

@@ -9,6 +9,9 @@ from statistics import median
 
 import numpy as np
 
+CODE_MOTIONS = {"ec8": 3, "mean": 7, "asce7": 11}
+"""Motions that codes want: EN 1998-1, 3.2.3.1.2(4)a at least 3, and 4.3.3.4.3(3) from 7 on for the mean; ASCE/SEI 7-22,
+16.2.3.1 at least 11."""
 FRACTION = 0.84
 """The percentile beside the median: about one standard deviation above it if the logarithms are normal."""
 
@@ -70,6 +73,29 @@ def statistics(values: Mapping[str, float | None]) -> Statistics:
         governing=max(there, key=lambda name: there[name]),
         missing=missing,
     )
+
+
+def statistic(name: str, values: Mapping[str, float]) -> float | None:
+    """Return a statistic by the name that criteria give it; None of no values.
+
+    Args:
+        name: of `STATISTICS`, or a percentile such as "90%", counted as `counted_percentile` does.
+        values: of each history by its name.
+    """
+    if name in STATISTICS or not values:
+        return STATISTICS[name](statistics(values)) if values else None
+    return counted_percentile(list(values.values()), float(name.removesuffix("%")) / 100.0)
+
+
+def code_statistic(name: str, count: int) -> str:
+    """Return the statistic that a code takes of so many motions, other names as they are.
+
+    `ec8`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3)). `asce7`: the mean (ASCE/SEI 7-22,
+    16.4; of eleven or more, 16.2.3.1).
+    """
+    if name == "ec8":
+        return "mean" if count >= CODE_MOTIONS["mean"] else "maximum"
+    return "mean" if name == "asce7" else name
 
 
 def counted_percentile(values: list[float], fraction: float) -> float:

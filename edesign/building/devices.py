@@ -188,7 +188,7 @@ def add_devices(
             force_scale, deformation_scale, thickness = size.scales(law)
             brace = _brace(project, run, place, i)
             play = run.brace.play or 0.0 if isinstance(run.brace, BraceStiffness) else 0.0
-            name = _free(place.name, taken)
+            name = names.free_name(place.name, taken)
             taken.add(name)
             if name in outside:
                 continue
@@ -213,16 +213,6 @@ def add_attachment(model: Model, attached: Attached, node: int, x: float, y: flo
         dashpot = LawValues("viscous", (attached.damping,))
         model.damper(f"{attached.name}_dashpot", dashpot, ((1.0, mass, UX), (-1.0, node, UX)))
     return mass
-
-
-def _free(name: str, taken: set[str]) -> str:
-    """The name, or with the next number where several dampers stand at one place."""
-    number = 2
-    chosen = name
-    while chosen in taken:
-        chosen = f"{name}_{number}"
-        number += 1
-    return chosen
 
 
 def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str, int], where: str) -> Iterator[_Place]:
@@ -270,7 +260,7 @@ def _between(project: Project, run: DamperBetween, nodes: Mapping[str, int], whe
     terms = ((c, second, UX), (s, second, UY), (-c, first, UX), (-s, first, UY))
     levels = project.frame.y
     storey = next((i for i in range(1, len(levels)) if sorted((y0, y1)) == [levels[i - 1], levels[i]]), 0)
-    return _Place(f"N_{start}_{end}", storey, 0, terms, length, 1.0, 1)
+    return _Place(names.damper_between_name(start, end), storey, 0, terms, length, 1.0, 1)
 
 
 def _node(nodes: Mapping[str, int], name: str, where: str) -> int:

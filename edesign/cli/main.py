@@ -23,6 +23,7 @@ from edesign.cli.fit import fit
 from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
+from edesign.cli.quantities import quantities
 from edesign.cli.report import report
 from edesign.cli.rts import app as rts
 from edesign.cli.run import run
@@ -56,7 +57,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 _PROJECTS = (new, check, run, design, show, compare, report, extract)
-_PARTS = (spectrum, match, sections, laws, test, characterise, fit, calibrate)
+_PARTS = (spectrum, match, sections, laws, quantities, test, characterise, fit, calibrate)
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)
 app.add_typer(rts)

@@ -21,6 +21,9 @@ def show(
         str | None,
         typer.Option("--member", "-m", metavar="NAME", help="Checks of one member of a building, written out."),
     ] = None,
+    csv: Annotated[
+        Path | None, typer.Option("--csv", metavar="FILE", help="Write the verdicts on the criteria of a study.")
+    ] = None,
     figures: Annotated[
         Path | None,
         typer.Option("--figures", metavar="DIR", help="Draw records, their spectra, loops of dampers, and buildings."),
@@ -52,6 +55,10 @@ def show(
         return lambda: print_tables(tables)
 
     check_format(figure_format)
+    if csv is not None:
+        from edesign.report.verdict_data import write_verdicts
+
+        read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:
         check_folder(figures)
     tell, damage = read_archive(archive, read)

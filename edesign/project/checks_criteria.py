@@ -3,14 +3,24 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from types import MappingProxyType
 
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_names import check_names
-from edesign.project.criteria import Criterion, HingeCriterion, MeasureCriterion, Objectives
+from edesign.project.checks_quantities import check_members, check_quantity
+from edesign.project.criteria import (
+    Criterion,
+    HingeCriterion,
+    MeasureCriterion,
+    Objectives,
+    QuantityCriterion,
+)
+from edesign.project.criterion_quantities import QUANTITIES, keys_of
 from edesign.project.hazard_base import Hazard
 from edesign.project.measures import MEASURE_KINDS
-from edesign.project.problems import Keys, Problems, did_you_mean, keys_text
+from edesign.project.outputs import HistoryKind
+from edesign.project.problems import Keys, Problems, keys_text
 from edesign.project.project import Project
 
 OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 0.02) for _ in range(3)), strict=True))
@@ -27,6 +37,8 @@ def check_criteria(
     project: Project,
     variants: Collection[str],
     problems: Problems,
+    kept: Collection[HistoryKind] | None = None,
+    dampers: Mapping[str, Sequence[str]] = MappingProxyType({}),
 ) -> None:
     """Check criteria and objectives against the project and against each other.
 
@@ -37,6 +49,8 @@ def check_criteria(
         project: whose frame and hazard levels they mean.
         variants: names of the variants of the study.
         problems: collects what is wrong.
+        kept: histories that the study keeps of every record; None: not known.
+        dampers: names of the dampers of each variant.
     """
     levels = project.hazard_levels
     for i, criterion in enumerate(criteria):
@@ -48,8 +62,12 @@ def check_criteria(
         Selections(project.frame, problems).numbers(
             (*at, "storeys"), criterion.storeys, "storey", project.frame.n_storeys
         )
-        if isinstance(criterion, MeasureCriterion):
+        if criterion.share is not None and "statistic" in criterion.model_fields_set:
+            problems.at_key((*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both")
+        if isinstance(criterion, (MeasureCriterion, QuantityCriterion)):
             _limits(problems, at, criterion)
+        if isinstance(criterion, QuantityCriterion):
+            check_quantity(at, criterion, project, problems, kept, dampers)
         if isinstance(criterion, (MeasureCriterion, HingeCriterion)):
             _members(problems, at, criterion, project)
     _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
@@ -80,7 +98,7 @@ def objective_level(letter: str, hazard: Hazard | None) -> str | None:
     return None
 
 
-def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion) -> None:
+def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion | QuantityCriterion) -> None:
     if criterion.most is None and criterion.least is None:
         problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
     elif criterion.most is not None and criterion.least is not None and criterion.least > criterion.most:
@@ -109,19 +127,14 @@ def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCr
     if kind == "damper":
         return  # its names are given when the variant is built
     allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]
-    for j, name in enumerate(criterion.members):
-        if name not in allowed:
-            what = f"no {kind or 'column or beam'} `{name}` in this frame"
-            hint = did_you_mean(name, allowed)
-            message = f"there is {what}{hint} (they are named `{allowed[0]}` to `{allowed[-1]}`)"
-            problems.at_item((*at, "members"), j, message)
+    check_members((*at, "members"), criterion.members, allowed, kind or "column or beam", problems)
 
 
 def _contradictions(
     problems: Problems, keys: Keys, criteria: Sequence[Criterion], variants: tuple[str, ...], levels: tuple[str, ...]
 ) -> None:
     """Two ranges of one statistic of one measure, over the same place, that have nothing in common."""
-    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, MeasureCriterion)]
+    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, (MeasureCriterion, QuantityCriterion))]
     for position, (i, later) in enumerate(measured):
         for j, earlier in measured[:position]:
             if not _same(earlier, later):
@@ -138,17 +151,28 @@ def _contradictions(
             if both and low > high and alone <= 0.0:
                 line = problems.node((*keys, "criteria", j)).mark.line
                 place = keys_text((*keys, "criteria", j))
+                what, unit = _subject(later)
                 message = (
                     f"`{later.name}` contradicts `{earlier.name}` ({place}, line {line}): for {both[0]} "
-                    f"the {later.statistic} of `{later.measure}` cannot be at least {low:g} and at most "
-                    f"{high:g} {MEASURE_KINDS[later.measure].unit.replace('1', '')}".rstrip()
+                    f"the {later.statistic} of `{what}` cannot be at least {low:g} and at most "
+                    f"{high:g} {unit.replace('1', '')}".rstrip()
                 )
                 problems.at_value((*keys, "criteria", i), message)
 
 
-def _same(one: MeasureCriterion, other: MeasureCriterion) -> bool:
-    return all(getattr(one, key) == getattr(other, key) for key in ("measure", "statistic", "storeys", "members"))
+def _subject(criterion: MeasureCriterion | QuantityCriterion) -> tuple[str, str]:
+    """What is limited, and its SI unit."""
+    if isinstance(criterion, MeasureCriterion):
+        return criterion.measure, MEASURE_KINDS[criterion.measure].unit
+    return criterion.quantity, QUANTITIES[criterion.quantity].kind.unit
 
 
-def _most(criterion: MeasureCriterion) -> float:
+def _same(one: MeasureCriterion | QuantityCriterion, other: MeasureCriterion | QuantityCriterion) -> bool:
+    if _subject(one) != _subject(other) or type(one) is not type(other):
+        return False
+    keys = ("storeys", "members") if isinstance(one, MeasureCriterion) else keys_of(one.quantity)
+    return all(getattr(one, key) == getattr(other, key) for key in ("statistic", "share", *keys))
+
+
+def _most(criterion: MeasureCriterion | QuantityCriterion) -> float:
     return math.inf if criterion.most is None else criterion.most

@@ -146,6 +146,11 @@ def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
 def _bounds(keys: Keys, spec: Design, bounds: Bounds, problems: Problems) -> None:
     if spec.level is None:
         problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
+    check_factors(keys, bounds, problems)
+
+
+def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
+    """Check the factors and temperatures of bounds against each other."""
     for side in ("upper", "lower"):
         if getattr(bounds, side) is not None and getattr(bounds, f"{side}_factors") is not None:
             problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them")

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from edesign.project.checks_actions import check_drift, check_fitted_levels
 from edesign.project.checks_criteria import check_criteria
+from edesign.project.checks_derived import check_derived
 from edesign.project.checks_designs import check_design
 from edesign.project.checks_incremental import check_incremental
 from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.checks_outputs import check_member
 from edesign.project.checks_pushover import check_pushover
+from edesign.project.checks_quantities import names_of_dampers, names_of_design
 from edesign.project.designs import AnyVerify
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.pushover import Pushovers
@@ -24,7 +26,9 @@ def check_study(study: Study, problems: Problems) -> None:
         if design.verify is not None:
             _verify(study, problems, ("designs", name, "verify"), design.verify)
     for name, variant in study.variants.items():
-        _variant(study, problems, ("variants", name), variant)
+        if name not in study.derived:
+            _variant(study, problems, ("variants", name), variant)
+    check_derived(study, problems)
     for i, histories in enumerate(study.histories):
         _histories(study, problems, ("histories", i), histories)
     for i, incremental in enumerate(study.incremental):
@@ -32,7 +36,16 @@ def check_study(study: Study, problems: Problems) -> None:
     for i, pushovers in enumerate(study.pushovers):
         _pushovers(study, problems, ("pushovers", i), pushovers)
     _own_names(study, problems)
-    check_criteria((), study.criteria, study.objectives, base, tuple(study.variants), problems)
+    check_criteria(
+        (),
+        study.criteria,
+        study.objectives,
+        base,
+        tuple(study.variants),
+        problems,
+        study.outputs.histories,
+        {name: _dampers(study, variant) for name, variant in study.variants.items()},
+    )
     _outputs(study, problems)
     for what, items in (("histories", study.histories or study.incremental), ("pushovers", study.pushovers)):
         if items and base.masses is None:
@@ -57,6 +70,15 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
         for key in ("temperature", "property_factor"):
             if getattr(variant, key) is not None:
                 problems.at_key((*keys, key), "this variant has no dampers")
+
+
+def _dampers(study: Study, variant: Variant) -> tuple[str, ...]:
+    """Names of the dampers of a variant."""
+    frame = study.base.frame
+    if variant.design is not None:
+        design = study.designs.get(variant.design)
+        return names_of_design(frame, design) if design is not None else ()
+    return names_of_dampers(frame, study.base.dampers) if variant.dampers == "project" else ()
 
 
 def _histories(study: Study, problems: Problems, keys: Keys, histories: Histories) -> None:

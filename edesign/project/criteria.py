@@ -1,19 +1,20 @@
-"""What the responses of a study are judged by: limits of measures, plastic hinges, performance levels, objectives."""
+"""What a study is judged by: limits of measures and quantities, plastic hinges, performance levels, objectives."""
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
 
 from edesign.project.base import Model, refuse
+from edesign.project.criterion_quantities import QUANTITIES, EnergyTerm, Side, parse_quantity_value
 from edesign.project.measures import MEASURE_KINDS, ROTATION, SHORT_NAMES, parse_measure_value
 from edesign.project.problems import unknown_name
-from edesign.project.selections import ALL_NUMBERS, Numbers
-from edesign.project.units import parse_quantity
+from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
+from edesign.project.units import PositiveFrequency, PositiveRatio, parse_quantity, parse_ratio
 
-StatisticName = Literal["mean", "maximum", "median", "84%"]
 PerformanceLevel = Literal["IO", "LS", "CP"]
 MemberKinds = Literal["columns", "beams", "all"]
 Objective = Literal["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"]
@@ -45,8 +46,32 @@ def _rotation(value: Any) -> float:
     return parse_quantity(value, ROTATION, "not negative")
 
 
+def _quantity(value: Any) -> Any:
+    if isinstance(value, str) and value in QUANTITIES:
+        return value
+    raise refuse(unknown_name("quantity", str(value), QUANTITIES))
+
+
+PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "asce7")
+"""Statistics that need no number; `ec8` and `asce7` are what these codes take of so many motions."""
+_PERCENTILE = re.compile(r"(?:percentile )?([0-9]+(?:\.[0-9]+)?) ?%")
+
+
 def _statistic(value: Any) -> Any:
-    return "84%" if value == "84 %" else value
+    """The name of a statistic; a percentile as `84%`."""
+    if isinstance(value, str) and value in PLAIN_STATISTICS:
+        return value
+    match = _PERCENTILE.fullmatch(value) if isinstance(value, str) else None
+    if match is None:
+        names = ", ".join(f"`{name}`" for name in PLAIN_STATISTICS)
+        raise refuse(f"`{value}` is no statistic; allowed: {names}, and percentiles such as `84 %`")
+    if not 0.0 < float(match[1]) < 100.0:
+        raise refuse(f"`{value}`: a percentile is more than 0 % and less than 100 %; of all it is the `maximum`")
+    return f"{float(match[1]):g}%"
+
+
+def _share(value: Any) -> float:
+    return parse_ratio(value, 0.0, 1.0, low_allowed=False)
 
 
 Names = Annotated[tuple[str, ...], BeforeValidator(_some_names)]
@@ -55,13 +80,15 @@ Names = Annotated[tuple[str, ...], BeforeValidator(_some_names)]
 class _Criterion(Model):
     """What all criteria share: a name, the histories they look at, and the statistic over the records.
 
-    `variants` and `levels` are names, or all if empty; each variant at each level is judged on its own.
+    `variants` and `levels` are names, or all if empty; each variant at each level is judged on its own. With a `share`
+    in place of a statistic, so many of the motions have to meet it.
     """
 
     name: CriterionName
     variants: Names = ()
     levels: Names = ()
-    statistic: Annotated[StatisticName, BeforeValidator(_statistic)] = "mean"
+    statistic: Annotated[str, BeforeValidator(_statistic)] = "mean"
+    share: Annotated[float, BeforeValidator(_share)] | None = None
     storeys: Numbers = ALL_NUMBERS
 
 
@@ -84,6 +111,32 @@ class MeasureCriterion(_Criterion):
         return None if measure is None else parse_measure_value(measure, value)
 
 
+class QuantityCriterion(_Criterion):
+    """Limits of an archived quantity at some of its places, in SI; `most` and `least` as of a measure.
+
+    The largest absolute value over time counts, or with `side` that in tension or compression, over the places that
+    are chosen. `frequency` (Hz) and `damping` are of an oscillator on a floor, `term` is one of the energy balance.
+    """
+
+    quantity: Annotated[str, BeforeValidator(_quantity)]
+    most: float | None = None
+    least: float | None = None
+    floors: Numbers = ALL_NUMBERS
+    members: Names = ()
+    dampers: Names = ()
+    lines: Lines = ALL_LINES
+    side: Side | None = None
+    frequency: PositiveFrequency | None = None
+    damping: PositiveRatio | None = None
+    term: EnergyTerm | None = None
+
+    @field_validator("most", "least", mode="before")
+    @classmethod
+    def _value(cls, value: Any, info: ValidationInfo) -> Any:
+        quantity = info.data.get("quantity")
+        return None if quantity is None else parse_quantity_value(quantity, value)
+
+
 class HingeCriterion(_Criterion):
     """No plastic hinges: the plastic rotation of the ends of members is at most `rotation` (rad)."""
 
@@ -103,11 +156,13 @@ class PerformanceCriterion(_Criterion):
 
 def _which(value: Any) -> str:
     given = value if isinstance(value, Mapping) else type(value).model_fields if isinstance(value, BaseModel) else ()
-    return next((f"?{key}" for key in ("performance", "plastic_hinges") if key in given), "?measure")
+    kinds = ("performance", "plastic_hinges", "quantity")
+    return next((f"?{key}" for key in kinds if key in given), "?measure")
 
 
 Criterion = Annotated[
     Annotated[MeasureCriterion, Tag("?measure")]
+    | Annotated[QuantityCriterion, Tag("?quantity")]
     | Annotated[HingeCriterion, Tag("?plastic_hinges")]
     | Annotated[PerformanceCriterion, Tag("?performance")],
     Discriminator(_which),

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 
 def line_name(index: int) -> str:
     """Name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB."""
@@ -54,6 +56,21 @@ def damper_name(kind: str, bay: int, storey: int) -> str:
     """Damper in a bay and storey by its kind, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S)."""
     letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
     return f"{letter}_{bay}_{storey}"
+
+
+def damper_between_name(start: str, end: str) -> str:
+    """Damper between two nodes: N_A0_B1."""
+    return f"N_{start}_{end}"
+
+
+def free_name(name: str, taken: Collection[str]) -> str:
+    """The name, or with the next number where several dampers stand at one place: V_1_3, V_1_3_2."""
+    number = 2
+    chosen = name
+    while chosen in taken:
+        chosen = f"{name}_{number}"
+        number += 1
+    return chosen
 
 
 def brace_name(bay: int, storey: int, direction: str) -> str:

@@ -62,6 +62,7 @@ def parse_study(
         base = _load_base(study, path, profiles, problems)
     if study is not None and base is not None:
         read = _Reader(path, base, profiles, study.project)
+        study = read.completed(study)
         check_study(study.read_from(path, text, problems.root, read).set_base(base), problems)
     if study is None or problems.found:
         raise StudyError(path, problems.found)
@@ -90,5 +91,5 @@ class _Reader:
         return parse_study(text, self.path, base or self.base, self.profiles, self.of)
 
     def completed(self, model: Study) -> Study:
-        """The study as it is: reading adds nothing to its own values."""
-        return model
+        """The study with the variants that `vary` and `bounds` make."""
+        return model.with_derived()

@@ -31,6 +31,7 @@ from edesign.report.pushover_figures import hinge_figures, pushover_figures
 from edesign.report.record_figures import record_figures
 from edesign.report.response_figures import response_figures
 from edesign.report.temperature_figures import temperature_figures
+from edesign.report.vary_figures import vary_figures
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -70,6 +71,7 @@ FIGURES = (
     brace_figures,
     damper_figures,
     temperature_figures,
+    vary_figures,
     incremental_figures,
 )
 """Each gives (name of the file, caption, figure) for what an archive has of its subject."""

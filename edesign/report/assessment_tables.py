@@ -8,15 +8,16 @@ from collections.abc import Mapping, Sequence
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.criteria import judge
-from edesign.assess.members import frame_members
-from edesign.assess.sets import DAMAGED, NOT_RUN, HistorySet, history_sets
+from edesign.assess.members import VariantMembers
+from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_sets
 from edesign.project.criteria import Criterion, Objectives
 from edesign.project.project import Project
-from edesign.report.archived import archived_project
+from edesign.project.study import Study
+from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.measure_tables import record_measures_table, statistics_tables
 from edesign.report.summary import all_results
 from edesign.report.table import Table
-from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
+from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_tables
 
 
 def assessment_tables(
@@ -46,25 +47,30 @@ def assessment_tables(
     if not histories:
         return []
     project = project or archived_project(archive)
-    return tables_of_histories(histories, project, criteria, objectives) if project is not None else []
+    study = archived_study(archive) if is_study_archive(archive) else None
+    return tables_of_histories(histories, project, criteria, objectives, study) if project is not None else []
 
 
 def tables_of_histories(
-    histories: Mapping[str, Group], project: Project, criteria: Sequence[Criterion] = (), objectives: Objectives = ()
+    histories: Mapping[str, Group],
+    project: Project,
+    criteria: Sequence[Criterion] = (),
+    objectives: Objectives = (),
+    study: Study | None = None,
 ) -> list[Table]:
     """Return the tables of histories that are at hand; see `assessment_tables`."""
     sets = history_sets(histories)
     if not sets:
         return []
-    members = frame_members(project)
+    members = VariantMembers(project, study)
     tables = [record_measures_table(found) for found in sets]
     tables += statistics_tables(sets)
-    verdicts = judge(criteria, (), histories, project)
+    verdicts = judge(criteria, (), histories, project, study)
     if verdicts:
-        tables.append(verdicts_table(verdicts))
+        tables += verdicts_tables(verdicts)
     tables += performance_tables(sets, members)
     if objectives:
-        tables.append(objectives_table(judge((), objectives, histories, project), objectives, project))
+        tables.append(objectives_table(judge((), objectives, histories, project, study), objectives, project))
     return tables
 
 
@@ -90,6 +96,13 @@ def read_histories(archive: Archive, groups: Mapping[str, Group] | None = None) 
                 about = {key: like.get(key) for key in ("kind", "variant", "level", "temperature_C")}
                 found[name] = Group(attributes={**group.attributes, **about})
     return {name: found[name] for name in groups if name in found}
+
+
+def read_judged(archive: Archive, groups: Mapping[str, Group] | None = None) -> dict[str, Group]:
+    """Return all that criteria judge, by name: histories, see `read_histories`, and states at target displacements."""
+    groups = all_results(archive) if groups is None else groups
+    targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
+    return read_histories(archive, groups) | targets
 
 
 def _prefix(found: HistorySet) -> str:

@@ -12,10 +12,10 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
-from edesign.assess.members import ELASTIC_ROTATION, compressions, frame_members
+from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
 from edesign.project.frame import Frame
 from edesign.project.project import Project
-from edesign.report.archived import archived_project
+from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.captions import at_level, file_name, plain
 from edesign.report.figures import MEAN, new_figure, styled
 from edesign.report.frame_drawing import draw_frame, member_lines
@@ -72,6 +72,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     The mean and the largest over the records, and the class of FEMA 356 that the mean reaches.
     """
     project = archived_project(archive)
+    study = archived_study(archive) if is_study_archive(archive) else None
     for level, variants in by_level(histories(archive)).items():
         found = {
             variant: groups
@@ -80,6 +81,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         }
         if project is None or not found or not any(map(_yields, chain(*found.values()))):
             continue
+        of = VariantMembers(project, study).project
         missing = missing_text(history for chosen in variants.values() for history in chosen)
         for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
             if statistic == "max" and all(len(groups) == 1 for groups in found.values()):
@@ -89,7 +91,7 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             figure = hinge_figure(project.frame, panels, ROTATION)
             yield file_name("hinges", level, statistic), f"{caption}{_numbers(panels)}{missing}", figure
         classes = [
-            replace(_panel(variant, groups, np.mean), values=acceptance(project, groups))
+            replace(_panel(variant, groups, np.mean), values=acceptance(of(variant), groups))
             for variant, groups in found.items()
         ]
         if any(any(panel.values.values()) for panel in classes):

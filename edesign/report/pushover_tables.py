@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import response_measures
-from edesign.assess.members import frame_members
+from edesign.assess.members import VariantMembers
 from edesign.assess.performance import set_performance
 from edesign.assess.sets import TARGET, HistorySet, target_sets
 from edesign.project.project import Project
 from edesign.project.pushover import METHODS, Method
+from edesign.project.study import Study
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.table import Table, number
 
@@ -71,12 +72,13 @@ def events_table(groups: Mapping[str, Group]) -> Table:
     return table
 
 
-def target_tables(project: Project | None, groups: Mapping[str, Group]) -> list[Table]:
+def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
     """Return what the target displacements of each method follow from, and the response at them.
 
     Args:
         project: of the frame; None: performance levels are left out.
         groups: results of analyses by name.
+        study: whose variants may have other values of the project; None: there is none.
     """
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     tables = []
@@ -92,17 +94,17 @@ def target_tables(project: Project | None, groups: Mapping[str, Group]) -> list[
             cells = [_shown(value, unit) for value, (_, _, unit) in zip(values, columns, strict=True)]
             table.rows.append([_pushover(name, group), str(group.attributes.get("level")), *cells])
         tables.append(table)
-    tables.append(_states(project, targets.values(), targets))
+    tables.append(_states(targets, project, study))
     return [table for table in tables if table.rows]
 
 
-def _states(project: Project | None, groups: Iterable[Group], targets: Mapping[str, Group]) -> Table:
+def _states(targets: Mapping[str, Group], project: Project | None, study: Study | None) -> Table:
     """The response of the frame at each target displacement, with the performance level that it meets."""
     shown = [column for column in FRAME_COLUMNS if column[1] in STATE]
     levels = ("level by drift", "level by members") if project is not None else ()
     columns = ("target", *(header for header, _, _ in shown), *levels)
     table = Table("Response at the target displacements", columns)
-    members = frame_members(project) if project is not None else {}
+    members = VariantMembers(project, study) if project is not None else None
     of = {name: found for found in target_sets(targets) for name in found.histories}
     for name, group in targets.items():
         if group.attributes.get("status") != "completed":
@@ -111,9 +113,9 @@ def _states(project: Project | None, groups: Iterable[Group], targets: Mapping[s
             continue
         measures = response_measures(group)
         cells = [number(measures[measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
-        if project is not None:
+        if members is not None:
             alone = HistorySet(of[name].variant, of[name].level, {name: group}, of[name].method)
-            found = set_performance(alone, members, "maximum")
+            found = set_performance(alone, members(alone.variant), "maximum")
             cells += [found.by_drift or "-", found.by_members or "-"]
         table.rows.append([name, *cells])
     return table

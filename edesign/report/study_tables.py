@@ -8,18 +8,20 @@ from collections.abc import Mapping, Sequence
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
-from edesign.assess.members import frame_members
-from edesign.assess.sets import TARGET, HistorySet, history_sets
+from edesign.assess.members import VariantMembers
+from edesign.assess.sets import HistorySet, history_sets
 from edesign.project.study import Study
 from edesign.report.archived import archived_study
-from edesign.report.assessment_tables import read_histories
+from edesign.report.assessment_tables import read_histories, read_judged
+from edesign.report.derived_results import not_swept
+from edesign.report.derived_tables import derived_tables
 from edesign.report.design_tables import design_tables
 from edesign.report.incremental_tables import incremental_tables
 from edesign.report.measure_tables import statistics_tables
 from edesign.report.pushover_tables import target_tables
 from edesign.report.summary import all_results, ending, statistics
 from edesign.report.table import Table, number, seconds, whole
-from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_table
+from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.study.kinds import DESIGNS, INCREMENTAL
 from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
 from edesign.study.warnings import warning_lines
@@ -40,15 +42,20 @@ def study_tables(archive: Archive) -> list[Table]:
     groups = all_results(archive)
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables = [plan_table(archive, groups), *designs_tables(archive, study, sets), *statistics_tables(sets)]
-    targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
-    tables += target_tables(study.base, groups)
+    tables = [
+        plan_table(archive, groups),
+        *designs_tables(archive, study, sets),
+        *statistics_tables(not_swept(study, sets)),
+    ]
+    tables += derived_tables(study, sets)
+    tables += target_tables(study.base, groups, study)
+    judged = read_judged(archive, groups)
     if study.criteria:
-        tables.append(verdicts_table(judge(study.criteria, (), histories | targets, study.base)))
+        tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study))
     if sets:
-        tables += performance_tables(sets, frame_members(study.base))
+        tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study))
     if study.objectives:
-        verdicts = judge((), study.objectives, histories | targets, study.base)
+        verdicts = judge((), study.objectives, judged, study.base, study)
         tables.append(objectives_table(verdicts, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
     return [table for table in tables if table.rows or table.notes]

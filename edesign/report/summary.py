@@ -11,9 +11,9 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.assess.sets import DAMAGED, NOT_RUN
-from edesign.errors import InputError
+from edesign.errors import EdesignError, InputError
 from edesign.project.problems import did_you_mean, listed
-from edesign.report.archived import is_building_archive, is_substructure_archive
+from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.study.kinds import ANALYSES, RECORDS
 from edesign.study.warnings import ATTRIBUTE, warnings_of
 
@@ -31,6 +31,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     Returns:
         {"archive": {title, status, complete, versions, warnings ...}, "records": [...], "analyses": [{"name", "kind",
         "variant", "record", "level", "status", "reason", "warnings": [...], "measures": {...}, "statistics": {...}}]}.
+        Of a study also "criteria": [{"criterion", "variant", "level", "verdict", "statistic", "value", "limit", ...}].
         Analyses that were planned and have no result have the status "not run". Warnings are sentences; those of the
         archive are doubts about the input. Records have the attributes of their groups, and those of suites stand under
         "records" of their suite; they are left out when one analysis is asked for.
@@ -57,7 +58,22 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
         buildings = [entry(name, results(archive, name)) for name in names]
         return {"archive": finite(about | damage), **tests, "analyses": buildings}
     found = {"archive": finite(about | damage), "analyses": [entry(name, results(archive, name)) for name in names]}
-    return found if analysis is not None else {**found, "records": finite(record_entries(archive, RECORDS))}
+    if analysis is not None:
+        return found
+    if is_study_archive(archive):
+        found["criteria"], failure = _criteria(archive)
+        found["archive"][ATTRIBUTE] += [f"criteria are not judged: {failure}"] if failure else []
+    return {**found, "records": finite(record_entries(archive, RECORDS))}
+
+
+def _criteria(archive: Archive) -> tuple[list[dict[str, Any]], str]:
+    """The verdicts on the criteria of a study, and why there are none if it is damaged or of another version."""
+    from edesign.report.verdict_data import study_verdicts, verdict_entry
+
+    try:
+        return finite([verdict_entry(verdict) for verdict in study_verdicts(archive)]), ""
+    except EdesignError as error:
+        return [], str(error)
 
 
 def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from edesign.assess.criteria import Verdict
-from edesign.assess.members import ELASTIC_ROTATION, FrameMember
+from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
 from edesign.assess.performance import Usage, set_performance
 from edesign.assess.requirement import shown
 from edesign.assess.sets import HistorySet
+from edesign.assess.statistics import CODE_MOTIONS
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.checks_criteria import objective_level
@@ -18,51 +19,53 @@ from edesign.report.measure_tables import missing_notes
 from edesign.report.table import Table
 from edesign.report.text import wrapped
 
-ENOUGH_FOR_MEANS = 7
-"""Histories from which on codes let the mean response count: EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4."""
 TARGETS = "Of target displacements the usage is the maximum over patterns and directions."
-ANSWERS = {True: "met", False: "not met", None: "open"}
 
 
-def verdicts_table(verdicts: Sequence[Verdict], title: str = "Criteria") -> Table:
-    """Return a row for each verdict; missing histories and remarks stand below."""
-    columns = ("criterion", "variant", "level", "verdict", "statistic", "value", "limit", "histories")
-    table = Table(title, (*columns, "governs", "requirement"), left=5)
+def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
+    """Return the verdicts on criteria, what governs them, what is to be said of them, and what they require.
+
+    Each fits a page; those that would be empty are left out.
+    """
+    name = ("criterion", "variant", "level")
+    answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1))
+    governs = Table(
+        "What governs the criteria", (*name, "place", "motion", "statistic", "of"), left=6, sentences=(0, 1, 4)
+    )
+    remarks = Table("Remarks on the criteria", (*name, "remark"), left=4, sentences=(3, 0))
+    required = dict.fromkeys((verdict.name, verdict.requirement) for verdict in verdicts)
+    requirements = Table(
+        "What the criteria require",
+        ("criterion", "requirement"),
+        [list(pair) for pair in required],
+        left=2,
+        sentences=(1, 0),
+    )
     for verdict in verdicts:
+        about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
         value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
-        total = verdict.count + len(verdict.missing)
-        table.rows.append(
-            [
-                verdict.name,
-                verdict.variant or "-",
-                verdict.level or "-",
-                ANSWERS[verdict.met],
-                verdict.statistic,
-                value,
-                shown(verdict.limit, verdict.unit),
-                f"{verdict.count} of {total}",
-                _governs(verdict),
-                verdict.requirement,
-            ]
-        )
-        about = [part for part in (verdict.remark, _missing(verdict)) if part]
-        if about:
-            place = ", ".join(part for part in (verdict.variant, verdict.level) if part)
-            table.notes.append(f"{verdict.name} ({place}): {'; '.join(about)}")
-    table.notes += _few(verdicts)
-    return table
+        ratio = "-" if verdict.ratio is None else f"{verdict.ratio:.2f}"
+        answers.rows.append([*about, verdict.answer, value, shown(verdict.limit, verdict.unit), ratio])
+        if verdict.governing_history:
+            of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
+            governs.rows.append([*about, verdict.place or "frame", _motion(verdict), *of])
+        if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
+            remarks.rows.append([*about, f"{verdict.answer}: {said}"])
+    answers.notes += ["D/C: demand over capacity, value / limit, of a least value limit / value."]
+    if governs.rows:
+        governs.notes += wrapped("Largest value, of a least value the smallest; of: histories that have it.")
+        governs.notes += _few(verdicts)
+    return [table for table in (answers, governs, remarks, requirements) if table.rows]
 
 
-def performance_tables(
-    sets: Sequence[HistorySet], members: Mapping[str, FrameMember], statistic: str = "mean"
-) -> list[Table]:
+def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
     """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations."""
     title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
     columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
     by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
     by_members = Table(f"{title} by plastic rotation {under}", columns, left=2, sentences=8)
     for found in sets:
-        p = set_performance(found, members, statistic)
+        p = set_performance(found, members(found.variant), statistic)
         for table, level, number, worst in (
             (by_drift, p.by_drift, p.drift_counts, p.worst_drift),
             (by_members, p.by_members, p.member_counts, p.worst_members),
@@ -81,7 +84,7 @@ def performance_tables(
         "elastic. P is its largest compression in the history, with what dampers add; P_CL its buckling strength over "
         f"the storey (K = 1). {governs}"
     )
-    if not members:
+    if not any(members(found.variant) for found in sets):
         by_members.notes.append("No member has a section and a material that Table 5-6 knows.")
     return [by_drift, by_members]
 
@@ -114,7 +117,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                     letter,
                     verdict.variant or "-",
                     verdict.name.rpartition(" ")[2],
-                    ANSWERS[verdict.met],
+                    verdict.answer,
                     f"{hazard} ({level or 'none'})",
                     f"{PERFORMANCE_LEVELS[objective.level]} ({objective.level})",
                     objective.rank,
@@ -135,8 +138,13 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
 
 
 def _governs(verdict: Verdict) -> str:
-    place = verdict.governing_member or (f"storey {verdict.governing_storey}" if verdict.governing_storey else "")
-    return ", ".join(part for part in (verdict.governing_history, place) if part) or "-"
+    return ", ".join(part for part in (verdict.governing_history, verdict.place) if part) or "-"
+
+
+def _motion(verdict: Verdict) -> str:
+    """The record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
+    name = verdict.governing_history
+    return name.partition(f".{verdict.level}.")[2] or name
 
 
 def _usage(worst: tuple[str, Usage] | None) -> str:
@@ -150,14 +158,18 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
 
 def _few(verdicts: Sequence[Verdict]) -> list[str]:
     """What the codes say of statistics over few histories, if a verdict rests on one."""
-    few = [v for v in verdicts if v.statistic != "maximum" and 0 < v.count + len(v.missing) < ENOUGH_FOR_MEANS]
+    few = [
+        v
+        for v in verdicts
+        if v.statistic not in ("maximum", "share") and 0 < v.count + len(v.missing) < CODE_MOTIONS["mean"]
+    ]
     if not few:
         return []
     sets = dict.fromkeys(", ".join(part for part in (v.variant, v.level) if part) or "-" for v in few)
-    return [
-        f"Fewer than {ENOUGH_FOR_MEANS} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
+    return wrapped(
+        f"Fewer than {CODE_MOTIONS['mean']} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
         "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
-    ]
+    )
 
 
 def _missing(verdict: Verdict) -> str:

@@ -25,6 +25,7 @@ from edesign.project.records import RecordSet, record_of
 from edesign.project.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.choosing import study_with_choices, with_choices
+from edesign.study.criteria import check_criteria_inputs
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
 from edesign.study.modal import fundamental_period, mode_count
@@ -69,6 +70,12 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
     for spec in histories:
         check_motion(project, spec, found[spec.record].record)
     check_fits(project, found)
+    _check_frame(project, specs)
+    return found
+
+
+def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
+    """Build a frame with its dampers and its outputs, and look for mechanisms and modes."""
     frame = make_frame(project, dampers=True)
     requested_quantities(project, frame, Group())
     try:
@@ -76,7 +83,6 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
     except CoreError as error:
         raise InputError(f"{project.where('frame')}: frame: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
-    return found
 
 
 def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
@@ -102,7 +108,16 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     details = study.outputs.details
     members = details.members if details is not None else ()
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
-    found = _check_inputs(base, [*(task.spec for task in plan), *histories])
+    specs = (*(task.spec for task in plan), *histories)
+    found = _check_inputs(base, specs)
+    for name, variant in study.variants.items():
+        if variant.values:
+            try:
+                _check_frame(study.project_of(name).model_copy(update={"outputs": base.outputs}), specs)
+            except InputError as error:
+                source = study.derived.get(name)
+                keys = source.keys if source is not None else ("variants", name, "values")
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {error}") from error
     wanted: list[tuple[tuple[str | int, ...], int]] = []
     if study.modal.modes is not None:
         wanted.append((("modal", "modes"), study.modal.modes))
@@ -119,6 +134,7 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
     variant_warnings(study, plan)
+    check_criteria_inputs(study, found)
     return found
 
 

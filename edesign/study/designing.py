@@ -16,6 +16,7 @@ from edesign.project.project import Project
 from edesign.project.study import Study
 from edesign.study.backends.work import Work
 from edesign.study.check import verification_records, wanted_designs
+from edesign.study.criteria import kept_for_verification
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
 from edesign.study.kinds import DESIGNS
@@ -45,7 +46,11 @@ def study_designs(study: Study, run: Execution) -> Prepared:
     plain = Outputs(histories=outputs.histories, every=outputs.every)
     details = outputs.details
     whole = (
-        Outputs(histories=details.histories, every=outputs.every, members=details.members)
+        Outputs(
+            histories=tuple(dict.fromkeys((*details.histories, *outputs.histories))),
+            every=outputs.every,
+            members=details.members,
+        )
         if details is not None
         else plain
     )
@@ -113,7 +118,7 @@ def _respond(
     study: Study, name: str, verify: AnyVerify, dampers: Dampers, number: int, run: Execution
 ) -> dict[str, Group]:
     """The histories that a round of a design is judged by; they are not archived."""
-    project = study.base.model_copy(update={"dampers": dampers, "outputs": Outputs(histories=())})
+    project = study.base.model_copy(update={"dampers": dampers, "outputs": kept_for_verification(study, verify)})
     works, specs = [], {}
     for level in verify.levels or ("",):
         for reference in verification_records(study, name):

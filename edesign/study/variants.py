@@ -10,6 +10,7 @@ from edesign.project.designs import Design, ViscousDesign
 from edesign.project.project import Project
 from edesign.project.study import Study, Variant
 from edesign.study.dampers import law_warnings
+from edesign.study.design.bounds import property_factors
 from edesign.study.design.building import with_temperature
 from edesign.study.plan import Task
 
@@ -28,11 +29,24 @@ def variant_project(
     Raises:
         KeyError: the variant's design is not in `designed`.
     """
-    variant, base = study.variants[name], study.base
+    variant, base = study.variants[name], study.project_of(name)
     dampers = designed[variant.design] if variant.design is not None else base.dampers
     if variant.dampers == "none" or dampers is None:
         return base.model_copy(update={"dampers": None})
-    return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C)})
+    factor, own_temperature = _bound(study, name)
+    temperature_C = own_temperature if temperature_C is None else temperature_C
+    return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C, factor)})
+
+
+def _bound(study: Study, name: str) -> tuple[float, float | None]:
+    """Factor on the dampers' forces and their temperature, if a variant is a bound of another."""
+    source = study.derived.get(name)
+    bounds = study.variants[source.of].bounds if source is not None and source.bound else None
+    if source is None or bounds is None:
+        return 1.0, None
+    low, high = property_factors(bounds)
+    cold, hot = bounds.temperatures if bounds.temperatures is not None else (None, None)
+    return (low, hot) if source.bound == "lower" else (high, cold)
 
 
 def variant_strain(study: Study, name: str) -> float | None:
@@ -67,8 +81,11 @@ def _unsized(base: Project, design: Design) -> Dampers:
     return Dampers.model_construct(laws={design.law: dampers.laws[design.law]}, devices=(device,))
 
 
-def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None) -> Dampers:
-    """Dampers whose laws are at the temperature of a variant, or at the one given, with its property factor."""
+def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:
+    """Dampers whose laws are at the temperature of a variant, or at the one given, with its property factor.
+
+    `factor` is a further one on their forces.
+    """
     change: dict[str, float] = {}
     temperature_C = temperature_C if temperature_C is not None else variant.temperature
     if temperature_C is not None:
@@ -76,7 +93,7 @@ def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = 
     used = {device.law for device in dampers.devices}  # others may not know another temperature
     laws = {
         key: law.model_copy(
-            update={**change, "property_factor": law.property_factor * (variant.property_factor or 1.0)}
+            update={**change, "property_factor": law.property_factor * (variant.property_factor or 1.0) * factor}
         )
         if key in used
         else law

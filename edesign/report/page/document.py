@@ -17,6 +17,7 @@ from edesign.report.page.section import Section
 from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections
 from edesign.report.page.sections.dampers import dampers
+from edesign.report.page.sections.derived import derived
 from edesign.report.page.sections.design import design
 from edesign.report.page.sections.ground_motion import ground_motion
 from edesign.report.page.sections.hinges import hinges
@@ -48,6 +49,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     histories,
     dampers,
     temperature,
+    derived,
     incremental,
     provenance,
 )

@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.measures import located_measure
-from edesign.assess.members import frame_members
+from edesign.assess.members import VariantMembers
 from edesign.assess.profile import storey_profile
 from edesign.assess.sets import HistorySet
 from edesign.errors import EdesignError
@@ -162,4 +162,4 @@ def _levels(archive: Archive, found: dict[str, list[tuple[str, Group]]]) -> list
     if project is None:
         return []
     sets = [HistorySet(name, test, {test: group}) for test, name, group in yielding]
-    return performance_tables(sets, frame_members(project))
+    return performance_tables(sets, VariantMembers(project))

@@ -19,11 +19,15 @@ Judge = Callable[[Mapping[str, Group]], Sequence[Verdict]]
 
 
 def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
-    """The outcome of a round from its histories; a criterion that says neither yes nor no is not met."""
+    """The outcome of a round from its histories; a criterion that says neither yes nor no is not met.
+
+    One that does not apply to these histories is left out, unless none does.
+    """
     failed = tuple(name for name, group in groups.items() if group.attributes.get("status", "completed") != "completed")
     verdicts = []
     taken: set[str] = set()
-    for verdict in judge(groups):
+    given = judge(groups)
+    for verdict in [one for one in given if one.applies] or given:
         name = f"{verdict.name}, {verdict.level}" if verdict.level else verdict.name
         while name in taken:
             name += "'"

@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import io
 
+import numpy as np
 import pytest
 from unit.assess.assessed import frame, history, part
 
-from edesign.archive.dataset import Group
+from edesign.archive.dataset import Group, Variable
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.judgement import within
-from edesign.assess.members import frame_members
+from edesign.assess.members import VariantMembers, frame_members
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.project.study import Study
+from edesign.project.yaml_file import check_model
 from edesign.report.text import print_tables
 from edesign.report.verdict_tables import performance_tables
 
@@ -68,6 +71,7 @@ def test_a_failed_history_counts_as_beyond_the_limit() -> None:
     assert answers["median"] == (True, pytest.approx(0.0085))
     assert answers["mean"] == (False, pytest.approx(0.008))
     assert answers["maximum"] == (False, 0.009) and answers["84%"] == (False, 0.009)
+    assert found.ratio == np.inf  # and not 0.9/1.3, which is of those that are there
 
 
 def test_nothing_but_failed_histories_is_not_met() -> None:
@@ -88,11 +92,159 @@ def test_histories_to_come_leave_a_verdict_open_unless_it_is_settled() -> None:
     assert (found.met, found.value) == (None, None)
 
 
-def test_what_nobody_ran_or_nobody_has_is_open() -> None:
+def test_what_nobody_ran_is_open_and_what_nobody_has_does_not_apply() -> None:
     (found,) = verdicts(DRIFT % "most: 1.3 %", {"bare.DBE.0": history("bare", "DBE")})
-    assert (found.met, found.remark, found.variant, found.level) == (None, "no such histories", "damped", "DBE")
+    assert (found.answer, found.remark, found.variant, found.level) == ("open", "no such histories", "damped", "DBE")
     (found,) = verdicts("criteria: [{name: s, measure: damper_strain, most: 50 %}]", drifts(0.01))
-    assert (found.met, found.remark) == (None, "does not apply")
+    assert (found.answer, found.remark, found.missing) == ("does not apply", "there are no dampers", ())
+
+
+STUDY = """\
+edesign_study: 1
+title: Two variants
+project: project.yaml
+variants: {bare: {dampers: none}, damped: {dampers: project}}
+histories:
+  - {variants: bare, levels: DBE, records: motion}
+  - {variants: damped, levels: [DBE, MCE], records: motion}
+"""
+
+
+def test_a_study_tells_what_should_have_run() -> None:
+    """Planned and not run is open; not planned, or of dampers that a variant has not, does not apply."""
+    read, problems = check_model(STUDY, Study, "study file", "edesign_study: 1")
+    assert read is not None and not problems.found
+    text = (
+        "criteria:\n"
+        "  - {name: drift, measure: interstorey_drift, variants: [bare, damped], levels: [DBE, MCE], most: 1.3 %}\n"
+        "  - {name: stroke, quantity: damper_deformation, most: 20 mm}\n"
+        "  - {name: brace, quantity: brace_axial_force, most: 20 kN}\n"
+    )
+    given = part(text)
+    answers = {
+        (v.name, v.variant, v.level): (v.answer, v.remark)
+        for v in judge(given.criteria, (), {"bare.DBE.0": history("bare", "DBE")}, frame(), read)
+    }
+    nothing, idle = ("open", "no such histories"), ("does not apply", "there are no dampers")
+    assert answers == {
+        ("drift", "bare", "DBE"): ("met", ""),
+        ("drift", "damped", "DBE"): nothing,
+        ("drift", "damped", "MCE"): nothing,
+        ("drift", "bare", "MCE"): ("does not apply", "the study runs no such histories"),
+        ("stroke", "bare", "DBE"): idle,
+        ("stroke", "damped", "DBE"): nothing,
+        ("stroke", "damped", "MCE"): nothing,
+        ("brace", "bare", "DBE"): ("does not apply", "there are no braces"),
+        ("brace", "damped", "DBE"): nothing,
+        ("brace", "damped", "MCE"): nothing,
+    }
+
+
+@pytest.mark.parametrize(
+    ("text", "value", "place"),
+    [  # known_history: floors peak at 7 and 5 m/s2, columns between -900 and 100 kN, and -800 and -200 kN
+        ("quantity: floor_acceleration, most: 1 g", 7.0, "floor 1"),
+        ("quantity: floor_acceleration, floors: 2, most: 1 g", 5.0, "floor 2"),
+        ("quantity: floor_displacement, most: 0.3 m", 0.21, "floor 2"),
+        ("quantity: storey_drift, storeys: 2, most: 1 %", 0.005, "storey 2"),
+        ("quantity: residual_storey_drift, most: 1 %", 0.001, "storey 1"),
+        ("quantity: storey_shear, storeys: 2, most: 1 MN", 1e5, "storey 2"),
+        ("quantity: base_shear, most: 1 MN", 3e5, ""),
+        ("quantity: column_axial_force, most: 1 MN", 9e5, "C_A_1"),
+        ("quantity: column_axial_force, side: tension, most: 1 MN", 1e5, "C_A_1"),
+        ("quantity: column_axial_force, side: tension, members: C_B_1, most: 1 MN", 0.0, "C_B_1"),
+        ("quantity: column_axial_force, side: compression, members: C_B_1, most: 1 MN", 8e5, "C_B_1"),
+        ("quantity: beam_plastic_rotation, storeys: 2, most: 1 rad", 0.004, "B_1_2"),
+    ],
+)
+def test_quantities_at_places(text: str, value: float, place: str) -> None:
+    (found,) = verdicts(f"criteria: [{{name: one, {text}}}]", drifts(0.01))
+    assert found.value == pytest.approx(value, rel=1e-15) and found.place == place
+    assert found.ratio == pytest.approx(value / found.limit, rel=1e-15)
+
+
+def test_a_share_of_the_motions() -> None:
+    """Of five motions three are at most 1 %; a failed one does not meet, one to come may still."""
+    text = "criteria: [{name: one, measure: interstorey_drift, most: 1 %%, share: %s}]"
+    five = drifts(0.007, 0.008, 0.010, 0.012, 0.013)
+    for share, met in (("60 %", True), ("0.61", False), ("100 %", False)):
+        (found,) = verdicts(text % share, five)
+        assert (found.met, found.value, found.statistic, found.count) == (met, 0.6, "share", 5)
+        assert found.governing_history == "damped.DBE.4" and found.unit == "1"
+    assert found.ratio == pytest.approx(1.0 / 0.6)
+    failed = five | {"damped.DBE.x": history("damped", "DBE", status="failed")}
+    (found,) = verdicts(text % "60 %", failed)
+    assert (found.met, found.value, found.missing) == (False, 0.5, ("damped.DBE.x",))
+    to_come = five | {"damped.DBE.y": history("damped", "DBE", status="not run")}
+    for share, met in (("50 %", True), ("60 %", None), ("70 %", False)):  # 3 or 4 of 6
+        (found,) = verdicts(text % share, to_come)
+        assert (found.met, found.answer) == (met, {True: "met", None: "open", False: "not met"}[met])
+
+
+def test_statistics_of_codes_and_percentiles() -> None:
+    """EN 1998-1, 4.3.3.4.3(3): the mean of seven motions or more, else the maximum; ASCE/SEI 7-22, 16.4: the mean."""
+    values = [0.001 * number for number in range(1, 11)]
+    for statistic, count, value, taken in (
+        ("ec8", 6, 0.006, "maximum"),
+        ("ec8", 7, 0.004, "mean"),
+        ("asce7", 3, 0.002, "mean"),
+        ("percentile 90 %", 10, 0.009, "90%"),
+        ("84 %", 10, 0.009, "84%"),
+        ("50%", 10, 0.005, "50%"),
+    ):
+        (found,) = verdicts(DRIFT % f"most: 1.3 %, statistic: {statistic}", drifts(*values[:count]))
+        assert found.value == pytest.approx(value, rel=1e-12) and found.statistic == taken
+
+
+def test_histories_that_an_archive_lacks_leave_a_verdict_open() -> None:
+    text = "criteria: [{name: e, quantity: floor_spectral_acceleration, frequency: 5 Hz, damping: 2 %, most: 1 g}]"
+    (found,) = verdicts(text, drifts(0.01))
+    assert (found.answer, found.remark) == ("open", "`floor_acceleration` is not in the archive")
+
+
+def test_a_floor_spectrum_of_a_sine_by_its_closed_form() -> None:
+    """An oscillator at rest on a floor that begins to shake as a sine at its own frequency.
+
+    Its relative displacement is a/(2 zeta w^2) (cos wt - e^(-zeta w t) (cos w_d t + zeta/sqrt(1-zeta^2) sin w_d t)).
+    """
+    w, zeta, amplitude, step = 2.0 * np.pi * 5.0, 0.02, 3.0, 0.002
+    time = step * np.arange(2001)  # 20 cycles, at the end of which the floor stands still
+    group = history("damped", "DBE")
+    group.coords["time"] = Variable(("time",), time, "s", "time")
+    floors = np.column_stack([0.0 * time, amplitude * np.sin(w * time)])
+    group.add("floor_acceleration", ("time", "floor"), floors, "m/s^2", "total acceleration")
+    root = np.sqrt(1.0 - zeta**2)
+    wd, decay = w * root, np.exp(-zeta * w * time)
+    u = (
+        amplitude
+        / (2.0 * zeta * w**2)
+        * (np.cos(w * time) - decay * (np.cos(wd * time) + zeta / root * np.sin(wd * time)))
+    )
+    total = w**2 * u + 2.0 * zeta * w * np.gradient(u, step, edge_order=2)
+    text = "criteria: [{name: e, quantity: floor_spectral_acceleration, frequency: 5 Hz, damping: 2 %, most: 10 g}]"
+    (found,) = verdicts(text, {"one": group})
+    assert found.value == pytest.approx(np.abs(total).max(), rel=1e-3)  # its peaks lie between the samples
+    assert found.place == "floor 2"
+
+
+def test_the_velocity_of_a_damper_by_its_deformation() -> None:
+    """A sine of 5 Hz that swells and fades, at 0.01 s; the spline gives its velocity to (w h)^4/180 = 5e-5."""
+    w, step = 2.0 * np.pi * 5.0, 0.01
+    time = step * np.arange(201)
+    group = history("damped", "DBE")
+    group.coords["time"] = Variable(("time",), time, "s", "time")
+    group.coords["damper"] = Variable(("damper",), np.array(["V_1_1", "V_1_2"]), "", "damper")
+    group.add("damper_storey", ("damper",), [1, 2], "1", "storey")
+    swell = np.sin(0.5 * np.pi * time) ** 2
+    wave = swell * np.sin(w * time)
+    rate = 0.5 * np.pi * np.sin(np.pi * time) * np.sin(w * time) + swell * w * np.cos(w * time)
+    strokes = np.column_stack([0.01 * wave, 0.02 * wave])
+    group.add("damper_deformation", ("time", "damper"), strokes, "m", "deformation")
+    for chosen, amplitude, name in (("storeys: 1", 0.01, "V_1_1"), ("dampers: V_1_2", 0.02, "V_1_2")):
+        (found,) = verdicts(
+            f"criteria: [{{name: v, quantity: damper_velocity, {chosen}, most: 1 m/s}}]", {"one": group}
+        )
+        assert found.value == pytest.approx(amplitude * np.abs(rate).max(), rel=1e-4) and found.place == name
 
 
 def test_each_variant_and_level_is_judged_on_its_own() -> None:
@@ -191,7 +343,7 @@ def test_a_limit_from_below_fails_with_failed_histories() -> None:
 def test_tables_of_performance_fit_a_page() -> None:
     """By drift and by members apart, each with its own usage, on 80 columns."""
     one = history("modified", "el_centro", 0.03)
-    tables = performance_tables([HistorySet("modified", "el_centro", {"one": one})], frame_members(frame()))
+    tables = performance_tables([HistorySet("modified", "el_centro", {"one": one})], VariantMembers(frame()))
     stream = io.StringIO()
     print_tables(tables, stream)
     assert max(map(len, stream.getvalue().splitlines())) <= 80

@@ -8,6 +8,7 @@ from unit.assess.assessed import FRAME, Part, part
 from edesign.project import parse_project
 from edesign.project.checks_criteria import check_criteria, objective_level
 from edesign.project.criteria import HingeCriterion, MeasureCriterion, PerformanceCriterion
+from edesign.project.outputs import HistoryKind
 from edesign.project.yaml_file import check_model
 
 THESIS = """\
@@ -25,7 +26,10 @@ def problems_of(text: str) -> list[str]:
     """All problems, as `line:column key: message`."""
     found, problems = check_model(text, Part, "study file", "criteria:")
     if found is not None:
-        check_criteria((), found.criteria, found.objectives, parse_project(FRAME), ("bare", "damped"), problems)
+        project = parse_project(FRAME)
+        dampers = {"bare": (), "damped": ("V_1_1", "V_1_2")}
+        kept: tuple[HistoryKind, ...] = ("floors", "supports")
+        check_criteria((), found.criteria, found.objectives, project, tuple(dampers), problems, kept, dampers)
     return [f"{p.mark.line}:{p.mark.column} {p}" for p in problems.found]
 
 
@@ -69,6 +73,30 @@ def test_the_three_kinds_of_criteria() -> None:
         ("{performance: LF}", "criteria[0].performance", "`LS`"),
         ("{performance: LS, most: 1 %}", "criteria[0].most", "unknown key"),
         ("{}", "criteria[0].measure", "missing"),
+        ("{quantity: flor_acceleration, most: 1 g}", "criteria[0].quantity", "did you mean `floor_acceleration`?"),
+        ("{quantity: floor_acceleration, most: 1 kN}", "criteria[0].most", "is a force"),
+        ("{quantity: floor_acceleration}", "criteria[0].most", "needs a limit"),
+        ("{quantity: floor_acceleration, storeys: 1, most: 1 g}", "criteria[0].storeys", "allowed here: `floors`"),
+        ("{quantity: floor_acceleration, floors: 3, most: 1 g}", "criteria[0].floors", "floors are numbered 1 to 2"),
+        ("{quantity: floor_acceleration, side: tension, most: 1 g}", "criteria[0].side", "has no `side`"),
+        ("{quantity: base_shear, members: C_A_1, most: 1 kN}", "criteria[0].members", "one of the whole frame"),
+        ("{quantity: member_bending_moment, members: C_C_1, most: 1 kN*m}", "criteria[0].members", "column or beam"),
+        ("{quantity: beam_plastic_rotation, members: C_A_1, most: 1 mrad}", "criteria[0].members", "no beam `C_A_1`"),
+        ("{quantity: column_axial_force, side: pull, most: 1 kN}", "criteria[0].side", "`tension`"),
+        ("{quantity: support_moment, lines: D, most: 1 kN*m}", "criteria[0].lines", "lines are named A to B"),
+        ("{quantity: damper_force, dampers: V_2_1, most: 1 kN}", "criteria[0].dampers", "did you mean `V_1_1`?"),
+        ("{quantity: damper_velocity, most: 1 m/s}", "criteria[0].quantity", "add `dampers` to `outputs: histories`"),
+        ("{quantity: energy_share, most: 20 %}", "criteria[0].term", "this key is missing"),
+        ("{quantity: energy_share, term: heat, most: 20 %}", "criteria[0].term", "`dampers`"),
+        (
+            "{quantity: floor_spectral_acceleration, frequency: 5 Hz, most: 1 g}",
+            "criteria[0].damping",
+            "this key is missing",
+        ),
+        ("{measure: roof_drift, most: 1 %, statistic: 0 %}", "criteria[0].statistic", "more than 0 %"),
+        ("{measure: roof_drift, most: 1 %, statistic: mean, share: 80 %}", "criteria[0].share", "not both"),
+        ("{measure: roof_drift, most: 1 %, share: 120 %}", "criteria[0].share", "out of range"),
+        ("{measure: roof_drift, quantity: base_shear, most: 1 kN}", "criteria[0].measure", "unknown key"),
     ],
 )
 def test_what_is_wrong_in_a_criterion(criterion: str, key: str, said: str) -> None:

@@ -42,7 +42,7 @@ def summary(source: Source) -> Section:
     """What a reader should know who reads nothing else."""
     parts: list[Part] = [*_failures(source.entries), *_warnings(source)]
     verdicts, tables = judged(source)
-    parts += [Headlines(tiles) for tiles in (verdict_tiles(verdicts), _tiles(source.statistics)) if tiles]
+    parts += [Headlines(tiles) for tiles in (verdict_tiles(verdicts, source.study), _tiles(source.statistics)) if tiles]
     parts += tables
     governing = governing_table(source.statistics)
     parts += [governing] if governing.rows else []

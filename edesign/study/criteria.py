@@ -1,0 +1,80 @@
+"""What criteria need of the histories of a study: enough motions for a code, samples fine enough, kept histories."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from edesign.assess.statistics import CODE_MOTIONS
+from edesign.errors import InputError
+from edesign.ground_motion.sources import Found
+from edesign.project.analyses import HistoryAnalysis
+from edesign.project.criteria import QuantityCriterion
+from edesign.project.criterion_quantities import QUANTITIES
+from edesign.project.designs import AnyVerify
+from edesign.project.outputs import HistoryKind, Outputs
+from edesign.project.study import Study, warm_variant
+from edesign.study.study_plan import make_study_plan
+
+CLAUSES = {"ec8": "EN 1998-1, 3.2.3.1.2(4)a", "asce7": "ASCE/SEI 7-22, 16.2.3.1"}
+
+
+def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
+    """Check that the histories of a study will do for its criteria.
+
+    Args:
+        study: from `load_study`.
+        found: recordings by reference.
+
+    Raises:
+        InputError: a code wants more motions than a variant has at a level, or an oscillator on a floor swings faster
+            than the samples that are kept can tell.
+    """
+    motions = _motions(study) if any(criterion.statistic in CLAUSES for criterion in study.criteria) else {}
+    for i, criterion in enumerate(study.criteria):
+        where = f"{study.where('criteria', i)}: criteria[{i}]"
+        least = CODE_MOTIONS[criterion.statistic] if criterion.statistic in CLAUSES else 0
+        for (variant, level), count in motions.items():
+            of_variant = not criterion.variants or variant in criterion.variants
+            if of_variant and count < least and (level in criterion.levels if criterion.levels else level):
+                raise InputError(
+                    f"{where}.statistic: `{criterion.statistic}` wants at least {least} motions "
+                    f"({CLAUSES[criterion.statistic]}), and {variant} has {count} at {level}"
+                )
+        if isinstance(criterion, QuantityCriterion) and criterion.frequency is not None:
+            _check_samples(study, where, criterion.frequency, found)
+
+
+def _motions(study: Study) -> Counter[tuple[str, str]]:
+    """How many motions each variant has at each level when all of the study has run."""
+    found: Counter[tuple[str, str]] = Counter()
+    for task in make_study_plan(study):
+        if isinstance(task.spec, HistoryAnalysis) and task.stripe is None:
+            warm = task.temperature_C
+            found[task.variant if warm is None else warm_variant(task.variant, warm), task.spec.level or ""] += 1
+    return found
+
+
+def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
+    """Return what the histories of a design's verification keep: what its criteria are computed from."""
+    kept: list[HistoryKind] = []
+    for criterion in study.criteria:
+        if isinstance(criterion, QuantityCriterion) and criterion.name in verify.criteria:
+            kind = QUANTITIES[criterion.quantity].kept
+            kept += [kind] if kind is not None and kind not in kept else []
+    return Outputs(histories=tuple(kept))
+
+
+def _check_samples(study: Study, where: str, frequency: float, found: Mapping[str, Found]) -> None:
+    """An oscillator cannot be followed beyond half the rate of the samples: there is nothing in them."""
+    integration, every = study.base.integration, study.outputs.every
+    given = integration.time_step if integration is not None else None
+    for reference, recording in found.items():
+        step = recording.record.time_step if given is None else given
+        highest = 0.5 / (every * step)
+        if frequency > highest:
+            kept = f"one step in {every} of {step:g} s is kept" if every > 1 else f"the steps are {step:g} s"
+            raise InputError(
+                f"{where}.frequency: {frequency:g} Hz is beyond {highest:g} Hz, half the rate of the samples of "
+                f"{reference} ({kept}; see `integration: time_step` and `outputs: every`)"
+            )

@@ -1,0 +1,27 @@
+"""`edesign quantities`, and the same table in docs/assessment.md."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from edesign.cli.main import main
+from edesign.project.criterion_quantities import QUANTITIES, keys_of
+from edesign.project.measures import SHORT_NAMES
+
+PAGE = Path(__file__).parents[3] / "docs" / "assessment.md"
+
+
+def test_what_is_printed_and_written_is_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["quantities"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert {*QUANTITIES, *SHORT_NAMES} <= {line.split(" ")[0] for line in lines}
+    table = re.findall(r"^\| `(\w+)` \| (.+?) \| (.+?) \| (.+?) \| (.+) \|$", PAGE.read_text(encoding="utf-8"), re.M)
+    rows = {name: cells for name, *cells in table if name in QUANTITIES}
+    assert list(rows) == list(QUANTITIES)
+    for name, item in QUANTITIES.items():
+        unit = "-" if item.kind.unit == "1" else item.kind.unit.replace("*", " ")
+        keys = ", ".join(f"`{key}`" for key in keys_of(name)) or "-"
+        assert rows[name] == [unit, keys, f"`{item.kept}`" if item.kept else "-", item.meaning]

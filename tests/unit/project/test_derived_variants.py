@@ -1,0 +1,114 @@
+"""`vary`, `values` and `bounds` of a study: the variants that they make, and what is wrong, told with its place."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.building.project_file import load_study
+from edesign.errors import InputError
+from edesign.project.derived import Derived
+from edesign.project.study import Study
+from edesign.project.study_loader import StudyError, parse_study
+from edesign.study.check import check_study_inputs
+from edesign.study.study_plan import make_study_plan
+
+CASE = Path(__file__).parents[2] / "cases" / "any_quantity"
+TEXT = (CASE / "sweep.yaml").read_text(encoding="utf-8")
+BOUNDS = "{upper: 1.3, lower_factors: {ageing: 0.9, test: 0.8, specification: 0.95}}"
+BRACE = '"frame.braces[0].section", values: [IPE80, IPE120]'
+DASHPOT = "dampers.laws.fluid.parameters.c"
+
+
+@pytest.fixture(scope="module")
+def study() -> Study:
+    return load_study(CASE / "sweep.yaml")
+
+
+def test_the_variants_that_are_made(study: Study) -> None:
+    sweep = [f"damped_c_{i}" for i in (1, 2, 3)] + ["damped_brace_1", "damped_brace_2"]
+    assert list(study.variants) == ["damped", "softer", "damped_lower", "damped_upper", *sweep]
+    assert study.derived["damped_c_3"] == Derived("damped", ("vary", 0, "values", 2), "c", "600 kN*s/m")
+    assert study.derived["damped_upper"] == Derived("damped", ("variants", "damped", "bounds"), bound="upper")
+    assert study.named("damped_c_1") == study.named("damped") == "damped"
+    assert study.variants_of(study.histories[0]) == tuple(study.variants)
+    softer, dashpot = study.project_of("softer"), study.project_of("damped_c_3")
+    assert softer.materials["S275"].E == 200e9 and study.base.materials["S275"].E == 210e9
+    assert "c: 600 kN*s/m" in dashpot.text and study.project_of("damped") is study.base
+    study.check_unchanged()
+    study.afresh().check_unchanged()
+
+
+def test_a_variant_that_is_named_takes_with_it_what_is_made_of_it() -> None:
+    text = TEXT.replace("variants: all, levels", "variants: damped, levels")
+    found = parse_study(text, CASE / "sweep.yaml", load_study(CASE / "sweep.yaml").base)
+    assert set(found.variants_of(found.histories[0])) == set(found.variants) - {"softer"}
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "key", "said"),
+    [
+        (BOUNDS, "{}", "variants.damped.bounds", "nothing is given"),
+        ("upper: 1.3", "upper: 0.9", "variants.damped.bounds.upper", "must be at least 1"),
+        (
+            "{upper: 1.3,",
+            "{upper: 1.3, temperatures: [30 degC, 0 degC],",
+            "variants.damped.bounds.temp",
+            "runs backwards",
+        ),
+        (
+            "softer: {dampers: project,",
+            "softer: {dampers: none, bounds: {upper: 2},",
+            "variants.softer.bounds",
+            "no dampers",
+        ),
+        ("S275.E: 200", "S355.E: 200", "variants.softer.values.materials.S355.E", "there is no `S355`"),
+        ("E: 200 GPa", "E: 200 kN", "variants.softer.values.materials.S275.E", "is a force"),
+        ("materials.S275.E: 200 GPa", "hazard.a_gR: 0.2 g", "variants.softer.values.hazard.a_gR", "same for all"),
+        (DASHPOT, "dampers.laws.fluit.parameters.c", "vary[0].values[0]", "did you mean `fluid`?"),
+        (
+            "variants: damped, place: dampers",
+            "variants: dampd, place: dampers",
+            "vary[0].variants",
+            "did you mean `damped`?",
+        ),
+        ("IPE80, IPE120]", "IPE80, IPE121]", "vary[1].values[1]", "IPE121"),
+        (
+            '"frame.braces[0].section", values: [IPE80, IPE120]',
+            "frame.storeys, values: [[4 m]]",
+            "vary[1].values[0]",
+            "",
+        ),
+        ("name: brace", "name: c", "vary[1].name", "comes twice"),
+        ("roof_acceleration,", "roof_acceleraton,", "vary[0].measures[1]", "did you mean `roof_acceleration`?"),
+        ("  softer: {", "  damped_c_2: {", "vary[0].name", "makes a variant `damped_c_2`, which there is"),
+        ("values: [40 kN*s/m, 150 kN*s/m, 600 kN*s/m]", "values: []", "vary[0].values", ""),
+    ],
+)
+def test_what_is_wrong(old: str, new: str, key: str, said: str, study: Study) -> None:
+    assert TEXT.count(old) == 1
+    with pytest.raises(StudyError) as caught:
+        parse_study(TEXT.replace(old, new), CASE / "sweep.yaml", study.base)
+    first = caught.value.problems[0]
+    assert first.keys_text.startswith(key) and said in first.message, str(caught.value)
+
+
+def test_dampers_of_a_design_and_of_none_have_no_values(study: Study) -> None:
+    text = TEXT.replace("  softer: {dampers: project, values: {materials.S275.E: 200 GPa}}", "  bare: {dampers: none}")
+    text = text.replace("name: c, variants: damped", "name: c, variants: [damped, bare]")
+    with pytest.raises(StudyError, match="the variant `bare` has no dampers"):
+        parse_study(text, CASE / "sweep.yaml", study.base)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("600 kN*s/m]", "600 kN]", r"vary\[0\].values\[2\]: .*`600 kN` is a force"),
+        (DASHPOT, "dampers.laws.fluid.parameters.d", r"vary\[0\].values\[0\]: .*no such parameter .there are: c."),
+    ],
+)
+def test_laws_of_other_values_are_checked_before_the_run(old: str, new: str, said: str, study: Study) -> None:
+    found = parse_study(TEXT.replace(old, new), CASE / "sweep.yaml", study.base)
+    with pytest.raises(InputError, match=said):
+        check_study_inputs(found, make_study_plan(found))

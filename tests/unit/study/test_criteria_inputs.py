@@ -1,0 +1,59 @@
+"""What criteria need of the histories of a study is checked before the run: motions, samples, kept histories."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.building.project_file import load_project, load_study
+from edesign.errors import InputError
+from edesign.project.checks_quantities import names_of_dampers
+from edesign.project.designs import Verify
+from edesign.project.study_loader import parse_study
+from edesign.study.check import check_study_inputs
+from edesign.study.criteria import kept_for_verification
+from edesign.study.structure import make_frame
+from edesign.study.study_plan import make_study_plan
+
+CASES = Path(__file__).parents[2] / "cases"
+PATH = CASES / "any_quantity" / "study.yaml"
+TEXT = PATH.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        (
+            "statistic: ec8",
+            "statistic: asce7",
+            "criteria.3..statistic: `asce7` wants at least 11 .*ASCE/SEI 7-22",
+        ),
+        ("records: [whole, slow, fast]", "records: [whole, slow]", "`ec8` wants at least 3 motions .EN 1998-1"),
+        ("frequency: 5 Hz", "frequency: 60 Hz", "criteria.0..frequency: 60 Hz is beyond 50 Hz"),
+        ("histories: [floors,", "every: 12, histories: [floors,", "one step in 12 of 0.01 s is kept"),
+    ],
+)
+def test_what_a_study_cannot_answer_is_refused(old: str, new: str, said: str) -> None:
+    assert TEXT.count(old) == 1
+    study = parse_study(TEXT.replace(old, new), PATH, load_project(CASES / "any_quantity" / "project.yaml"))
+    with pytest.raises(InputError, match=said):
+        check_study_inputs(study, make_study_plan(study))
+
+
+def test_a_part_of_the_plan_does_not_count_as_too_few_motions() -> None:
+    study = load_study(PATH)
+    check_study_inputs(study, make_study_plan(study, ["damped.DBE.slow"]))
+
+
+def test_a_verification_keeps_what_its_criteria_need() -> None:
+    study = load_study(PATH)
+    verify = Verify(records=("whole",), criteria=("equipment", "velocity", "drift of storey 2"))
+    assert kept_for_verification(study, verify).histories == ("floors", "dampers")
+
+
+@pytest.mark.parametrize("path", sorted(CASES.glob("*/project.yaml")), ids=lambda path: path.parent.name)
+def test_names_of_dampers_are_those_of_the_frame(path: Path) -> None:
+    project = load_project(path)
+    frame = make_frame(project, dampers=True)
+    assert list(names_of_dampers(project.frame, project.dampers)) == [device.name for device in frame.devices]
