@@ -118,3 +118,38 @@ def test_without_masses_T1_must_be_given(small: str) -> None:
     without = small[:start] + small[end:]
     with pytest.raises(ProjectError, match="records.el_centro.T1: this key is missing; the frame has no `masses`"):
         parse_project(text_with(without, f"choose: 3, from: {FEMA}"))
+
+
+NTC = """\
+hazard:
+  code: ntc-2018
+  nominal_life: 50 years
+  class_of_use: II
+  ground: C
+  topography: T1
+  levels:
+    SLD: {limit_state: SLD, a_g: 0.104 g, F_0: 2.33, T_C_star: 0.28 s}
+    SLV: {limit_state: SLV, a_g: 0.261 g, F_0: 2.36, T_C_star: 0.35 s}
+records:
+"""
+
+
+def test_the_level_is_named_where_each_has_a_spectrum_of_its_own(broken: Broken, small: str) -> None:
+    _, choice, history = with_choice(f"choose: 3, from: {FEMA}, level: SLV")
+    at_slv = (history[0], history[1].replace("DBE", "SLV"))
+    text = small
+    for old, new in (("records:\n", NTC), choice, at_slv):
+        text = text.replace(old, new)
+    assert parse_project(text).records["el_centro"].fit_level == "SLV"
+    (problem,) = broken(("records:\n", NTC), (EL_CENTRO, f"«el_centro: {{choose: 3, from: {FEMA}}}"), at_slv)
+    assert problem.keys_text == "records.el_centro.level"
+    assert "each level has a spectrum of its own: `SLD`, `SLV`" in problem.message
+    elsewhere = (at_slv[0], at_slv[1].replace("SLV", "«SLV"))
+    (problem,) = broken(
+        ("records:\n", NTC), (EL_CENTRO, f"el_centro: {{choose: 3, from: {FEMA}, level: SLD}}"), elsewhere
+    )
+    assert "fitted to the spectrum of `SLD`, which has another shape" in problem.message
+    (problem,) = broken(*with_choice(f"choose: 3, from: {FEMA}, «level: DBE"))
+    assert "the levels have spectra of one shape" in problem.message
+    (problem,) = broken(*with_choice(f"choose: 3, from: {FEMA}, «level: DBE, match: {{}}"))
+    assert "with `match` its `level` says" in problem.message
