@@ -147,18 +147,21 @@ def judge(
 def _chosen(
     sets: Sequence[HistorySet], variants: tuple[str, ...], levels: tuple[str, ...], study: Study | None
 ) -> list[HistorySet]:
-    """Sets of the variants and levels (empty: all that have one); what is planned or named and not there is empty."""
+    """Sets of the variants and levels; what is planned or named and not there is empty.
+
+    Without levels all sets that have one are meant, and where none has one, all.
+    """
+    planned = study.planned_sets if study is not None else ()
+    leveled = any(s.level for s in sets) or any(level for _, level in planned)
 
     def wanted(variant: str, level: str) -> bool:
         named = study.named(variant) if study is not None else variant
-        return (not variants or variant in variants or named in variants) and (
-            level in levels if levels else bool(level)
-        )
+        of_variant = not variants or variant in variants or named in variants
+        return of_variant and (level in levels if levels else bool(level) or not leveled)
 
     found = [s for s in sets if wanted(s.variant, s.level)]
     there = {(s.variant, s.level) for s in found}
     shaken = {(s.variant, s.level) for s in found if s.method is None}
-    planned = study.planned_sets if study is not None else ()
     others = [pair for pair in planned if wanted(*pair) and pair not in shaken]
     others += [(variant, level) for variant in variants for level in levels if (variant, level) not in there]
     found += [HistorySet(*pair) for pair in dict.fromkeys(others)]

@@ -124,7 +124,9 @@ def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
     for title in stripes:
         if name.startswith(f"{title}."):
             return title
-    kind = group.attributes.get("kind")
+    kind, record = group.attributes.get("kind"), str(group.attributes.get("record") or "").rpartition("/")[2]
+    if record and name.endswith(f".{record}"):  # names of records may have points
+        return name.removesuffix(f".{record}")
     return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
 
 

@@ -15,6 +15,7 @@ from edesign.errors import EdesignError, InputError
 from edesign.project.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.study.kinds import ANALYSES, RECORDS
+from edesign.study.record_results import failed_criteria
 from edesign.study.warnings import ATTRIBUTE, warnings_of
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
@@ -109,9 +110,12 @@ def find(archive: Archive, name: str) -> str:
 
 
 def input_warnings(archive: Archive) -> list[str]:
-    """Return what was doubtful about the input of a run, a sentence each."""
+    """Return what was doubtful about the input of a run, a sentence each, and what its sets of records miss."""
     found = archive.attributes.get(ATTRIBUTE)
-    return [str(text) for text in found] if isinstance(found, list) else []
+    texts = [str(text) for text in found] if isinstance(found, list) else []
+    for name in archive.names(RECORDS):
+        texts += failed_criteria(name, Group(attributes=archive.group_attributes(f"{RECORDS}/{name}")))
+    return texts
 
 
 def results(archive: Archive, name: str) -> Group:

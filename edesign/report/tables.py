@@ -59,7 +59,8 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
         return [_heading(archive), *(table for table in tables if table.rows)]
     if is_study_archive(archive):
         try:
-            return [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
+            tables = [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
+            return [table for table in tables if table.rows or table.notes]
         except EdesignError:
             if not archive.damage:
                 raise

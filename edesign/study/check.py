@@ -204,6 +204,7 @@ def check_project(project: Project) -> dict[str, str]:
     period = fundamental_period(project)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*project_warnings(project, recorded), *record_warnings(recorded), *_scales(project, plan, found)]
+    warnings += _failed_choices(project, found)
     return {
         "title": project.title,
         "frame": _frame(project),
@@ -240,7 +241,7 @@ def check_study(study: Study) -> dict[str, str]:
     entries = Counter(task.entry for task in plan)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
-    warnings += _scales(study.base, plan, found)
+    warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
     return {
         "title": study.title,
         "project": str(study.base.path),
@@ -284,6 +285,19 @@ def _records(project: Project, found: Mapping[str, Found]) -> str:
     return ", ".join(texts) or "none"
 
 
+def _failed_choices(project: Project, found: Mapping[str, Found]) -> list[str]:
+    """What the chosen records that are used miss of what the code asks of a set, where they are scaled only."""
+    texts = []
+    for name in dict.fromkeys(map(record_of, found)):
+        choice, match = project.record_choice(name), project.records[name].match
+        if isinstance(choice, RecordChoice) and (match is None or match.method == "scale"):
+            texts += [
+                f"records {name}: not met: {one['clause']}, {one['text']}: {one['value']:.3g}"
+                for one in choice.facts()["not_met"]
+            ]
+    return texts
+
+
 def _choices(project: Project) -> dict[str, str]:
     """How the records were chosen that are, and what was left out of the choice."""
     lines = []
@@ -291,8 +305,8 @@ def _choices(project: Project) -> dict[str, str]:
         choice = project.record_choice(name)
         if not isinstance(choice, RecordChoice):
             continue
-        facts = choice.facts()
-        lines.append(f"{name}: the best {len(choice.factors)} of {choice.compared}; {'; '.join(choice_lines(facts))}")
+        lines.append(f"{name}: the best {len(choice.factors)} of {choice.compared}")
+        lines += [f"  {line}" for line in choice_lines(choice.facts())]
         lines += [f"  {recording} x {factor:.3f}" for recording, factor in choice.factors.items()]
         lines += [f"  left out: {refusal.name}: {refusal.reason}" for refusal in choice.refused]
     return {"chosen": "\n".join(lines)} if lines else {}
