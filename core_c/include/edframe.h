@@ -39,9 +39,12 @@ int ed_model_mass(ed_model *model, int node, double mx, double my, double mrz); 
 enum { ED_LINEAR = 0, ED_P_DELTA = 1, ED_COROTATIONAL = 2 };
 /* Force-based fibre beam-column; sections: one id a Gauss-Lobatto point (2..10). release_*: moment-free end. Two points integrate
  * the square of a linear moment wrongly (far too flexible); from three on an elastic prismatic member is exact.
- * A point load inside leaves a kink in the moment that quadrature meets only approximately; put a node there to be exact. */
+ * A load that begins, ends or stands inside leaves a kink in the moment, which quadrature meets only with a break there. */
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
                          int release_i, int release_j);
+/* A beam-column of one section is integrated piece by piece, by its points in each piece, between n positions (0..1, rising) of its length:
+ * a kink of the moment at such a place is met exactly. A place between two pieces is one point, with the weight of both. */
+int ed_model_breaks(ed_model *model, int element, int n, const double *position);
 int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
                           int release_j);
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
@@ -87,6 +90,8 @@ int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, doubl
 /* Loads on beam-columns, force a length in local axes, or a force at position (0..1) of the length. */
 int ed_model_uniform_load(ed_model *model, int pattern, int element, double axial, double transverse);
 int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse);
+/* Across a beam-column from `start` to `end` (0..1) of its length, linear from at_start to at_end, force a length. */
+int ed_model_partial_load(ed_model *model, int pattern, int element, double start, double end, double at_start, double at_end);
 
 /* ---- analysis --------------------------------------------------------------------------------------------------------- */
 

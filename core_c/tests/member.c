@@ -28,8 +28,8 @@ member member_new(member_options o)
   const int section = new_section(m.model, o.steel);
   const int i = ed_model_node(m.model, "i", 1.0, 2.0);
   const int j = ed_model_node(m.model, "j", 1.0 + 4.0 * cos(0.523598775598299), 2.0 + 4.0 * sin(0.523598775598299));
-  int sections[ED_MAX_POINTS], id;
-  for (int p = 0; p < ED_MAX_POINTS; p++)
+  int sections[ED_MAX_RULE], id;
+  for (int p = 0; p < ED_MAX_RULE; p++)
     sections[p] = section;
   if (o.kind == ED_FIBRE_BEAM)
     id = ed_model_beam_column(m.model, "m", i, j, o.points ? o.points : 5, sections, o.geometry,

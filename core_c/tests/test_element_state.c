@@ -191,7 +191,7 @@ static void check_energy(steel_kind steel, int geometry)
 
 int main(void)
 {
-  for (int points = 2; points <= ED_MAX_POINTS; points++)
+  for (int points = 2; points <= ED_MAX_RULE; points++)
     for (int release = 0; release < 4; release++)
       for (int loaded = 0; loaded < 2; loaded++)
         for (int steel = 0; steel < STEEL_KINDS; steel++) {

@@ -26,7 +26,7 @@ static double next_error(int n)
 
 static void check_rule(int n)
 {
-  double x[ED_MAX_POINTS], w[ED_MAX_POINTS];
+  double x[ED_MAX_RULE], w[ED_MAX_RULE];
   ed_gauss_lobatto(n, x, w);
   CHECK(x[0] == 0.0 && x[n - 1] == 1.0);
   for (int i = 0; i < n; i++) {
@@ -44,9 +44,9 @@ static void check_rule(int n)
 
 int main(void)
 {
-  for (int n = 2; n <= ED_MAX_POINTS; n++)
+  for (int n = 2; n <= ED_MAX_RULE; n++)
     check_rule(n);
-  double x[ED_MAX_POINTS], w[ED_MAX_POINTS];
+  double x[ED_MAX_RULE], w[ED_MAX_RULE];
   ed_gauss_lobatto(3, x, w);
   CHECK_NEAR(x[1], 0.5, ROUNDING);
   CHECK_NEAR(w[1], 2.0 / 3.0, ROUNDING);

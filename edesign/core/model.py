@@ -127,6 +127,7 @@ class Model:
         points: int = 5,
         geometry: str = "p_delta",
         release: tuple[bool, bool] = (False, False),
+        breaks: Sequence[float] = (),
     ) -> int:
         """Add a beam-column: force-based for fibre sections, closed form for an elastic one.
 
@@ -135,6 +136,8 @@ class Model:
             points: Gauss-Lobatto points, 2 to 10.
             geometry: "linear", "p_delta" or "corotational".
             release: moment-free ends i, j.
+            breaks: rising positions 0..1 of its length, between which a force-based member of one section is integrated
+                piece by piece, by `points` in each: where loads begin, end or stand.
         """
         ids = [section] * points if isinstance(section, int) else list(section)
         if isinstance(section, int) and 0 <= section and lib.ed_model_section_layers(self._c, section) == 0:
@@ -143,7 +146,10 @@ class Model:
         if len(ids) != points:
             raise ValueError(f"element {name}: {len(ids)} sections for {points} points")
         result = lib.ed_model_beam_column(self._c, name.encode(), i, j, points, ids, GEOMETRY[geometry], *release)
-        return self._element(name, result, ids[0])
+        self._element(name, result, ids[0])
+        if breaks:
+            self._checked(lib.ed_model_breaks(self._c, result, len(breaks), list(breaks)))
+        return result
 
     def truss(self, name: str, i: int, j: int, material: int, area: float, geometry: str = "linear") -> int:
         """Add a pin-ended bar; area in m2."""
@@ -285,3 +291,9 @@ class Model:
     ) -> None:
         """Add a force (N, local axes) on a beam-column at position 0..1 of its length."""
         self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, transverse))
+
+    def partial_load(
+        self, pattern: int, element: int, start: float, end: float, at_start: float, at_end: float
+    ) -> None:
+        """Add a load across a beam-column between two positions 0..1 of its length, linear from N/m to N/m."""
+        self._checked(lib.ed_model_partial_load(self._c, pattern, element, start, end, at_start, at_end))

@@ -7,9 +7,9 @@ polynomials of its bending moments. Tolerance 1e-11: only rounding of a few hund
 from __future__ import annotations
 
 import pytest
-from verification.structures import FY, E, Structure, channel, final, i_layers
+from verification.structures import FY, E, Structure, channel, final, i_layers, plastic_moment
 
-from edesign.core import Bilinear, Elastic, Model
+from edesign.core import Bilinear, CoreError, Elastic, Model
 
 L = 6.0
 W = -25e3  # N/m, downwards
@@ -23,6 +23,7 @@ def beam(
     fix_j: tuple[bool, bool, bool],
     n: int = 1,
     release: tuple[bool, bool] = (False, False),
+    breaks: tuple[float, ...] = (),
 ) -> tuple[Structure, float]:
     """A beam of n members with its EI; kind "elastic" or "force"."""
     m = Model()
@@ -42,6 +43,7 @@ def beam(
             section,
             geometry="linear",
             release=(release[0] and k == 0, release[1] and k == n - 1),
+            breaks=breaks,
         )
         for k in range(n)
     ]
@@ -169,10 +171,11 @@ def test_plastic_rotation_of_an_elastic_beam_with_a_hinge_is_zero() -> None:
     assert max(map(abs, got.values())) < 1e-12  # rad, of chord rotations of some 1e-3
 
 
+@pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("position", [0.0, 0.2, 0.5, 0.83, 1.0])
-def test_fixed_beam_point_load(position: float) -> None:
-    """Fixed-end moments P a b^2 / L^2 and P a^2 b / L^2 of the closed-form member at any position."""
-    b, _ = beam("elastic", CLAMP, GUIDED)
+def test_fixed_beam_point_load(kind: str, position: float) -> None:
+    """Fixed-end moments P a b^2 / L^2 and P a^2 b / L^2 at any position, with a break there where layers are integrated."""
+    b, _ = beam(kind, CLAMP, GUIDED, breaks=(position,) if kind == "force" and 0.0 < position < 1.0 else ())
     b.model.point_load(b.pattern, b.elements[0], position, transverse=P)
     got = final(
         b,
@@ -189,6 +192,70 @@ def test_fixed_beam_point_load(position: float) -> None:
     assert got["mj"] == pytest.approx(P * a**2 * c / L**2, abs=scale)
     assert got["vi"] == pytest.approx(-P * c**2 * (3 * a + c) / L**3, abs=scale)
     assert got["vj"] == pytest.approx(-P * a**2 * (a + 3 * c) / L**3, abs=scale)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize(
+    ("start", "end", "at_start", "at_end", "moment_i", "moment_j"),
+    [
+        (0.0, 1.0, 1.0, 1.0, 1 / 12, 1 / 12),
+        (0.0, 1.0, 0.0, 1.0, 1 / 30, 1 / 20),
+        (0.0, 0.5, 1.0, 1.0, 11 / 192, 5 / 192),
+        (0.25, 0.75, 1.0, 1.0, 11 / 192, 11 / 192),
+        (0.0, 0.5, 0.0, 1.0, 1 / 30, 3 / 160),
+    ],
+)
+def test_fixed_beam_partial_load(
+    kind: str, start: float, end: float, at_start: float, at_end: float, moment_i: float, moment_j: float
+) -> None:
+    """Fixed-end moments over w L^2 of partial and triangular loads: integrals of w x (1 - x)^2 and w x^2 (1 - x)."""
+    inside = tuple(at for at in (start, end) if 0.0 < at < 1.0)
+    b, _ = beam(kind, CLAMP, GUIDED, breaks=inside if kind == "force" else ())
+    b.model.partial_load(b.pattern, b.elements[0], start, end, W * at_start, W * at_end)
+    ends = [channel("reaction", b.nodes[k], d, f"{k}{d}") for k in (0, 1) for d in (1, 2)]
+    got = final(b, ends)
+    total, about_i = _resultant(start, end, W * at_start, W * at_end)
+    assert got["02"] == pytest.approx(-moment_i * W * L**2, rel=ROUNDING)
+    assert got["12"] == pytest.approx(moment_j * W * L**2, rel=ROUNDING)
+    assert got["01"] + got["11"] == pytest.approx(-total, rel=ROUNDING)
+    assert got["02"] + got["12"] + got["11"] * L == pytest.approx(-about_i, rel=ROUNDING)
+
+
+def _resultant(start: float, end: float, at_start: float, at_end: float) -> tuple[float, float]:
+    """Sum of a linear load and its moment about the beam's start: a rectangle and a triangle."""
+    a, part = start * L, (end - start) * L
+    rectangle, triangle = at_start * part, 0.5 * (at_end - at_start) * part
+    return rectangle + triangle, rectangle * (a + part / 2) + triangle * (a + 2 * part / 3)
+
+
+@pytest.mark.parametrize("position", [1 / 3, 0.6])
+def test_fixed_beam_collapses_under_a_point_load(position: float) -> None:
+    """Three hinges, one of them under the load: P a b / L = 2 M_p. Without a break the third has no place to form.
+
+    A static run up to the load p P_c ends where equilibrium is lost; 0.1 % on each side of the collapse load.
+    """
+    y, area = i_layers(4, 16)
+    largest = 2.0 * plastic_moment(y, area) / (position * (1.0 - position) * L)
+    status = {}
+    for share in (0.999, 1.001):
+        m = Model()
+        section = m.fibre_section(y, area, m.material(Bilinear(E, FY)))
+        nodes = [m.node("i", 0.0, 0.0), m.node("j", L, 0.0)]
+        element = m.beam_column("e", *nodes, section, geometry="linear", breaks=(position,))
+        m.fix(nodes[0], *CLAMP)
+        m.fix(nodes[1], *GUIDED)
+        g = m.pattern()
+        m.point_load(g, element, position, transverse=-share * largest)
+        status[share] = Structure(m, nodes, [element], g).analysis().static(g, 1.0, steps=20).status
+    assert status[0.999] == "completed"
+    assert status[1.001] != "completed"
+
+
+def test_breaks_are_checked() -> None:
+    """Breaks rise inside the member, and there is room for the points of all pieces."""
+    for breaks in ((0.0,), (0.6, 0.4), (1.0,), tuple(k / 40 for k in range(1, 40))):
+        with pytest.raises(CoreError, match="break"):
+            beam("force", CLAMP, GUIDED, breaks=breaks)
 
 
 def test_point_load_on_a_force_based_member_is_in_equilibrium() -> None:

@@ -39,6 +39,28 @@ static void setup_link(ed_element *e, const ed_member *m, double dx, double dy)
         e->link[6 * i + j] += m->stiffness[k] * B[k][i] * B[k][j];
 }
 
+/* The rule over the whole length, or over each piece of it between breaks, whose common points have the weight of both. */
+static void place_points(ed_element *e, const ed_member *m)
+{
+  ed_gauss_lobatto(m->points, e->x, e->weight);
+  e->points = m->points;
+  if (m->breaks == 0)
+    return;
+  double x[ED_MAX_RULE], weight[ED_MAX_RULE];
+  memcpy(x, e->x, (size_t)m->points * sizeof *x);
+  memcpy(weight, e->weight, (size_t)m->points * sizeof *weight);
+  memset(e->weight, 0, sizeof e->weight);
+  e->points = (m->breaks + 1) * (m->points - 1) + 1;
+  for (int piece = 0; piece <= m->breaks; piece++) {
+    const double start = piece ? m->break_at[piece - 1] : 0.0, end = piece < m->breaks ? m->break_at[piece] : 1.0;
+    for (int p = 0; p < m->points; p++) {
+      const int at = piece * (m->points - 1) + p;
+      e->x[at] = p == 0 ? start : p == m->points - 1 ? end : start + (end - start) * x[p];
+      e->weight[at] += (end - start) * weight[p];
+    }
+  }
+}
+
 int ed_element_setup(ed_element *e, const ed_model *model, int index)
 {
   const ed_member *m = &model->members[index];
@@ -93,11 +115,10 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
     e->flexibility[3] -= m->without[0];
     e->flexibility[5] -= m->without[1];
   } else {
-    e->points = m->points;
-    ed_gauss_lobatto(m->points, e->x, e->weight);
+    place_points(e, m);
     int offset = 0;
-    for (int p = 0; p < m->points; p++) {
-      const ed_section *section = &model->sections[m->section[p]];
+    for (int p = 0; p < e->points; p++) {
+      const ed_section *section = &model->sections[m->section[m->breaks ? 0 : p]];
       const double x = e->x[p], w = e->weight[p] * e->length;
       const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
       e->section[p] = section;
@@ -197,6 +218,24 @@ void ed_element_clear_loads(ed_element *e)
   e->mean_axial = 0.0;
 }
 
+static int is_partial(const ed_member_load *load)
+{
+  return load->position >= 0.0 && load->end > load->position;
+}
+
+/* First moment about x (0..1) of what a partial load has before x, in shares of the length: Macaulay's brackets. */
+static double partial_moment(const ed_member_load *load, double x)
+{
+  const double part = load->end - load->position, t = x - load->position;
+  if (t <= 0.0)
+    return 0.0;
+  const double slope = (load->transverse_end - load->transverse) / part;
+  if (t <= part)
+    return 0.5 * load->transverse * t * t + slope * t * t * t / 6.0;
+  const double at_end = 0.5 * load->transverse * part * part + slope * part * part * part / 6.0;
+  return at_end + 0.5 * (load->transverse + load->transverse_end) * part * (t - part);
+}
+
 /* Internal forces at x (0..1) of the simply supported basic system, axially fixed at i. */
 static void load_forces(const ed_element *e, const ed_member_load *load, double factor, double x, double *N, double *M)
 {
@@ -204,6 +243,9 @@ static void load_forces(const ed_element *e, const ed_member_load *load, double 
   if (load->position < 0.0) {
     *N = wx * L * (1.0 - x);
     *M = 0.5 * wy * L * L * x * (x - 1.0);
+  } else if (is_partial(load)) {
+    *N = 0.0;
+    *M = -factor * L * L * (partial_moment(load, 1.0) * x - partial_moment(load, x));
   } else {
     const double a = load->position;
     *N = x < a ? wx : 0.0;
@@ -211,14 +253,37 @@ static void load_forces(const ed_element *e, const ed_member_load *load, double 
   }
 }
 
+/* Integrals over the length of the moment of a partial load, and of that times x: of polynomials up to the fourth degree. */
+static void partial_integrals(const ed_element *e, const ed_member_load *load, double factor, double *m, double *mx)
+{
+  const double at[4] = {0.0, load->position, load->end, 1.0};
+  double x[4], weight[4];
+  ed_gauss_lobatto(4, x, weight);
+  *m = *mx = 0.0;
+  for (int piece = 0; piece < 3; piece++)
+    for (int p = 0; p < 4; p++) {
+      const double part = at[piece + 1] - at[piece], place = at[piece] + part * x[p];
+      double N, M;
+      load_forces(e, load, factor, place, &N, &M);
+      *m += part * weight[p] * M;
+      *mx += part * weight[p] * M * place;
+    }
+}
+
 void ed_element_add_load(ed_element *e, const ed_member_load *load, double factor)
 {
   const double L = e->length, wx = factor * load->axial, wy = factor * load->transverse;
+  const int partial = is_partial(load);
   e->mean_axial += load->position < 0.0 ? 0.5 * wx * L : wx * load->position;
   if (load->position < 0.0) {
     e->end_load[0] -= wx * L;
     e->end_load[1] -= 0.5 * wy * L;
     e->end_load[2] -= 0.5 * wy * L;
+  } else if (partial) {
+    const double whole = 0.5 * (load->transverse + load->transverse_end) * (load->end - load->position);
+    const double at_i = partial_moment(load, 1.0);
+    e->end_load[1] -= factor * L * at_i;
+    e->end_load[2] -= factor * L * (whole - at_i);
   } else {
     e->end_load[0] -= wx;
     e->end_load[1] -= wy * (1.0 - load->position);
@@ -239,6 +304,9 @@ void ed_element_add_load(ed_element *e, const ed_member_load *load, double facto
     n = 0.5 * wx * L;
     m = -wy * L * L / 12.0;
     mx = 0.5 * m;
+  } else if (partial) {
+    n = 0.0;
+    partial_integrals(e, load, factor, &m, &mx);
   } else {
     const double a = load->position;
     n = wx * a;

@@ -84,7 +84,8 @@ void ed_remember_loads(ed_analysis *a)
   memcpy(a->external_committed, a->external, (size_t)a->n * sizeof(double));
   for (int m = 0; m < a->model->n_members; m++) {
     ed_loads *loads = &a->loads_committed[m];
-    memcpy(loads->section_load, a->elements[m].section_load, sizeof loads->section_load);
+    const size_t points = (size_t)a->elements[m].points; /* far fewer than there may be */
+    memcpy(loads->section_load, a->elements[m].section_load, points * sizeof *loads->section_load);
     memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
     memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
   }

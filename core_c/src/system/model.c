@@ -253,9 +253,9 @@ static int member(ed_model *model, const char *name, ed_element_kind kind, int i
 int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int points, const int *sections, int geometry,
                          int release_i, int release_j)
 {
-  if (points < 2 || points > ED_MAX_POINTS)
+  if (points < 2 || points > ED_MAX_RULE)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: %d integration points are not in 2..%d", name ? name : "", points,
-                  ED_MAX_POINTS);
+                  ED_MAX_RULE);
   for (int p = 0; p < points; p++)
     if (sections[p] < 0 || sections[p] >= model->n_sections)
       return ed_model_refuse(model, ED_E_ID, "element %s: there is no section %d", name ? name : "", sections[p]);
@@ -305,8 +305,8 @@ int ed_model_strut(ed_model *model, const char *name, int i, int j, int section,
   const char *shown = name ? name : "";
   if (section < 0 || section >= model->n_sections || model->sections[section].elastic)
     return ed_model_refuse(model, ED_E_ID, "strut %s: there is no fibre section %d", shown, section);
-  if (points < 3 || points > ED_MAX_POINTS)
-    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d integration points are not in 3..%d", shown, points, ED_MAX_POINTS);
+  if (points < 3 || points > ED_MAX_RULE)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d integration points are not in 3..%d", shown, points, ED_MAX_RULE);
   if (elements < 2 || elements > ED_STRUT_MAX_ELEMENTS || elements % 2)
     return ed_model_refuse(model, ED_E_ARGUMENT, "strut %s: %d elements are no even number in 2..%d", shown, elements,
                            ED_STRUT_MAX_ELEMENTS);
@@ -429,7 +429,29 @@ int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, doubl
   return ED_OK;
 }
 
-static int member_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
+int ed_model_breaks(ed_model *model, int element, int n, const double *position)
+{
+  if (element < 0 || element >= model->n_members)
+    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  ed_member *m = &model->members[element];
+  if (m->kind != ED_FIBRE_BEAM)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is not integrated along its length", m->name);
+  if (n < 0 || n >= ED_MAX_POINTS || (n + 1) * (m->points - 1) + 1 > ED_MAX_POINTS)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: %d breaks with %d points a piece are more than %d points", m->name, n,
+                  m->points, ED_MAX_POINTS);
+  for (int p = 1; p < m->points; p++)
+    if (m->section[p] != m->section[0])
+      return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: its section is not the same at all points", m->name);
+  for (int k = 0; k < n; k++)
+    if (!(position[k] > (k ? position[k - 1] : 0.0) && position[k] < 1.0))
+      return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: breaks must rise between 0 and 1, not %g", m->name, position[k]);
+  m->breaks = n;
+  for (int k = 0; k < n; k++)
+    m->break_at[k] = position[k];
+  return ED_OK;
+}
+
+static int member_load(ed_model *model, int pattern, int element, ed_member_load load)
 {
   if (pattern < 0 || pattern >= model->n_patterns)
     return ed_model_refuse(model, ED_E_ID, "there is no load pattern %d", pattern);
@@ -438,17 +460,19 @@ static int member_load(ed_model *model, int pattern, int element, double positio
   ed_member *m = &model->members[element];
   if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and takes no load", m->name);
-  if (!isfinite(axial + transverse))
+  if (!isfinite(load.axial + load.transverse + load.transverse_end))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load is not a finite number", m->name);
   APPEND(model, member_loads, n_member_loads);
-  model->member_loads[model->n_member_loads - 1] = (ed_member_load){pattern, element, position, axial, transverse};
+  load.pattern = pattern;
+  load.element = element;
+  model->member_loads[model->n_member_loads - 1] = load;
   m->loaded = 1;
   return ED_OK;
 }
 
 int ed_model_uniform_load(ed_model *model, int pattern, int element, double axial, double transverse)
 {
-  return member_load(model, pattern, element, -1.0, axial, transverse);
+  return member_load(model, pattern, element, (ed_member_load){.position = -1.0, .axial = axial, .transverse = transverse});
 }
 
 int ed_model_point_load(ed_model *model, int pattern, int element, double position, double axial, double transverse)
@@ -458,5 +482,16 @@ int ed_model_point_load(ed_model *model, int pattern, int element, double positi
   if (!(position >= 0.0 && position <= 1.0))
     return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load at %g of its length is not on it",
                   model->members[element].name, position);
-  return member_load(model, pattern, element, position, axial, transverse);
+  return member_load(model, pattern, element, (ed_member_load){.position = position, .axial = axial, .transverse = transverse});
+}
+
+int ed_model_partial_load(ed_model *model, int pattern, int element, double start, double end, double at_start, double at_end)
+{
+  if (element < 0 || element >= model->n_members)
+    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  if (!(start >= 0.0 && start < end && end <= 1.0))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: a load from %g to %g of its length is not on it",
+                  model->members[element].name, start, end);
+  return member_load(model, pattern, element,
+                     (ed_member_load){.position = start, .transverse = at_start, .end = end, .transverse_end = at_end});
 }

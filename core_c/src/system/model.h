@@ -12,6 +12,8 @@
 #include <stddef.h>
 
 enum { ED_NAME = 48, ED_MESSAGE = 1024 };
+/* Points of integration along a member, all its pieces together. */
+enum { ED_MAX_POINTS = 64 };
 
 typedef enum { ED_FIBRE_BEAM, ED_ELASTIC_BEAM, ED_TRUSS, ED_LINK, ED_STRUT, ED_SPRING } ed_element_kind;
 
@@ -29,8 +31,10 @@ typedef struct {
   int node[2];
   int geometry;
   int release[2];
-  int points;                   /* fibre beam, strut */
-  int section[ED_MAX_POINTS];   /* beams; ids */
+  int points;                   /* fibre beam, of each piece; strut */
+  int section[ED_MAX_RULE];     /* beams; ids */
+  int breaks;                   /* fibre beam: it is integrated piece by piece between these places */
+  double break_at[ED_MAX_POINTS]; /* 0..1, rising */
   int material;                 /* truss, strut */
   double area;                  /* truss, strut */
   int elements;                 /* strut: beams over its buckling length */
@@ -51,8 +55,9 @@ typedef struct {
 
 typedef struct {
   int pattern, element;
-  double position; /* of a point load, 0..1; -1: uniform */
+  double position; /* of a point load or where a partial one begins, 0..1; -1: uniform */
   double axial, transverse;
+  double end, transverse_end; /* partial load, linear from `transverse` to this; end > position */
 } ed_member_load;
 
 /* A damper in the frame: its deformation is the sum of coefficient * displacement of the degrees, and its force acts on them. */
