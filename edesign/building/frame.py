@@ -12,8 +12,9 @@ import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
 from edesign.building.hinges import EndOf, EndSpring, MemberBuilder, member_ends
-from edesign.building.loads import beam_loads, node_loads
-from edesign.building.masses import node_masses
+from edesign.building.leaning_column import LeaningStruts, add_leaning_column
+from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_loads, node_loads
+from edesign.building.masses import node_masses, vertical_masses
 from edesign.building.named_section import cross_section
 from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.section import CrossSection
@@ -21,6 +22,7 @@ from edesign.building.struts import equivalent_camber
 from edesign.building.supports import support_springs
 from edesign.errors import InputError
 from edesign.project import names
+from edesign.project.beam_loads import breaks_of_members
 from edesign.project.braces import BraceBuckling, Fracture
 from edesign.project.frame import Frame
 from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
@@ -45,6 +47,7 @@ class Member:
         start, end: names of its nodes; a column starts below, beams and braces start at the left.
         layers: depths of its layers of fibres above the centroid, bottom to top, m; None for braces, elastic members.
         parts: its elements from the start: most members are one.
+        stretches: where these stand on it.
         springs: hinges and joints at its start and at its end.
         yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
     """
@@ -56,6 +59,7 @@ class Member:
     end: str
     layers: np.ndarray | None = None
     parts: tuple[int, ...] = ()
+    stretches: Stretches = Stretches((0.0, 0.0), ())
     springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]] = ((), ())
     yield_elongation: float | None = None
 
@@ -78,13 +82,14 @@ class FrameModel:
         gravity: the load pattern of the gravity combination.
         nodes: ids by name, floor by floor from the left.
         members: by name, columns, then beams, then braces.
-        masses: kg, by node.
+        masses: kg that resist horizontal motion, by node.
         supports: held degrees of freedom (ux, uy, rz) of each supported node, by name.
         devices: its dampers.
         attached: nodes of its tuned masses, by name.
         panels: its panel zones by the node of their joint.
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
+        leaning: its leaning column, whose nodes and struts are none of the above.
     """
 
     frame: Frame
@@ -99,6 +104,7 @@ class FrameModel:
     grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
     moving_with: dict[int, list[int]] = field(default_factory=dict)
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
+    leaning: LeaningStruts | None = None
 
     @property
     def mass(self) -> float:
@@ -128,7 +134,7 @@ class FrameModel:
     @cached_property
     def leading_nodes(self) -> list[str]:
         """For each floor from 1 the first node from the left, which stands for the floor."""
-        return [self.floor_nodes(floor)[0] for floor in range(1, self.frame.n_storeys + 1)]
+        return [self.frame.leading_node(floor) for floor in range(1, self.frame.n_storeys + 1)]
 
 
 def build_frame(
@@ -138,7 +144,8 @@ def build_frame(
     attachments: Sequence[Attached] = (),
     outside: Collection[str] = (),
 ) -> FrameModel:
-    """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, and the gravity loads.
+    """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, leaning column and
+    gravity loads.
 
     A place of the grid where no member ends gets no node and no support. The rotation of a node at which only pin-ended
     members end is fixed: nothing else would hold it, and nothing turns it.
@@ -166,26 +173,68 @@ def build_frame(
         for node in tied[1:]:
             model.tie(node, tied[0], ux=True, uy=False, rz=False)
     masses = node_masses(project)
-    vertical = project.masses is not None and project.masses.directions == "both"
+    vertical = vertical_masses(project)
     for name, mass in masses.items():
-        model.mass(nodes[name], mass, mass if vertical else 0.0, 0.0)
+        model.mass(nodes[name], mass, vertical.get(name, 0.0), 0.0)
     gravity = model.pattern("gravity")
-    for name, load in beam_loads(project, project.loads.gravity).items():
-        for part in members[name].parts:
-            model.uniform_load(gravity, part, axial=0.0, transverse=-load)
-        for joint in (members[name].start, members[name].end):
-            if joint in panels:  # what stands on half of the joint
-                model.nodal_load(gravity, nodes[joint], 0.0, -0.5 * load * panels[joint].panel.width, 0.0)
+    for name, loads in beam_loads(project, project.loads.gravity).items():
+        _add_loads(model, gravity, nodes, members[name], loads, (0.0, -1.0))
+    for name, load in column_loads(project, project.loads.gravity).items():
+        _add_loads(model, gravity, nodes, members[name], MemberLoads(load), (1.0, 0.0))
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    leaning = add_leaning_column(project, model, nodes, gravity)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
     attached = {}
     for item in attachments:
-        leading = next(name for line in frame.lines if (name := names.node_name(line, item.floor)) in nodes)
+        leading = frame.leading_node(item.floor)
         attached[item.name] = add_attachment(model, item, nodes[leading], *frame.nodes[leading])
     return FrameModel(
-        frame, model, gravity, nodes, members, masses, supports, devices, attached, grounds, moving_with, panels
+        frame,
+        model,
+        gravity,
+        nodes,
+        members,
+        masses,
+        supports,
+        devices,
+        attached,
+        grounds,
+        moving_with,
+        panels,
+        leaning,
     )
+
+
+def _add_loads(
+    model: Model,
+    pattern: int,
+    nodes: Mapping[str, int],
+    member: Member,
+    loads: MemberLoads,
+    towards: tuple[float, float],
+) -> None:
+    """Add loads across a member: on its parts, and on its joints what stands on the halves of their panel zones.
+
+    Args:
+        model: of the core.
+        pattern: to which they are added.
+        nodes: ids by name.
+        member: a beam or column.
+        loads: on its length between its nodes.
+        towards: unit vector of positive loads, which is across the member to the right.
+    """
+    on_parts, on_joints = loads.split(member.stretches)
+    for part, on in zip(member.parts, on_parts, strict=True):
+        if on.uniform != 0.0:
+            model.uniform_load(pattern, part, axial=0.0, transverse=-on.uniform)
+        for position, force in on.points:
+            model.point_load(pattern, part, position, transverse=-force)
+        for begin, end, at_begin, at_end in on.parts:
+            model.partial_load(pattern, part, begin, end, -at_begin, -at_end)
+    for joint, force in zip((member.start, member.end), on_joints, strict=True):
+        if force != 0.0:
+            model.nodal_load(pattern, nodes[joint], force * towards[0], force * towards[1], 0.0)
 
 
 def _supports(
@@ -234,6 +283,7 @@ def _members(
     panels = PanelBuilder(model, nodes, places, panels_of(project))
     builder = MemberBuilder(model, places)
     at_ends = member_ends(project)
+    breaks = breaks_of_members(project.frame, project.loads)
     found = {}
     for name, run in project.frame.members.items():
         start, end = project.frame.ends[name]
@@ -247,10 +297,12 @@ def _members(
             found[name] = Member(name, kind, element, start, end, None, (element,))
             continue
         first, last = at_ends.get(name, (EndOf(), EndOf()))
-        ends = first.from_edge(panels.arm(start, kind)), last.from_edge(panels.arm(end, kind))
+        arms = panels.arm(start, kind), panels.arm(end, kind)
+        ends = first.from_edge(arms[0]), last.from_edge(arms[1])
         hinged = any(of.hinge is not None for of in ends)
         section, layers = parts.section(run, hinged)
         EI = parts.bending_stiffness(run)
+        between = math.dist(project.frame.nodes[start], project.frame.nodes[end]) - sum(arms)
         built = builder.add(
             name,
             panels.ends(name, (start, end), EI, of_kind[kind]),
@@ -260,8 +312,10 @@ def _members(
             of_kind[kind],
             project.frame.released.get(name, (False, False)),
             ends,
+            Stretches(arms, (between,)).on_only_element(breaks.get(name, ())),
         )
-        found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, built.springs)
+        stretches = Stretches(arms, built.lengths)
+        found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, stretches, built.springs)
     return found, builder.moving_with, panels.built
 
 

@@ -252,11 +252,13 @@ class BuiltMember:
 
     Attributes:
         parts: its elements from the start; springs are not among them.
+        lengths: of these, m.
         interior: the one between the hinges.
         springs: at its start and at its end.
     """
 
     parts: tuple[int, ...]
+    lengths: tuple[float, ...]
     interior: int
     springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]]
 
@@ -286,6 +288,7 @@ class MemberBuilder:
         geometry: str,
         release: tuple[bool, bool],
         ends: Ends,
+        breaks: Sequence[float] = (),
     ) -> BuiltMember:
         """Add a member.
 
@@ -296,6 +299,8 @@ class MemberBuilder:
             EI: bending stiffness of the elastic section, N m2.
             points, geometry, release: of the member.
             ends: what stands at its start and end.
+            breaks: rising positions 0..1 between its nodes where loads begin, end or stand; the parts of a member with
+                hinges are elastic and need none.
         """
         model = self._model
         (x0, y0), (x1, y1) = (self._places[node] for node in nodes)
@@ -327,7 +332,14 @@ class MemberBuilder:
             without.append(flexibility)
         hinged = any(without)
         element = model.beam_column(
-            name, inner[0], inner[1], section, points=points, geometry=geometry, release=release
+            name,
+            inner[0],
+            inner[1],
+            section,
+            points=points,
+            geometry=geometry,
+            release=release,
+            breaks=() if hinged else breaks,
         )
         if hinged:
             model.without_flexibility(element, without[0], without[1])
@@ -336,9 +348,12 @@ class MemberBuilder:
         for end, node, cut in parts:
             pair = (node, cut) if end == 0 else (cut, node)
             outer[end] = model.beam_column(f"{name}.{('start', 'end')[end]}", *pair, section, 2, geometry)
-        order = [outer[0]] if 0 in outer else []
-        order += [element, *([outer[1]] if 1 in outer else [])]
-        return BuiltMember(tuple(order), element, (springs[0], springs[1]))
+        order, lengths = [element], [interior]
+        if 0 in outer:
+            order, lengths = [outer[0], *order], [ends[0].distance, *lengths]
+        if 1 in outer:
+            order, lengths = [*order, outer[1]], [*lengths, ends[1].distance]
+        return BuiltMember(tuple(order), tuple(lengths), element, (springs[0], springs[1]))
 
     def _node(self, name: str, place: tuple[float, float]) -> int:
         node = self._model.node(name, *place)

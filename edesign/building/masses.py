@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.building.leaning_column import leaning_masses
 from edesign.building.loads import beam_loads, node_loads
 from edesign.errors import InputError
 from edesign.project import names
@@ -11,14 +12,35 @@ from edesign.project.units import STANDARD_GRAVITY
 
 
 def node_masses(project: Project) -> dict[str, float]:
-    """Return the mass of every node that has one, in kg, by name.
+    """Return the mass of every node that has one, in kg, by name: that of the frame, and what leans on it.
 
-    Given masses are taken as they are. From loads, a node gets its own load and that of half the span of each beam that
-    ends there, divided by the standard acceleration of gravity.
+    Given masses are taken as they are. From loads, a node gets its own load and what each beam that ends there
+    would bring as a simply supported one, divided by the standard acceleration of gravity. Horizontal loads on columns
+    have no mass. That of the leaning column stands at the leading nodes of the floors.
 
     Raises:
         InputError: loads upwards would give a negative mass.
     """
+    found, leaning = _frame_masses(project), leaning_masses(project)
+    if not leaning:
+        return found
+    both = {node: found.get(node, 0.0) + leaning.get(node, 0.0) for node in project.frame.nodes}
+    return {node: mass for node, mass in both.items() if mass > 0.0}
+
+
+def vertical_masses(project: Project) -> dict[str, float]:
+    """Return the mass of every node that resists vertical motion, in kg, by name; the leaning column has none.
+
+    Raises:
+        InputError: loads upwards would give a negative mass.
+    """
+    if project.masses is None or project.masses.directions == "horizontal":
+        return {}
+    return _frame_masses(project)
+
+
+def _frame_masses(project: Project) -> dict[str, float]:
+    """Mass of the nodes of the frame itself, kg, by name."""
     masses = project.masses
     if masses is None:
         return {}
@@ -35,10 +57,10 @@ def _from_loads(project: Project, factors: Combination) -> dict[str, float]:
     frame = project.frame
     weights = node_loads(project, factors)
     on_beams = beam_loads(project, factors)
-    for name, load in on_beams.items():
+    for name, loads in on_beams.items():
         beam = frame.beam_members[name]
-        for node in (beam.start, beam.end):
-            weights[node] = weights.get(node, 0.0) + load * 0.5 * beam.length
+        for node, weight in zip((beam.start, beam.end), loads.at_ends(beam.length), strict=True):
+            weights[node] = weights.get(node, 0.0) + weight
     for node, weight in weights.items():
         if weight < 0.0:
             where = project.where("masses", "from_loads")

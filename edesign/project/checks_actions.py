@@ -10,6 +10,7 @@ from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.checks_files import check_file
 from edesign.project.checks_frame import Selections
+from edesign.project.checks_loads import check_loads
 from edesign.project.checks_pushover import check_pushover
 from edesign.project.chosen_records import FolderSource, Period, SuiteSource
 from edesign.project.damping import RayleighDamping
@@ -44,10 +45,7 @@ def check_actions(project: Project, problems: Problems, files: bool = True) -> N
         files: whether the files of the records must be there.
     """
     check = Selections(project.frame, problems)
-    for i, load in enumerate(project.loads.beams):
-        check.standing_beams(("loads", "beams", i), load)
-    for i, point in enumerate(project.loads.nodes):
-        check.nodes(("loads", "nodes", i), point.lines, point.floors)
+    check_loads(project, problems)
     _masses(project, problems, check)
     _damping(project, problems)
     _validity(project, problems)
@@ -64,7 +62,7 @@ def _masses(project: Project, problems: Problems, check: Selections) -> None:
     if (masses.given is None) == (masses.from_loads is None):
         problems.at_key(("masses",), "give either `given` or `from_loads`, one of them")
         return
-    if masses.from_loads is not None and not (project.loads.beams or project.loads.nodes):
+    if masses.from_loads is not None and not (project.loads.are_vertical or project.frame.leaning_column):
         problems.at_key(("masses", "from_loads"), "there are no loads that masses could come from")
     first: dict[str, int] = {}
     for i, given in enumerate(masses.given or ()):

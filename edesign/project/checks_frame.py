@@ -44,6 +44,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
         _floors(frame, problems)
         _met_beams(frame, problems)
     _releases(frame, problems, check)
+    _leaning_column(project, problems)
     _sections(project, problems, profiles)
     for keys, run in _runs(frame):
         _section_of(project, problems, keys, run, profiles)
@@ -204,6 +205,30 @@ def _releases(frame: Frame, problems: Problems, check: Selections) -> None:
             check.standing_beams((*keys, "beams"), release.beams)
         if release.columns is not None:
             check.standing_columns((*keys, "columns"), release.columns)
+
+
+def _leaning_column(project: Project, problems: Problems) -> None:
+    """It has a load, and columns whose geometry knows of its second-order forces."""
+    column, floors = project.frame.leaning_column, project.frame.n_storeys
+    if column is None:
+        return
+    keys: Keys = ("frame", "leaning_column")
+    for key in ("G", "Q", "mass"):
+        values = getattr(column, key)
+        if isinstance(values, tuple) and len(values) != floors:
+            message = f"{len(values)} values, but the frame has {floors} floors; give one value, or one for each floor"
+            problems.at_value((*keys, key), message)
+    loads = [value for values in (column.G, column.Q) for value in (values if isinstance(values, tuple) else (values,))]
+    if not any(loads):
+        problems.at_key(keys, "the leaning column has no load; give `G` or `Q`, a force at each floor")
+    if project.elements.geometry.columns == "linear":
+        message = (
+            "the second-order forces of a leaning column need the geometry `p_delta` or `corotational` of "
+            "`elements.geometry.columns`, and they are `linear`"
+        )
+        problems.at_key(keys, message)
+    if column.mass is not None and project.masses is None:
+        problems.at_key((*keys, "mass"), "the frame itself has no `masses`, which analyses with masses need")
 
 
 def _sections(project: Project, problems: Problems, profiles: Catalogue | None) -> None:

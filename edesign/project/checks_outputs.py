@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.beam_loads import breaks_of_members, points_of_member
 from edesign.project.checks_frame import Selections
 from edesign.project.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.outputs import FibreOutput, SectionOutput
@@ -71,5 +72,6 @@ def _points(project: Project, problems: Problems, keys: Keys, asked: SectionOutp
         message = f"`{asked.member}` has the elastic section `{run.section}`, which has no integration points"
         problems.at_value((*keys, "member"), message)
         return False
-    last = project.elements.integration_points
+    breaks = breaks_of_members(project.frame, project.loads).get(asked.member, ())
+    last = points_of_member(project.elements, breaks)
     return Selections(project.frame, problems).numbers((*keys, "points"), asked.points, "point", last)

@@ -12,6 +12,7 @@ from pydantic import Discriminator, Field, Tag
 
 from edesign.project import names
 from edesign.project.base import Model, by_shape
+from edesign.project.leaning_column import LeaningColumn
 from edesign.project.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
 from edesign.project.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
 from edesign.project.supports import Support, SupportKind, SupportSprings
@@ -72,6 +73,7 @@ class Frame(Model):
     braces: tuple[BraceRun, ...] = ()
     missing: Missing = Missing()
     releases: tuple[Release, ...] = ()
+    leaning_column: LeaningColumn | None = None
 
     # --- grid
 
@@ -278,6 +280,10 @@ class Frame(Model):
             for line in lines.names(self.lines)
             if names.node_name(line, floor) in self.nodes
         ]
+
+    def leading_node(self, floor: int) -> str:
+        """Name of the first node of a floor from the left, which stands for the floor."""
+        return next(name for line in self.lines if (name := names.node_name(line, floor)) in self.nodes)
 
     def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
         """The first and the last member of each selected beam or column that stands; of most they are one."""

@@ -86,10 +86,22 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
             marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D"}[support_name(frame.support(line))]
             axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
     margin = 0.04 * max(frame.x[-1], frame.height)
+    right = frame.x[-1]
+    if frame.leaning_column is not None:
+        right += 0.5 * frame.bay_widths[-1]
+        _draw_leaning_column(axes, frame, right)
     axes.set_aspect("equal")
-    axes.set_xlim(-margin, frame.x[-1] + margin)
+    axes.set_xlim(-margin, right + margin)
     axes.set_ylim(-margin, frame.height + margin)
     axes.set_axis_off()
+
+
+def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:
+    """Struts between hinges at x m, and the ties that hold them to the floors."""
+    axes.plot([x] * len(frame.y), frame.y, color=STEEL, lw=1.2, zorder=1.5)
+    axes.plot([x] * len(frame.y), frame.y, marker="o", ls="none", ms=3.0, mfc="white", mec=MEAN, mew=0.6, zorder=2)
+    for y in frame.y[1:]:
+        axes.plot((frame.x[-1], x), (y, y), color=STEEL, lw=0.7, ls=(0, (4, 3)), zorder=1)
 
 
 def _middle(start: Point, end: Point) -> Point:

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
-from edesign.building.loads import beam_loads, gravity_load
+from edesign.building.loads import beam_loads, gravity_load, horizontal_load
 from edesign.building.named_section import cross_section
 from edesign.core import Response
 from edesign.project.analyses import GravityAnalysis
@@ -41,6 +41,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         q.base_shear(frame, history=False),
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
+        *q.leaning_column(frame),
         *q.plastic_rotations(frame),
         *brace_quantities(project, frame, group),
         *spring_quantities(frame, group),
@@ -69,7 +70,7 @@ def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
     The work of loads W that grow in proportion, on a frame that stays elastic, is W d/2 with the mean d of their
     displacements, wherever they stand on the members. That is seen over half a bay, as the slope of a beam that sags.
     """
-    loads, largest = gravity_load(project), project.largest_drift
+    loads, largest = gravity_load(project) + horizontal_load(project), project.largest_drift
     if loads <= 0.0 or largest is None or not response.energy["input"].size:
         return ""
     work = float(response.energy["input"][-1]) + _work_inside(project, frame)
@@ -86,15 +87,15 @@ def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
 def _work_inside(project: Project, frame: FrameModel) -> float:
     """Work of the loads on elastic beams as if they were simply supported, J, which the energy balance leaves out.
 
-    It is the same for any moments at their ends: q^2 l^5 / (240 E I).
+    It is the same for any moments at their ends: the integral of M^2 / (2 E I).
     """
     total = 0.0
-    for name, load in beam_loads(project, project.loads.gravity).items():
+    for name, loads in beam_loads(project, project.loads.gravity).items():
         run, member = project.frame.members[name], frame.members[name]
         inertia = cross_section(project, run.section).inertia
         if member.layers is None and inertia is not None:
             span = frame.frame.nodes[member.end][0] - frame.frame.nodes[member.start][0]
-            total += load**2 * span**5 / (240.0 * project.materials[run.material].E * inertia)
+            total += loads.squared_moment(span) / (2.0 * project.materials[run.material].E * inertia)
     return total
 
 

@@ -67,6 +67,7 @@ class HistoryResults:
             q.base_shear(frame, storeys),
             *q.member_forces(frame, q.bending_members(frame), "member", history=False),
             *q.axial_forces(frame),
+            *q.leaning_column(frame),
             *q.plastic_rotations(frame),
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),

@@ -100,6 +100,7 @@ def push(
         shear,
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
+        *q.leaning_column(frame),
         *q.plastic_rotations(frame),
         *brace_quantities(project, frame, group),
         *spring_quantities(frame, group),

@@ -121,9 +121,11 @@ def storey_shears(frame: FrameModel, history: bool) -> Quantity:
 
 
 def base_shear(frame: FrameModel, history: bool) -> Quantity:
-    """The sum of the horizontal reactions, with the sign of the loads they carry."""
+    """The sum of the horizontal reactions, that of the leaning column too, with the sign of the loads they carry."""
     held = [name for name, fixed in frame.supports.items() if fixed[0]]
     terms = tuple((-factor, kind, node, at) for name in held for factor, kind, node, at in frame.reaction(name, 0))
+    if frame.leaning is not None:
+        terms += ((-1.0, "reaction", frame.leaning.base, 0),)
     name = "base shear: minus the sum of the horizontal reactions"
     return Quantity("base_shear", (), (), (terms,), "N", name, history)
 
@@ -201,6 +203,34 @@ def axial_forces(frame: FrameModel) -> list[Quantity]:
             name = f"axial force of the {kind}, positive in tension"
             found.append(Quantity(f"{kind}_axial_force", (kind,), (len(cells),), cells, "N", name))
     return found
+
+
+def leaning_column(frame: FrameModel) -> list[Quantity]:
+    """Axial force of the struts of the leaning column, and how it pulls at the floors; none without one."""
+    if frame.leaning is None:
+        return []
+    elements = frame.leaning.elements
+    parts = (
+        ("axial_force", "axial_force", 0, "axial force of the leaning column in the storey, positive in tension"),
+        (
+            "shear",
+            "global_force",
+            3,
+            "horizontal force on the upper end of the leaning column in the storey: minus what the frame's columns and "
+            "braces take for it",
+        ),
+    )
+    return [
+        Quantity(
+            f"leaning_column_{name}",
+            ("storey",),
+            (len(elements),),
+            tuple(((1.0, kind, element, at),) for element in elements),
+            "N",
+            label,
+        )
+        for name, kind, at, label in parts
+    ]
 
 
 def plastic_rotations(frame: FrameModel) -> list[Quantity]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel, Member
 from edesign.errors import InputError
+from edesign.project.beam_loads import breaks_of_members, points_of_member
 from edesign.project.outputs import FibreOutput
 from edesign.project.project import Project
 from edesign.project.selections import NumberSelection
@@ -73,9 +74,10 @@ def _chord_rotation(frame: FrameModel, member: Member, end: int) -> Terms:
 
 def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
+    breaks = breaks_of_members(project.frame, project.loads)
     for i, asked in enumerate(project.outputs.sections):
         member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
-        for point in asked.points.numbers(1, project.elements.integration_points):
+        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
             places[f"{member.name}:{point}"] = (member, point)
     coordinate(group, "section", list(places), "", "section as member:point, from its start")
     quantities = (
@@ -101,12 +103,13 @@ def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantit
 
 def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
     places = {}  # by label, so that what is asked for twice is kept once
+    breaks = breaks_of_members(project.frame, project.loads)
     for i, asked in enumerate(project.outputs.fibres):
         keys = ("outputs", "fibres", i)
         member = _fibre_member(project, frame, asked.member, keys)
         assert member.layers is not None
         layers = _layers(project, asked, member.layers.size, keys)
-        for point in asked.points.numbers(1, project.elements.integration_points):
+        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
             for layer in layers:
                 place = (member.element, (point - 1) * member.layers.size + layer - 1)
                 places[f"{member.name}:{point}:{layer}"] = (*place, member.layers[layer - 1])

@@ -174,7 +174,7 @@ def test_plastic_rotation_of_an_elastic_beam_with_a_hinge_is_zero() -> None:
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("position", [0.0, 0.2, 0.5, 0.83, 1.0])
 def test_fixed_beam_point_load(kind: str, position: float) -> None:
-    """Fixed-end moments P a b^2 / L^2 and P a^2 b / L^2 at any position, with a break there where layers are integrated."""
+    """Fixed-end moments P a b^2 / L^2 and P a^2 b / L^2 at any position; layers are integrated up to it."""
     b, _ = beam(kind, CLAMP, GUIDED, breaks=(position,) if kind == "force" and 0.0 < position < 1.0 else ())
     b.model.point_load(b.pattern, b.elements[0], position, transverse=P)
     got = final(

@@ -13,12 +13,12 @@ from edesign.ground_motion.hazard import action_of
 from edesign.project.damping import ModalDamping, RayleighDamping
 from edesign.project.hazard_base import Hazard
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
-from edesign.project.loads import BeamLoad
 from edesign.project.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.project.supports import support_name
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.captions import plain
+from edesign.report.page.load_facts import load_rows
 
 Rows = list[tuple[str, str]]
 
@@ -36,8 +36,7 @@ def project_rows(project: Project) -> Rows:
         ("Braces", f"{len(frame.brace_at)}" if frame.brace_at else ""),
         ("Supports", _supports(project)),
         ("Steel", "; ".join(_steel(name, project) for name in project.materials)),
-        ("Beam loads", "; ".join(_load(load) for load in project.loads.beams)),
-        ("Gravity", f"{project.loads.gravity.G:g} G + {project.loads.gravity.Q:g} Q" if project.loads.beams else ""),
+        *load_rows(project),
         ("Inherent damping", _damping(project)),
         ("Integration", _integration(project.integration) if project.integration is not None else ""),
         ("Dampers", _dampers(project)),
@@ -105,11 +104,6 @@ def _steel(name: str, project: Project) -> str:
     if isinstance(steel, ElasticMaterial):
         return text
     return f"{text}, fy = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
-
-
-def _load(load: BeamLoad) -> str:
-    where = f"floors {load.floors}, bays {load.bays}".replace("floors all, bays all", "all beams")
-    return f"{where}: G = {plain(load.G / 1e3)} kN/m, Q = {plain(load.Q / 1e3)} kN/m"
 
 
 def _damping(project: Project) -> str:

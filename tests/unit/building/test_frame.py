@@ -20,7 +20,7 @@ def test_nodes_and_members_of_the_grid() -> None:
     assert (column.start, column.end) == ("B1", "B2") and (beam.start, beam.end) == ("B1", "C1")
     call = model.get("element")[column.element]
     assert call[:3] == ("C_B_2", frame.nodes["B1"], frame.nodes["B2"])
-    assert call[-1] == {"points": 5, "geometry": "p_delta", "release": (False, False)}
+    assert call[-1] == {"points": 5, "geometry": "p_delta", "release": (False, False), "breaks": ()}
     assert model.get("element")[beam.element][-1]["geometry"] == "linear"
     assert column.layers is not None and column.layers.size == 24
     assert frame.leading_nodes == ["A1", "A2"]

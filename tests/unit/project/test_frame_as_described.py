@@ -1,0 +1,116 @@
+"""Loads inside members, area loads, the leaning column: wrong ones are told with their place, marked by `«`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from edesign.project import Problem
+from edesign.project.positions import Position, parse_position
+
+Broken = Callable[..., list[Problem]]
+LOADS = "loads:\n  beams:\n"
+POINT = "    - {floors: 1, points: [{at: %s, G: 5 kN}]}\n"
+PART = "    - {floors: 1, partial: [{start: %s, end: %s, G: %s}]}\n"
+
+ONE_PROBLEM = {
+    "area load on a beam": (
+        ("G: 20 kN/m", "G: «20 kN/m2"),
+        "loads.beams[0].G",
+        "an area load, which needs a tributary width: give it under `loads.floors`",
+    ),
+    "load on a beam as a force": (("G: 20 kN/m", "G: «20 kN"), "loads.beams[0].G", "is a force ("),
+    "beyond the beam": (
+        (LOADS, LOADS + POINT % "«7 m"),
+        "loads.beams[0].points[0].at",
+        "end of beam B_1_1, which is 6",
+    ),
+    "beyond, in a list": (
+        (LOADS, LOADS + POINT % "[1 m, «7 m]"),
+        "loads.beams[0].points[0].at[1]",
+        "end of beam B_1_1, which is 6 m long",
+    ),
+    "at an end": ((LOADS, LOADS + POINT % "«0"), "loads.beams[0].points[0].at", "give a load on a node"),
+    "no share": ((LOADS, LOADS + POINT % "«4/3"), "loads.beams[0].points[0].at", "between 0 and 1"),
+    "no place": ((LOADS, LOADS + POINT % "«middle"), "loads.beams[0].points[0].at", "written like `1/3`, `0.25`"),
+    "no part": (
+        (LOADS, LOADS + PART % ("4 m", "«50 %", "2 kN/m")),
+        "loads.beams[0].partial[0].end",
+        "on beam B_1_1 the load ends at 50 %, not after its `start` at 4 m",
+    ),
+    "three values": (
+        (LOADS, LOADS + PART % ("1 m", "2 m", "«[1 kN/m, 2 kN/m, 3 kN/m]")),
+        "loads.beams[0].partial[0].G",
+        "two are needed",
+    ),
+    "wrong second value": (
+        (LOADS, LOADS + PART % ("1 m", "2 m", "[1 kN/m, «2 kN]")),
+        "loads.beams[0].partial[0].G[1]",
+        "is a force (",
+    ),
+    "too many places": (
+        (LOADS, "loads:\n  «beams:\n" + POINT % f"[{', '.join(f'{k}/40' for k in range(1, 17))}]"),
+        "loads.beams",
+        "has room for 14 places",
+    ),
+    "no width": (
+        (LOADS, "loads:\n  floors: [«{floors: 1, G: 5 kN/m2}]\n  beams:\n"),
+        "loads.floors[0].width",
+        "missing",
+    ),
+    "line load on a floor": (
+        (LOADS, "loads:\n  floors: [{floors: 1, G: «5 kN/m, width: 3 m}]\n  beams:\n"),
+        "loads.floors[0].G",
+        "a force per area",
+    ),
+    "no such column": (
+        (LOADS, "loads:\n  columns: [{lines: «D, storeys: 1, G: 5 kN/m}]\n  beams:\n"),
+        "loads.columns[0].lines",
+        "no line D",
+    ),
+    "leaning without load": (
+        ("sections:\n", "  «leaning_column: {}\nsections:\n"),
+        "frame.leaning_column",
+        "give `G` or `Q`",
+    ),
+    "leaning upwards": (
+        ("sections:\n", "  leaning_column: {G: «-5 kN}\nsections:\n"),
+        "frame.leaning_column.G",
+        "must not be negative",
+    ),
+    "leaning floors": (
+        ("sections:\n", "  leaning_column: {G: «[1 MN, 1 MN]}\nsections:\n"),
+        "frame.leaning_column.G",
+        "2 values, but the frame has 3 floors",
+    ),
+    "leaning on linear columns": (
+        ("sections:\n", "  «leaning_column: {G: 1 MN}\nelements: {geometry: {columns: linear}}\nsections:\n"),
+        "frame.leaning_column",
+        "`p_delta` or `corotational`",
+    ),
+}
+
+
+@pytest.mark.parametrize(("change", "key", "said"), ONE_PROBLEM.values(), ids=ONE_PROBLEM)
+def test_one_problem_is_told_with_its_place(broken: Broken, change: tuple[str, str], key: str, said: str) -> None:
+    (problem,) = broken(change)
+    assert problem.keys_text == key
+    assert said in problem.message
+
+
+@pytest.mark.parametrize(
+    ("text", "place"),
+    [
+        ("1/3", Position(1 / 3, True)),
+        ("30 %", Position(0.3, True)),
+        (0.25, Position(0.25, True)),
+        (1, Position(1.0, True)),
+        ("2.4 m", Position(2.4, False)),
+        ("240 cm", Position(2.4, False)),
+    ],
+)
+def test_places_along_a_beam(text: object, place: Position) -> None:
+    found = parse_position(text)
+    assert found.is_share == place.is_share
+    assert found.value == pytest.approx(place.value, rel=1e-15)
