@@ -45,6 +45,8 @@ int ed_model_beam_column(ed_model *model, const char *name, int i, int j, int po
 /* A beam-column of one section is integrated piece by piece, by its points in each piece, between n positions (0..1, rising) of its length:
  * a kink of the moment at such a place is met exactly. A place between two pieces is one point, with the weight of both. */
 int ed_model_breaks(ed_model *model, int element, int n, const double *position);
+/* The first and the last part of a beam-column do not bend; lengths. End forces and deformations are then those where it begins to. */
+int ed_model_rigid_ends(ed_model *model, int element, double start, double end);
 int ed_model_elastic_beam(ed_model *model, const char *name, int i, int j, int section, int geometry, int release_i,
                           int release_j);
 int ed_model_truss(ed_model *model, const char *name, int i, int j, int material, double area, int geometry);
@@ -143,7 +145,7 @@ enum {
   ED_GROUND_ACCELERATION = 5,/* 0 (0 x, 1 y) */
   ED_LOAD_FACTOR = 6,        /* pattern */
   ED_END_FORCE = 7,          /* element (0..5: N V M at i, N V M at j), on the element, axes of the undeformed member */
-  ED_GLOBAL_FORCE = 8,       /* element (0..5), the same in global axes; both with second-order terms */
+  ED_GLOBAL_FORCE = 8,       /* element (0..5), on its nodes, in global axes; both with second-order terms */
   ED_AXIAL_FORCE = 9,        /* element; of a spring its force */
   ED_DEFORMATION = 10,       /* element (0 elongation, 1 2 end rotations from the chord); of a spring 0 */
   ED_PLASTIC_ROTATION = 11,  /* element (0 i, 1 j): chord rotation less its elastic part; of a spring 0, the same of its deformation */

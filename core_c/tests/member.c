@@ -41,6 +41,8 @@ member member_new(member_options o)
   else
     id = ed_model_link(m.model, "m", i, j, 3e7, 2e7, 1e7, 0.0);
   CHECK_INT(id, 0);
+  if (o.rigid[0] + o.rigid[1] > 0.0)
+    CHECK_INT(ed_model_rigid_ends(m.model, id, o.rigid[0], o.rigid[1]), ED_OK);
   ed_element_setup(&m.e, m.model, id);
   m.block = calloc((size_t)ed_element_block_size(&m.e), sizeof *m.block);
   m.layers = calloc((size_t)ed_element_layer_size(&m.e) + 1, sizeof *m.layers);
@@ -60,8 +62,8 @@ void member_load(member *m, double wx, double wy, double px, double py)
   const ed_member_load uniform = {.position = -1.0, .axial = wx, .transverse = wy};
   const ed_member_load point = {.position = 0.3, .axial = px, .transverse = py};
   ed_element_clear_loads(&m->e);
-  ed_element_add_load(&m->e, &uniform, 1.0);
-  ed_element_add_load(&m->e, &point, 1.0);
+  (m->e.rigid ? ed_rigid_add_load : ed_element_add_load)(&m->e, &uniform, 1.0);
+  (m->e.rigid ? ed_rigid_add_load : ed_element_add_load)(&m->e, &point, 1.0);
   ed_element_finish_loads(&m->e);
 }
 
@@ -73,7 +75,7 @@ int member_update(member *m, const double *displacement)
 void draw_displacement(const member *m, double turn, double size, unsigned long long seed, double *d)
 {
   numbers source = {seed};
-  const double L = m->e.length, c = m->e.c, s = m->e.s;
+  const double L = m->e.length + m->e.arm[0] - m->e.arm[1], c = m->e.c, s = m->e.s;
   for (int i = 0; i < 20; i++)
     next_number(&source, 0.0, 1.0); /* near seeds begin alike */
   d[0] = next_number(&source, -1.0, 1.0);

@@ -12,6 +12,7 @@ typedef struct {
   int geometry, points;
   steel_kind steel;
   int release[2];
+  double rigid[2]; /* lengths of rigid ends */
 } member_options;
 
 typedef struct {

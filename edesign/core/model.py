@@ -151,6 +151,10 @@ class Model:
             self._checked(lib.ed_model_breaks(self._c, result, len(breaks), list(breaks)))
         return result
 
+    def rigid_ends(self, element: int, start: float, end: float) -> None:
+        """Let the first and the last part of a beam-column not bend; m. Its end forces are those where it begins to."""
+        self._checked(lib.ed_model_rigid_ends(self._c, element, start, end))
+
     def truss(self, name: str, i: int, j: int, material: int, area: float, geometry: str = "linear") -> int:
         """Add a pin-ended bar; area in m2."""
         result = lib.ed_model_truss(self._c, name.encode(), i, j, material, area, GEOMETRY[geometry])

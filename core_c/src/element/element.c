@@ -39,6 +39,15 @@ static void setup_link(ed_element *e, const ed_member *m, double dx, double dy)
         e->link[6 * i + j] += m->stiffness[k] * B[k][i] * B[k][j];
 }
 
+/* A place of the whole length on the part that bends, 0..1; what is in a rigid end counts where it ends. */
+static double place_of(const ed_element *e, double position)
+{
+  if (!e->rigid)
+    return position;
+  const double whole = e->length + e->arm[0] - e->arm[1];
+  return fmin(fmax((position * whole - e->arm[0]) / e->length, 0.0), 1.0);
+}
+
 /* The rule over the whole length, or over each piece of it between breaks, whose common points have the weight of both. */
 static void place_points(ed_element *e, const ed_member *m)
 {
@@ -52,7 +61,8 @@ static void place_points(ed_element *e, const ed_member *m)
   memset(e->weight, 0, sizeof e->weight);
   e->points = (m->breaks + 1) * (m->points - 1) + 1;
   for (int piece = 0; piece <= m->breaks; piece++) {
-    const double start = piece ? m->break_at[piece - 1] : 0.0, end = piece < m->breaks ? m->break_at[piece] : 1.0;
+    const double start = piece ? place_of(e, m->break_at[piece - 1]) : 0.0;
+    const double end = piece < m->breaks ? place_of(e, m->break_at[piece]) : 1.0;
     for (int p = 0; p < m->points; p++) {
       const int at = piece * (m->points - 1) + p;
       e->x[at] = p == 0 ? start : p == m->points - 1 ? end : start + (end - start) * x[p];
@@ -90,6 +100,12 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
   }
   e->c = dx / e->length;
   e->s = dy / e->length;
+  e->rigid = m->rigid[0] > 0.0 || m->rigid[1] > 0.0;
+  if (e->rigid) {
+    e->arm[0] = m->rigid[0];
+    e->arm[1] = -m->rigid[1];
+    e->length -= m->rigid[0] + m->rigid[1];
+  }
   if (m->kind == ED_TRUSS) {
     e->steel = &model->materials[m->material];
     e->area = m->area;
@@ -150,7 +166,8 @@ int ed_element_block_size(const ed_element *e)
 {
   if (e->kind == ED_STRUT)
     return ed_strut_block_size(e->strut);
-  return e->kind == ED_FIBRE_BEAM ? ED_BLOCK_POINTS + e->points * ED_POINT_SIZE : ED_BLOCK_POINTS;
+  const int rigid = e->rigid ? ED_RIGID_SIZE : 0;
+  return (e->kind == ED_FIBRE_BEAM ? ED_BLOCK_POINTS + e->points * ED_POINT_SIZE : ED_BLOCK_POINTS) + rigid;
 }
 
 int ed_element_record_size(const ed_element *e)
@@ -216,6 +233,8 @@ void ed_element_clear_loads(ed_element *e)
   memset(e->end_load, 0, sizeof e->end_load);
   memset(e->free_deformation, 0, sizeof e->free_deformation);
   e->mean_axial = 0.0;
+  memset(e->arm_force, 0, sizeof e->arm_force);
+  memset(e->arm_moment, 0, sizeof e->arm_moment);
 }
 
 static int is_partial(const ed_member_load *load)

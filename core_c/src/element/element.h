@@ -38,6 +38,11 @@ typedef struct {
   double end_load[3];            /* reactions: axial i, transverse i, transverse j */
   double free_deformation[3];    /* elastic deformation under the loads with q = 0 */
   double mean_axial;             /* mean of N under the loads with q = 0: acts over the drift, as q[0] does */
+  /* rigid ends; length, points and loads above are those of the part between */
+  int rigid;
+  double arm[2];                 /* from the node to where it begins to bend, along the axis: > 0 at i, < 0 at j */
+  double arm_force[2][2];        /* of loads on them: along, across */
+  double arm_moment[2][2];       /* sum of arm times these */
 } ed_element;
 
 typedef struct {
@@ -65,6 +70,8 @@ void ed_element_clear_loads(ed_element *element);
 void ed_element_add_load(ed_element *element, const ed_member_load *load, double factor);
 void ed_element_finish_loads(ed_element *element);
 
+/* Adds a load of the whole length, rigid ends included. */
+void ed_rigid_add_load(ed_element *element, const ed_member_load *load, double factor);
 /* Finds q and kb for the displacements of the six degrees. */
 int ed_element_update(const ed_element *element, const double *displacement, const double *layers, double *block,
                       ed_element_control *control);
@@ -89,6 +96,21 @@ typedef struct {
   double drift;          /* transverse, from i to j, along the original axes */
 } ed_kinematics;
 void ed_kinematics_of(const ed_element *element, const double *displacement, ed_kinematics *k);
+/* The same between the ends of what bends: displacements of these. */
+void ed_face_forces(const ed_element *element, const double *face, const double *block, double *force);
+void ed_face_tangent(const ed_element *element, const double *face, const double *block, double *tangent);
+
+/* Rigid ends (rigid_ends.c): arms as they stand, and displacements of where it begins to bend, for those of the nodes. */
+void ed_rigid_faces(const ed_element *element, const double *displacement, double arm[2][2], double *face);
+void ed_rigid_forces(const ed_element *element, const double *displacement, const double *block, double *force);
+void ed_rigid_tangent(const ed_element *element, const double *displacement, const double *block, double *tangent);
+/* P-Delta: second-order moments on the nodes and their rotations, at i, j; 0 for other geometries. */
+void ed_rigid_second_order(const ed_element *element, const double *displacement, const double *block, double moment[2],
+                           double rotation[2]);
+/* Moment on a node of the loads on its rigid end, from their arm_moment. */
+double ed_arm_load_moment(const ed_element *element, const double *arm_moment, double rotation);
+/* What a rigid member keeps at the end of its block: the four of ed_rigid_second_order at the last count of energy. */
+enum { ED_RIGID_SIZE = 4 };
 
 /* Force-based beam (fibre_beam.c). */
 int ed_fibre_beam_update(const ed_element *element, const double *v, const double *layers, double *block,

@@ -3,7 +3,7 @@
 
 #include <math.h>
 
-void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
+static void face_kinematics(const ed_element *e, const double *d, ed_kinematics *k)
 {
   const double dx = d[3] - d[0], dy = d[4] - d[1];
   k->drift = -e->s * dx + e->c * dy;
@@ -32,7 +32,18 @@ void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
   k->v[2] = d[5] - chord;
 }
 
-void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
+void ed_kinematics_of(const ed_element *e, const double *d, ed_kinematics *k)
+{
+  if (e->rigid) {
+    double arm[2][2], face[6];
+    ed_rigid_faces(e, d, arm, face);
+    face_kinematics(e, face, k);
+    return;
+  }
+  face_kinematics(e, d, k);
+}
+
+void ed_face_forces(const ed_element *e, const double *d, const double *block, double *force)
 {
   if (e->kind == ED_LINK) {
     for (int i = 0; i < 6; i++) {
@@ -49,7 +60,7 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
     return;
   }
   ed_kinematics k;
-  ed_kinematics_of(e, d, &k);
+  face_kinematics(e, d, &k);
   const double *q = block + ED_BLOCK_Q;
   const double shear = (q[1] + q[2]) / k.l;
   const double second = e->geometry == ED_P_DELTA ? (q[0] + e->mean_axial) * k.drift / e->length : 0.0;
@@ -75,8 +86,16 @@ void ed_element_forces(const ed_element *e, const double *d, const double *block
   force[4] += e->c * couple;
 }
 
+void ed_element_forces(const ed_element *e, const double *d, const double *block, double *force)
+{
+  if (e->rigid)
+    ed_rigid_forces(e, d, block, force);
+  else
+    ed_face_forces(e, d, block, force);
+}
+
 /* Without the term of P-Delta that is not symmetric, the change of the axial force times the drift. */
-void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
+void ed_face_tangent(const ed_element *e, const double *d, const double *block, double *t)
 {
   if (e->kind == ED_LINK) {
     for (int i = 0; i < 36; i++)
@@ -90,7 +109,7 @@ void ed_element_tangent(const ed_element *e, const double *d, const double *bloc
     return;
   }
   ed_kinematics k;
-  ed_kinematics_of(e, d, &k);
+  face_kinematics(e, d, &k);
   const double *q = block + ED_BLOCK_Q, *kb = block + ED_BLOCK_K;
   const double l = k.l, ax = k.c, ay = k.s, tx = -k.s, ty = k.c;
   /* along the chord a, across it t: translations D = A aa' + B (at' + ta') + G tt' */
@@ -126,6 +145,14 @@ void ed_element_tangent(const ed_element *e, const double *d, const double *bloc
   };
   for (int i = 0; i < 36; i++)
     t[i] = full[i];
+}
+
+void ed_element_tangent(const ed_element *e, const double *d, const double *block, double *t)
+{
+  if (e->rigid)
+    ed_rigid_tangent(e, d, block, t);
+  else
+    ed_face_tangent(e, d, block, t);
 }
 
 void ed_element_p_delta(const ed_element *e, const double *d, const double *block, double *force, double *drift)

@@ -42,6 +42,7 @@ typedef struct {
 
 typedef struct {
   double section_load[ED_MAX_POINTS][2], end_load[3], free_deformation[3];
+  double arm_force[2][2], arm_moment[2][2];
 } ed_loads;
 
 typedef struct {

@@ -149,7 +149,8 @@ void ed_set_factors(ed_analysis *a)
       ed_element_clear_loads(&a->elements[m]);
   for (int i = 0; i < model->n_member_loads; i++) {
     const ed_member_load *load = &model->member_loads[i];
-    ed_element_add_load(&a->elements[load->element], load, a->factors[load->pattern]);
+    ed_element *e = &a->elements[load->element];
+    (e->rigid ? ed_rigid_add_load : ed_element_add_load)(e, load, a->factors[load->pattern]);
   }
   for (int m = 0; m < model->n_members; m++)
     if (model->members[m].loaded)

@@ -134,6 +134,16 @@ static double node_value(const ed_analysis *a, const ed_term *term)
   }
 }
 
+/* Forces where the member begins to bend. */
+static void face_forces(const ed_analysis *a, const ed_element *e, double *force)
+{
+  double d[6], arm[2][2], face[6];
+  for (int i = 0; i < 6; i++)
+    d[i] = a->equation[e->dof[i]] < 0 ? 0.0 : a->committed.u[a->equation[e->dof[i]]];
+  ed_rigid_faces(e, d, arm, face);
+  ed_face_forces(e, face, a->committed.elements + e->state, force);
+}
+
 static double element_value(const ed_analysis *a, const ed_term *term)
 {
   const ed_element *e = &a->elements[term->object];
@@ -143,6 +153,11 @@ static double element_value(const ed_analysis *a, const ed_term *term)
     case ED_GLOBAL_FORCE:
       return force[c];
     case ED_END_FORCE: {
+      double of_faces[6];
+      if (e->rigid) {
+        face_forces(a, e, of_faces);
+        force = of_faces;
+      }
       const double *f = force + 3 * (c / 3);
       if (c % 3 == 0)
         return e->c * f[0] + e->s * f[1];

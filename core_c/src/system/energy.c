@@ -16,6 +16,33 @@ static double mean_work(int n, const double *before, const double *after, const 
   return work;
 }
 
+/* Work of the loads on rigid ends; `moved` becomes what the faces have moved by. */
+static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_loads *before, double *moved)
+{
+  double now[6], then[6], arm[2][2], face_now[6], face_then[6], work = 0.0;
+  for (int i = 0; i < 6; i++) {
+    const int equation = a->equation[e->dof[i]];
+    now[i] = equation < 0 ? 0.0 : a->trial.u[equation];
+    then[i] = equation < 0 ? 0.0 : a->committed.u[equation];
+  }
+  for (int end = 0; end < 2; end++) {
+    const double *d = moved + 3 * end;
+    const double along = e->c * d[0] + e->s * d[1], across = -e->s * d[0] + e->c * d[1];
+    work += 0.5 * (e->arm_force[end][0] + before->arm_force[end][0]) * along;
+    work += 0.5 * (e->arm_force[end][1] + before->arm_force[end][1]) * across;
+    if (e->geometry == ED_COROTATIONAL) {
+      const double moment = ed_arm_load_moment(e, e->arm_moment[end], now[3 * end + 2]);
+      work += 0.5 * (moment + ed_arm_load_moment(e, before->arm_moment[end], then[3 * end + 2])) * d[2];
+    } else /* the second order of P-Delta counts as such */
+      work += 0.5 * (e->arm_moment[end][1] + before->arm_moment[end][1]) * d[2];
+  }
+  ed_rigid_faces(e, now, arm, face_now);
+  ed_rigid_faces(e, then, arm, face_then);
+  for (int i = 0; i < 6; i++)
+    moved[i] = face_now[i] - face_then[i];
+  return work;
+}
+
 /* Work of the element loads on the member's ends and inside it. */
 static double load_work(const ed_analysis *a, int member)
 {
@@ -26,9 +53,9 @@ static double load_work(const ed_analysis *a, int member)
     const int equation = a->equation[e->dof[i]];
     moved[i] = equation < 0 ? 0.0 : a->trial.u[equation] - a->committed.u[equation];
   }
+  double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
   const double local[3] = {e->c * moved[0] + e->s * moved[1], -e->s * moved[0] + e->c * moved[1],
                            -e->s * moved[3] + e->c * moved[4]};
-  double work = 0.0;
   for (int i = 0; i < 3; i++)
     work -= 0.5 * (e->end_load[i] + before->end_load[i]) * local[i];
   const double *now = a->trial.elements + e->state, *then = a->committed.elements + e->state;
@@ -41,6 +68,18 @@ static double load_work(const ed_analysis *a, int member)
     for (int i = 0; i < 3; i++)
       work += 0.5 * (e->free_deformation[i] + before->free_deformation[i]) *
               (now[ED_BLOCK_Q + i] - then[ED_BLOCK_Q + i]);
+  return work;
+}
+
+/* Work of the second-order moments of rigid ends, whose present values are kept at the end of the member's block. */
+static double rigid_second_order(ed_analysis *a, const ed_element *e, const double *d)
+{
+  const int at = e->state + ed_element_block_size(e) - ED_RIGID_SIZE;
+  double *now = a->trial.elements + at, work = 0.0;
+  const double *then = a->committed.elements + at;
+  ed_rigid_second_order(e, d, a->trial.elements + e->state, now, now + 2);
+  for (int end = 0; end < 2; end++)
+    work += 0.5 * (now[end] + then[end]) * (now[2 + end] - then[2 + end]);
   return work;
 }
 
@@ -62,6 +101,8 @@ void ed_count_energy(ed_analysis *a, double dissipated)
       d[i] = a->displacement[e->dof[i]];
     ed_element_p_delta(e, d, a->trial.elements + e->state, &now[0], &now[1]);
     second_order += 0.5 * (now[0] + then[0]) * (now[1] - then[1]);
+    if (e->rigid)
+      second_order += rigid_second_order(a, e, d);
   }
   if (a->run.kind == ED_RUN_HISTORY) {
     for (int axis = 0; axis < 2; axis++) {
@@ -87,6 +128,8 @@ void ed_remember_loads(ed_analysis *a)
     const size_t points = (size_t)a->elements[m].points; /* far fewer than there may be */
     memcpy(loads->section_load, a->elements[m].section_load, points * sizeof *loads->section_load);
     memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
+    memcpy(loads->arm_force, a->elements[m].arm_force, sizeof loads->arm_force);
+    memcpy(loads->arm_moment, a->elements[m].arm_moment, sizeof loads->arm_moment);
     memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
   }
 }
@@ -107,6 +150,10 @@ void ed_restart_energy(ed_analysis *a)
       d[i] = a->displacement[e->dof[i]];
     ed_element_p_delta(e, d, a->committed.elements + e->state, &a->committed.p_delta[2 * m],
                        &a->committed.p_delta[2 * m + 1]);
+    if (e->rigid) {
+      double *kept = a->committed.elements + e->state + ed_element_block_size(e) - ED_RIGID_SIZE;
+      ed_rigid_second_order(e, d, a->committed.elements + e->state, kept, kept + 2);
+    }
   }
   ed_revert(a);
 }

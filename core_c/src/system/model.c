@@ -451,6 +451,23 @@ int ed_model_breaks(ed_model *model, int element, int n, const double *position)
   return ED_OK;
 }
 
+int ed_model_rigid_ends(ed_model *model, int element, double start, double end)
+{
+  if (element < 0 || element >= model->n_members)
+    return ed_model_refuse(model, ED_E_ID, "there is no element %d", element);
+  ed_member *m = &model->members[element];
+  if (m->kind != ED_FIBRE_BEAM && m->kind != ED_ELASTIC_BEAM)
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s is no beam-column and has no rigid ends", m->name);
+  const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
+  const double length = hypot(j->x - i->x, j->y - i->y);
+  if (!(start >= 0.0 && end >= 0.0 && start + end < length))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "element %s: rigid ends of %g and %g leave nothing of its length %g", m->name, start,
+                  end, length);
+  m->rigid[0] = start;
+  m->rigid[1] = end;
+  return ED_OK;
+}
+
 static int member_load(ed_model *model, int pattern, int element, ed_member_load load)
 {
   if (pattern < 0 || pattern >= model->n_patterns)

@@ -40,6 +40,7 @@ typedef struct {
   int elements;                 /* strut: beams over its buckling length */
   double camber, buckling_length; /* strut: camber / buckling length, buckling length / length */
   double end_stiffness;         /* strut: rotational, of its ends; HUGE_VAL: fixed */
+  double rigid[2];              /* beams: lengths of their rigid ends */
   double stiffness[3], angle;   /* link */
   int spring;                   /* spring; index */
   double coefficient[6];        /* spring */
