@@ -17,6 +17,7 @@ from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_lo
 from edesign.building.masses import node_masses, vertical_masses
 from edesign.building.named_section import cross_section
 from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
+from edesign.building.rigid_ends import rigid_ends
 from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
 from edesign.building.supports import support_springs
@@ -50,6 +51,7 @@ class Member:
         stretches: where these stand on it.
         springs: hinges and joints at its start and at its end.
         yield_elongation: f_y L / E of a brace that buckles, m; infinite: it does not yield; None: it does not buckle.
+        rigid_ends: lengths at its start and end that do not bend, m.
     """
 
     name: str
@@ -62,6 +64,7 @@ class Member:
     stretches: Stretches = Stretches((0.0, 0.0), ())
     springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]] = ((), ())
     yield_elongation: float | None = None
+    rigid_ends: tuple[float, float] = (0.0, 0.0)
 
     @property
     def yields(self) -> bool:
@@ -284,6 +287,7 @@ def _members(
     builder = MemberBuilder(model, places)
     at_ends = member_ends(project)
     breaks = breaks_of_members(project.frame, project.loads)
+    rigid = rigid_ends(project)
     found = {}
     for name, run in project.frame.members.items():
         start, end = project.frame.ends[name]
@@ -314,8 +318,21 @@ def _members(
             ends,
             Stretches(arms, (between,)).on_only_element(breaks.get(name, ())),
         )
+        if name in rigid:  # such a member has no hinges and no panel zones
+            model.rigid_ends(built.interior, *rigid[name])
         stretches = Stretches(arms, built.lengths)
-        found[name] = Member(name, kind, built.interior, start, end, layers, built.parts, stretches, built.springs)
+        found[name] = Member(
+            name,
+            kind,
+            built.interior,
+            start,
+            end,
+            layers,
+            built.parts,
+            stretches,
+            built.springs,
+            rigid_ends=rigid.get(name, (0.0, 0.0)),
+        )
     return found, builder.moving_with, panels.built
 
 

@@ -62,6 +62,12 @@ class CrossSection:
         return math.fsum([s.width * s.depth for s in self.strips] + [s.area for s in self.spots])
 
     @cached_property
+    def depth(self) -> float:
+        """From the lowest to the highest edge of its strips, m."""
+        edges = [s.centre + half * s.depth for s in self.strips for half in (-0.5, 0.5)]
+        return max(edges) - min(edges)
+
+    @cached_property
     def centroid(self) -> float:
         """Height of the centroid in the coordinate of the parts, m."""
         moments = [s.width * s.depth * s.centre for s in self.strips] + [s.area * s.centre for s in self.spots]

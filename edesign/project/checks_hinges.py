@@ -21,6 +21,7 @@ def check_hinges(project: Project, problems: Problems) -> None:
         keys: Keys = ("hinges", i)
         if _places(project, problems, check, keys, hinges):
             _released(project, problems, keys, hinges, "hinge")
+            _rigid(project, problems, keys, hinges, "hinges")
         if isinstance(hinges.parameters, HingeValues):
             _values(problems, keys, hinges, hinges.parameters)
         else:
@@ -31,10 +32,18 @@ def check_hinges(project: Project, problems: Problems) -> None:
         keys = ("joints", i)
         if _places(project, problems, check, keys, joints):
             _released(project, problems, keys, joints, "joint")
+            _rigid(project, problems, keys, joints, "joints")
         if joints.hardening and joints.resistance is None:
             problems.at_key((*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening")
     for i, zones in enumerate(project.panel_zones):
         check.nodes(("panel_zones", i), zones.lines, zones.floors)
+        rigid = project.elements.rigid_ends
+        if rigid.beams.value or rigid.columns.value:
+            message = (
+                "members begin to bend at the edges of panel zones and have no rigid ends beside them; leave out "
+                "`elements: rigid_ends`"
+            )
+            problems.at_value(("panel_zones", i), message)
     _supports(project, problems)
 
 
@@ -59,6 +68,13 @@ def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges |
                 message = f"the {word} of {name} is released, so it has no {what}; choose other members or `ends`"
                 problems.at_value(keys, message)
                 return
+
+
+def _rigid(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
+    kind = "columns" if chosen.beams is None else "beams"
+    if getattr(project.elements.rigid_ends, kind).value:
+        message = f"{kind} with rigid ends have no {what}; leave out `elements: rigid_ends: {kind}`"
+        problems.at_key((*keys, kind), message)
 
 
 def _values(problems: Problems, keys: Keys, hinges: Hinges, values: HingeValues) -> None:

@@ -7,6 +7,7 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.base import Model
+from edesign.project.positions import Place, Position
 
 GeometryKind = Literal["linear", "p_delta", "corotational"]
 
@@ -19,8 +20,16 @@ class Geometry(Model):
     braces: GeometryKind = "linear"
 
 
+class RigidEnds(Model):
+    """Ends of members that do not bend: their length (m), or its share of half the depth of what the member meets."""
+
+    columns: Place = Position(0.0, True)
+    beams: Place = Position(0.0, True)
+
+
 class Elements(Model):
-    """Gauss-Lobatto points along a fibre member, and geometric transformations."""
+    """Gauss-Lobatto points along a fibre member, geometric transformations, and rigid ends."""
 
     integration_points: Annotated[int, Field(ge=2, le=10)] = 5
     geometry: Geometry = Geometry()
+    rigid_ends: RigidEnds = RigidEnds()

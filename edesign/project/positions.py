@@ -1,4 +1,7 @@
-"""Places along a member: `2.4 m` from its start, or a share of its length, `1/3`, `0.25` or `30 %`."""
+"""Places along a member: `2.4 m` from its start, or a share of its length, `1/3`, `0.25` or `30 %`.
+
+Lengths of rigid ends are written alike.
+"""
 
 from __future__ import annotations
 
@@ -31,6 +34,10 @@ class Position:
     def share(self, length: float) -> float:
         """Return the place as a share of a length in m."""
         return self.value if self.is_share else self.value / length
+
+    def along(self, length: float) -> float:
+        """Return the place in m, of a length in m."""
+        return self.value * length if self.is_share else self.value
 
     def __str__(self) -> str:
         return f"{100.0 * self.value:.3g} %" if self.is_share else f"{self.value:g} m"

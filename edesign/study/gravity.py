@@ -94,7 +94,7 @@ def _work_inside(project: Project, frame: FrameModel) -> float:
         run, member = project.frame.members[name], frame.members[name]
         inertia = cross_section(project, run.section).inertia
         if member.layers is None and inertia is not None:
-            span = frame.frame.nodes[member.end][0] - frame.frame.nodes[member.start][0]
+            span = frame.frame.nodes[member.end][0] - frame.frame.nodes[member.start][0] - sum(member.rigid_ends)
             total += loads.squared_moment(span) / (2.0 * project.materials[run.material].E * inertia)
     return total
 

@@ -46,6 +46,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
             coordinate(group, kind, found, "", f"name of the {kind}")
     coordinate(group, "member", [member.name for member in bending_members(frame)], "", "name of the column or beam")
     coordinate(group, "end", ["start", "end"], "", "end of the member: the start is below or at the left")
+    rigid = [member.rigid_ends for member in bending_members(frame)]
+    if any(map(any, rigid)):
+        label = "length of the rigid end; forces and rotations of the end are those where it begins to bend"
+        group.add("rigid_end", ("member", "end"), rigid, "m", label)
     group.add("floor_level", ("floor",), frame.frame.y[1:], "m", "level of the floor above the base")
     group.add("storey_height", ("storey",), frame.frame.storey_heights, "m", "height of the storey")
 

@@ -34,6 +34,7 @@ def project_rows(project: Project) -> Rows:
         ("Columns", _over_height(columns, "storey")),
         ("Beams", _over_height(beams, "floor")),
         ("Braces", f"{len(frame.brace_at)}" if frame.brace_at else ""),
+        ("Rigid ends", _rigid_ends(project)),
         ("Supports", _supports(project)),
         ("Steel", "; ".join(_steel(name, project) for name in project.materials)),
         *load_rows(project),
@@ -104,6 +105,17 @@ def _steel(name: str, project: Project) -> str:
     if isinstance(steel, ElasticMaterial):
         return text
     return f"{text}, fy = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
+
+
+def _rigid_ends(project: Project) -> str:
+    asked = project.elements.rigid_ends
+    kinds = (("columns", asked.columns, "beams"), ("beams", asked.beams, "columns"))
+    texts = [
+        f"{kind}: {end} of half the depth of the {met}" if end.is_share else f"{kind}: {end}"
+        for kind, end, met in kinds
+        if end.value > 0.0
+    ]
+    return "; ".join(texts)
 
 
 def _damping(project: Project) -> str:

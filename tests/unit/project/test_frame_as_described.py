@@ -89,6 +89,16 @@ ONE_PROBLEM = {
         "frame.leaning_column",
         "`p_delta` or `corotational`",
     ),
+    "rigid end of five": (
+        ("sections:\n", "elements: {rigid_ends: {beams: «5}}\nsections:\n"),
+        "elements.rigid_ends.beams",
+        "at least 0 and at most 1",
+    ),
+    "rigid braces": (
+        ("sections:\n", "elements: {rigid_ends: {«braces: 1}}\nsections:\n"),
+        "elements.rigid_ends.braces",
+        "allowed here: `columns`, `beams`",
+    ),
 }
 
 

@@ -132,6 +132,19 @@ def test_a_released_end_has_no_hinge(small: str) -> None:
     parse_project(text.replace(f"parameters: {VALUES}", f"ends: start, parameters: {VALUES}"))
 
 
+@pytest.mark.parametrize(
+    ("rigid", "entry"),
+    [
+        ("beams: 1", f"hinges: [{{«beams: {{floors: 1}}, ends: start, parameters: {VALUES}}}]"),
+        ("columns: 0.2 m", "joints: [{«columns: {storeys: 1}, stiffness: 60 MN*m/rad}]"),
+        ("columns: 50 %", "panel_zones: [«{floors: all}]"),
+    ],
+)
+def test_members_with_rigid_ends_have_nothing_else_there(broken: Broken, rigid: str, entry: str) -> None:
+    problems = broken((AT, f"elements: {{rigid_ends: {{{rigid}}}}}\n{entry}\n{AT}"))
+    assert "leave out `elements: rigid_ends" in str(problems[0])
+
+
 def test_supports_are_read_in_si(small: str) -> None:
     springs = "{rotation: 2 MN*m/rad, vertical: {stiffness: 3 kN/mm, uplift: true}, horizontal: free}"
     support = parse_project(small.replace("B: pinned", f"B: {springs}")).frame.support("B")
