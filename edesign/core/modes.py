@@ -63,7 +63,7 @@ def natural_modes(
     n = mass.size
     solve = _solution(stiffness)
     root = np.sqrt(mass[heavy])
-    if heavy.size <= DENSE:
+    if heavy.size <= DENSE or count == heavy.size:
         unit = np.zeros((n, heavy.size))
         unit[heavy, np.arange(heavy.size)] = root
         flexibility = solve(unit)[heavy] * root[:, None]

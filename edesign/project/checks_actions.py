@@ -8,12 +8,12 @@ from typing import get_args
 
 from edesign.project import names
 from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
+from edesign.project.checks_damping import check_damping
 from edesign.project.checks_files import check_file
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_loads import check_loads
 from edesign.project.checks_pushover import check_pushover
 from edesign.project.chosen_records import FolderSource, Period, SuiteSource
-from edesign.project.damping import RayleighDamping
 from edesign.project.file_bytes import is_folder
 from edesign.project.hazard import UserHazard
 from edesign.project.hazard_base import Hazard
@@ -47,7 +47,7 @@ def check_actions(project: Project, problems: Problems, files: bool = True) -> N
     check = Selections(project.frame, problems)
     check_loads(project, problems)
     _masses(project, problems, check)
-    _damping(project, problems)
+    check_damping(project, problems)
     _validity(project, problems)
     _records(project, problems)
     if files:
@@ -76,12 +76,6 @@ def _masses(project: Project, problems: Problems, check: Selections) -> None:
                 problems.at_value(keys, message)
                 break
             first[node] = i
-
-
-def _damping(project: Project, problems: Problems) -> None:
-    damping = project.damping
-    if isinstance(damping, RayleighDamping) and damping.modes[0] == damping.modes[1]:
-        problems.at_value(("damping", "modes"), f"two different modes are needed, not twice mode {damping.modes[0]}")
 
 
 def _validity(project: Project, problems: Problems) -> None:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.building.damping import modal_ratios, modes_needed
 from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
@@ -16,7 +17,7 @@ from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
-from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.damping import CaugheyDamping, MassDamping, StiffnessDamping
 from edesign.project.outputs import Outputs
 from edesign.project.problems import keys_text
 from edesign.project.project import Project
@@ -83,6 +84,8 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
     except CoreError as error:
         raise InputError(f"{project.where('frame')}: frame: {error}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
+    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
+        _check_series(project)
 
 
 def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
@@ -162,10 +165,8 @@ def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int
             wanted += [(("analyses", i, "pattern"), count) for count in _pattern_modes(spec)]
     damping = project.damping
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
-        if isinstance(damping, RayleighDamping):
-            wanted.append((("damping", "modes"), max(damping.modes)))
-        elif isinstance(damping, ModalDamping):
-            wanted.append((("damping", "modes"), damping.modes))
+        key = "mode" if isinstance(damping, (MassDamping, StiffnessDamping)) else "modes"
+        wanted.append((("damping", key), modes_needed(damping, 0)))
     for keys, count in wanted:
         if count > most:
             raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
@@ -175,6 +176,20 @@ def _pattern_modes(pushover: Pushover) -> list[int]:
     """How many modes the patterns of a pushover need."""
     given = [pattern for pattern in pushover.pattern if isinstance(pattern, GivenPattern)]
     return [count for pattern in given if (count := pattern.mode or pattern.modes) is not None]
+
+
+def _check_series(project: Project) -> None:
+    """Check that Caughey damping gives no mode a negative ratio."""
+    damping = project.damping
+    if not isinstance(damping, CaugheyDamping):
+        return
+    alone = make_structure(project)
+    if damping.state == "gravity":
+        alone.apply_gravity()
+    try:
+        modal_ratios(damping, alone.modes(int(np.count_nonzero(alone.analysis.masses()))).omega)
+    except InputError as error:
+        raise InputError(f"{project.where('damping')}: damping: {error}") from error
 
 
 def _no_mode(count: int, most: int) -> str:

@@ -8,13 +8,13 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.damping import rayleigh_coefficients
+from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record import Record
 from edesign.project.analyses import HistoryAnalysis
-from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.project.records import record_of
@@ -137,14 +137,10 @@ def load_and_damp(project: Project, structure: Structure) -> float:
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
     """
     alone = make_structure(project) if structure.frame.attached else structure
-    damping = project.damping
-    count = 0
-    if isinstance(damping, RayleighDamping):
-        count = max(damping.modes)
-    elif isinstance(damping, ModalDamping):
-        count = damping.modes
+    damping = None if isinstance(project.damping, NoDamping) else project.damping
+    count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
     modes: Modes | None = None
-    initial = isinstance(damping, (RayleighDamping, ModalDamping)) and damping.state == "initial"
+    initial = count > 0 and damping is not None and damping.state == "initial"
     if initial:
         modes = alone.modes(count)
     structure.apply_gravity()
@@ -153,15 +149,14 @@ def load_and_damp(project: Project, structure: Structure) -> float:
     structure.install_dampers()
     under_gravity = alone.modes(max(1, 0 if initial else count))
     modes = modes or under_gravity
-    if isinstance(damping, RayleighDamping):
-        first, second = (float(modes.omega[number - 1]) for number in damping.modes)
-        a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
-        structure.analysis.rayleigh(a0, a1, damping.stiffness)
-    elif isinstance(damping, ModalDamping):
+    if isinstance(damping, (ModalDamping, CaugheyDamping)):
         # tuned masses have the last equations
         more = structure.analysis.n_equations - modes.equations.shape[1]
         padded = replace(modes, equations=np.pad(modes.equations, ((0, 0), (0, more))))
-        structure.analysis.modal_damping(padded, damping.ratio)
+        structure.analysis.modal_damping(padded, modal_ratios(damping, modes.omega))
+    elif damping is not None:
+        a0, a1 = proportional_factors(damping, modes.omega)
+        structure.analysis.rayleigh(a0, a1, "initial" if isinstance(damping, MassDamping) else damping.stiffness)
     return float(under_gravity.period[0])
 
 

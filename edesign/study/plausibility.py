@@ -93,10 +93,13 @@ def _weight(project: Project) -> str:
 
 def _damping(project: Project) -> str:
     damping = project.damping
-    if damping is None or isinstance(damping, NoDamping) or damping.ratio <= LARGEST_DAMPING:
+    ratio = 0.0
+    if damping is not None and not isinstance(damping, NoDamping):
+        ratio = max(damping.ratio) if isinstance(damping.ratio, tuple) else damping.ratio
+    if ratio <= LARGEST_DAMPING:
         return ""
     return (
-        f"an inherent damping of {100.0 * damping.ratio:g} % is implausible: EN 1998-1, 3.2.2.2(3), counts up to "
+        f"an inherent damping of {100.0 * ratio:g} % is implausible: EN 1998-1, 3.2.2.2(3), counts up to "
         f"{100.0 * LARGEST_DAMPING:g} %, devices included, and steel frames have a few per cent"
     )
 

@@ -7,7 +7,10 @@ import pytest
 from verification.structures import channel, oscillator, steel_portal
 from verification.test_verify_modes import N, shear_building
 
+from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.core import Bilinear, Newmark
+from edesign.errors import InputError
+from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, RayleighDamping, StiffnessDamping
 
 
 def test_frequency_and_logarithmic_decrement() -> None:
@@ -98,3 +101,88 @@ def test_rayleigh_ratios_of_a_shear_building() -> None:
         energy = r.energy["kinetic"] + r.energy["elastic"]
         # whole periods apart (undamped ones: the shift to damped ones is zeta^2 / 2)
         assert energy[1600] / energy[0] == pytest.approx(np.exp(-2 * zeta * omega * r.time[1600]), rel=3e-3)
+
+
+def decays(damping: ModalDamping | CaugheyDamping | RayleighDamping | MassDamping | StiffnessDamping) -> np.ndarray:
+    """Ratios (N,) of the modes of a shear building as its free vibration in each of them shows."""
+    found = []
+    for k in range(N):
+        a = shear_building().analysis(tolerance=1e-11)
+        modes = a.modes(N)
+        if isinstance(damping, (ModalDamping, CaugheyDamping)):
+            damped = a.modes(modes_needed(damping, N))
+            a.modal_damping(damped, modal_ratios(damping, damped.omega))
+        else:
+            a.rayleigh(*proportional_factors(damping, modes.omega), "initial")
+        a.initial_velocity(modes.equations[k])
+        cycles = 2  # whole ones, in which Newmark's average acceleration damps by (omega dt)^2 / 12 too little
+        r = a.history(np.zeros(400 * cycles + 1), 2 * np.pi / modes.omega[k] / 400)
+        energy = r.energy["kinetic"] + r.energy["elastic"]
+        zeta = -np.log(energy[-1] / energy[0]) / (4 * np.pi * cycles)
+        found.append(zeta * (1.0 + 0.5 * zeta**2))  # whole undamped periods are not whole damped ones
+    return np.array(found)
+
+
+def test_ratios_mode_by_mode() -> None:
+    given = (0.01, 0.03, 0.0, 0.08)
+    found = decays(ModalDamping(kind="modal", ratio=given))
+    np.testing.assert_allclose(found, [*given, *[0.0] * (N - 4)], atol=1e-3 * 0.08)
+
+
+def test_proportional_to_mass_or_stiffness_alone() -> None:
+    """The ratio goes with the period, or with the frequency; 0.1 %: whole undamped periods, (omega dt)^2."""
+    omega = shear_building().analysis().modes(N).omega
+    found = decays(MassDamping(kind="mass_proportional", ratio=0.05))
+    np.testing.assert_allclose(found, 0.05 * omega[0] / omega, rtol=3e-3)
+    given = {"kind": "stiffness_proportional", "ratio": 0.02, "period": f"{2 * np.pi / omega[1]:.15g} s"}
+    found = decays(StiffnessDamping.model_validate(given))
+    np.testing.assert_allclose(found, 0.02 * omega / omega[1], rtol=3e-3)
+
+
+def test_rayleigh_at_periods_is_rayleigh_in_their_modes() -> None:
+    omega = shear_building().analysis().modes(N).omega
+    periods = [f"{2 * np.pi / omega[k]:.15g} s" for k in (0, 2)]
+    given = RayleighDamping.model_validate({"kind": "rayleigh", "ratio": 0.03, "periods": tuple(periods)})
+    at = proportional_factors(given, np.empty(0))
+    named = proportional_factors(RayleighDamping(kind="rayleigh", ratio=0.03, modes=(1, 3)), omega)
+    assert at == pytest.approx(named, rel=1e-13)
+
+
+@pytest.mark.parametrize("modes", [(1, 2), (1, 3, 4), (1, 2, 3, 5)])
+def test_caughey_damping_is_its_matrix(modes: tuple[int, ...]) -> None:
+    """Complex eigenvalues of M u'' + C u' + K u with C = M sum a_b (M^-1 K)^b (Chopra, Eq. 11.4.13), made here.
+
+    The a_b are those of the ratios at the frequencies of the modes (Eq. 11.4.15); 0.1 % for steps and whole periods.
+    """
+    a = shear_building().analysis()
+    mass, omega = np.diag(a.masses()), a.modes(N).omega
+    stiffness = a.stiffness().toarray()
+    heavy = np.flatnonzero(np.diag(mass) > 0.0)
+    light = np.flatnonzero(np.diag(mass) == 0.0)
+    inverse = np.linalg.inv(mass[np.ix_(heavy, heavy)])
+    k = stiffness[np.ix_(heavy, heavy)]
+    if light.size:
+        k = k - stiffness[np.ix_(heavy, light)] @ np.linalg.solve(
+            stiffness[np.ix_(light, light)], stiffness[np.ix_(light, heavy)]
+        )
+    ratios = np.linspace(0.03, 0.05, len(modes))
+    anchors = omega[np.array(modes) - 1]
+    series = np.linalg.solve(anchors[:, None] ** (2.0 * np.arange(len(modes)) - 1.0) / 2.0, ratios)
+    power, damped = np.eye(heavy.size), np.zeros((heavy.size, heavy.size))
+    for coefficient in series:
+        damped += coefficient * power
+        power = power @ inverse @ k
+    n = heavy.size
+    system = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ k, -damped]])
+    values = np.linalg.eigvals(system)
+    values = values[values.imag > 0.0]
+    values = values[np.argsort(np.abs(values))]
+    np.testing.assert_allclose(np.abs(values), omega, rtol=1e-8)
+    found = decays(CaugheyDamping(kind="caughey", ratio=tuple(ratios), modes=modes))
+    np.testing.assert_allclose(found, -values.real / np.abs(values), rtol=2e-3)
+
+
+def test_a_series_that_feeds_in_energy_is_refused() -> None:
+    omega = shear_building().analysis().modes(N).omega
+    with pytest.raises(InputError, match=r"mode 8 \(T = .* s\) a ratio of -.* %.*even number of terms"):
+        modal_ratios(CaugheyDamping(kind="caughey", ratio=(0.02, 0.05, 0.02), modes=(1, 2, 3)), omega)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from itertools import groupby
 
 from edesign.codes.ec8 import ElasticSpectrum
@@ -10,7 +10,7 @@ from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError
 from edesign.ground_motion.hazard import action_of
-from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
 from edesign.project.hazard_base import Hazard
 from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.materials import ElasticMaterial
@@ -120,13 +120,28 @@ def _rigid_ends(project: Project) -> str:
 
 def _damping(project: Project) -> str:
     damping = project.damping
-    if isinstance(damping, RayleighDamping):
-        first, second = damping.modes
-        ratio = f"{100 * damping.ratio:g} %"
-        return f"Rayleigh, {ratio} of critical in modes {first} and {second}, {damping.stiffness} stiffness"
+    if damping is None or isinstance(damping, NoDamping):
+        return "none" if damping is not None else ""
+    several = damping.ratio if isinstance(damping.ratio, tuple) else (damping.ratio,)
+    ratio = f"{', '.join(f'{100 * value:g}' for value in several)} % of critical"
     if isinstance(damping, ModalDamping):
-        return f"modal, {100 * damping.ratio:g} % of critical in modes 1-{damping.modes}"
-    return "none" if damping is not None else ""
+        return f"modal, {ratio} in modes 1-{damping.count}"
+    if isinstance(damping, CaugheyDamping):
+        return f"Caughey, {ratio} {_anchors(damping.modes, damping.periods)}"
+    if isinstance(damping, RayleighDamping):
+        return f"Rayleigh, {ratio} {_anchors(damping.modes, damping.periods)}, {damping.stiffness} stiffness"
+    at = _anchors((damping.mode,), None if damping.period is None else (damping.period,))
+    if isinstance(damping, MassDamping):
+        return f"proportional to mass, {ratio} {at}"
+    return f"proportional to the {damping.stiffness} stiffness, {ratio} {at}"
+
+
+def _anchors(modes: Sequence[int] | None, periods: Sequence[float] | None) -> str:
+    """Where damping has its ratio: in modes, or at periods."""
+    if periods is not None:
+        return f"at {' and '.join(f'{period:g}' for period in periods)} s"
+    numbers = [str(mode) for mode in modes or ()]
+    return f"in mode{'s' * (len(numbers) > 1)} {' and '.join(numbers)}"
 
 
 def _integration(method: Integration) -> str:

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
-from edesign.project.damping import NoDamping
+from edesign.project.damping import first_ratio
 from edesign.project.designs import Design, SimplifiedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, mode_shears
@@ -71,7 +71,7 @@ def make_action(project: Project, spec: Design) -> Action | None:
         return None
     ratio = spec.inherent_damping
     if ratio is None:
-        ratio = 0.0 if project.damping is None or isinstance(project.damping, NoDamping) else project.damping.ratio
+        ratio = first_ratio(project.damping)
     spectrum = elastic_spectrum(checked_hazard(project), spec.level)
     if isinstance(spec, SimplifiedDesign) and "T_C" not in spectrum.corners:
         raise InputError(

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from edesign.building.damping import rayleigh_coefficients
+from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.errors import InputError
 from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
 
@@ -119,26 +119,27 @@ def damping_matrix(mass: np.ndarray, stiffness: np.ndarray, damping: InherentDam
     if isinstance(damping, NoDamping):
         return np.zeros_like(mass)
     omega, shapes = natural_modes(mass, stiffness)
-    wanted = max(damping.modes) if isinstance(damping, RayleighDamping) else damping.modes
+    wanted = modes_needed(damping, omega.size)
     if wanted > omega.size:
         count = "1 mode" if omega.size == 1 else f"{omega.size} modes"
         hint = "; give it modal damping of 1 mode" if omega.size == 1 else ""
         raise InputError(f"damping: mode {wanted} is asked for, and the numerical part has {count}{hint}")
     if isinstance(damping, RayleighDamping):
-        first, second = (float(omega[number - 1]) for number in damping.modes)
-        a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
+        a0, a1 = proportional_factors(damping, omega)
         return a0 * mass + a1 * stiffness
-    return modal_damping_matrix(mass, omega[:wanted], shapes[:, :wanted], damping.ratio)
+    return modal_damping_matrix(mass, omega[:wanted], shapes[:, :wanted], modal_ratios(damping, omega[:wanted]))
 
 
-def modal_damping_matrix(mass: np.ndarray, omega: np.ndarray, shapes: np.ndarray, ratio: float) -> np.ndarray:
+def modal_damping_matrix(
+    mass: np.ndarray, omega: np.ndarray, shapes: np.ndarray, ratio: float | np.ndarray
+) -> np.ndarray:
     """Return C = M (sum 2 zeta omega phi phi') M in N s/m.
 
     Args:
         mass: (n, n) kg.
         omega: (m,) rad/s of the damped modes.
         shapes: (n, m), a column each, of generalised mass 1.
-        ratio: of critical damping, dimensionless.
+        ratio: of critical damping, dimensionless; one, or (m,).
 
     Source: Chopra, Dynamics of Structures, Eq. (11.4.5).
     """

@@ -7,10 +7,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 import scipy
 
-from edesign.building.damping import rayleigh_coefficients
+from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.building.devices import Device
 from edesign.errors import InputError
-from edesign.project.damping import ModalDamping, RayleighDamping
+from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import unknown_name
 from edesign.project.project import Project
@@ -237,21 +237,25 @@ def _inherent_damping(
 ) -> np.ndarray:
     """Damping (n, n) N s/m as histories have it; the modes are those of the frame without tuned masses."""
     damping = project.damping
-    if not isinstance(damping, (RayleighDamping, ModalDamping)):
+    if damping is None or isinstance(damping, NoDamping):
         return np.zeros_like(mass)
     alone = make_structure(project)
     if damping.state == "gravity":
         alone.apply_gravity()
-    if isinstance(damping, RayleighDamping):
-        omega = alone.modes(max(damping.modes)).omega
-        first, second = (float(omega[number - 1]) for number in damping.modes)
-        a0, a1 = rayleigh_coefficients(first, second, damping.ratio)
+    count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+    if not isinstance(damping, (ModalDamping, CaugheyDamping)):
+        omega = alone.modes(count).omega if count else np.empty(0)
+        a0, a1 = proportional_factors(damping, omega)
+        if isinstance(damping, MassDamping):
+            return np.asarray(a0 * mass)
         base = unloaded if damping.stiffness == "initial" else structure.analysis.stiffness()
         return np.asarray(a0 * mass + a1 * condensed.reduce(base))
-    modes = alone.modes(damping.modes)
+    modes = alone.modes(count)
     more = structure.analysis.n_equations - modes.equations.shape[1]  # tuned masses have the last equations
     padded = replace(modes, equations=np.pad(modes.equations, ((0, 0), (0, more))))
-    return modal_damping_matrix(mass, modes.omega, padded.equations[:, condensed.heavy].T, damping.ratio)
+    return modal_damping_matrix(
+        mass, modes.omega, padded.equations[:, condensed.heavy].T, modal_ratios(damping, modes.omega)
+    )
 
 
 def _interface(project: Project, specimen: Device, interface: np.ndarray) -> np.ndarray:

@@ -1,4 +1,4 @@
-"""Loads inside members, area loads, the leaning column: wrong ones are told with their place, marked by `«`."""
+"""Loads inside beams, area loads, leaning columns, rigid ends, damping: wrong ones are told with their place, `«`."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from edesign.project.positions import Position, parse_position
 
 Broken = Callable[..., list[Problem]]
 LOADS = "loads:\n  beams:\n"
+DAMPING = "damping: {kind: rayleigh, ratio: 2 %}"
 POINT = "    - {floors: 1, points: [{at: %s, G: 5 kN}]}\n"
 PART = "    - {floors: 1, partial: [{start: %s, end: %s, G: %s}]}\n"
 
@@ -99,6 +100,45 @@ ONE_PROBLEM = {
         "elements.rigid_ends.braces",
         "allowed here: `columns`, `beams`",
     ),
+    "modes and periods": (
+        (DAMPING, "damping: {kind: rayleigh, ratio: 2 %, modes: [1, 3], «periods: [1 s, 0.3 s]}"),
+        "damping.periods",
+        "`modes` and `periods` exclude each other",
+    ),
+    "one period twice": (
+        (DAMPING, "damping: {kind: rayleigh, ratio: 2 %, periods: «[1 s, 1000 ms]}"),
+        "damping.periods",
+        "not twice 1 s",
+    ),
+    "modes of many ratios": (
+        (DAMPING, "damping: {kind: modal, ratio: [2 %, 3 %], modes: «3}"),
+        "damping.modes",
+        "3 modes, but 2 ratios",
+    ),
+    "modal without modes": ((DAMPING, "«damping: {kind: modal, ratio: 2 %}"), "damping.modes", "how many modes"),
+    "wrong one of many": ((DAMPING, "damping: {kind: modal, ratio: [2 %, «120 %]}"), "damping.ratio[1]", "at most 1"),
+    "mode and period": (
+        (DAMPING, "damping: {kind: mass_proportional, ratio: 2 %, mode: 2, «period: 1 s}"),
+        "damping.period",
+        "exclude each other",
+    ),
+    "caughey of nothing": (
+        (DAMPING, "«damping: {kind: caughey, ratio: 2 %}"),
+        "damping",
+        "either `modes` or `periods`",
+    ),
+    "caughey of one": ((DAMPING, "damping: {kind: caughey, ratio: 2 %, modes: «[1]}"), "damping.modes", "from 2 to 8"),
+    "caughey twice": (
+        (DAMPING, "damping: {kind: caughey, ratio: 2 %, modes: [1, 2, «1]}"),
+        "damping.modes[2]",
+        "mode 1 stands here twice",
+    ),
+    "caughey of other ratios": (
+        (DAMPING, "damping: {kind: caughey, ratio: «[2 %, 3 %], modes: [1, 2, 4]}"),
+        "damping.ratio",
+        "2 ratios for 3 modes",
+    ),
+    "unknown damping": ((DAMPING, "damping: {kind: «caughy, ratio: 2 %}"), "damping.kind", "did you mean `caughey`?"),
 }
 
 
