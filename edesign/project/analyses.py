@@ -58,12 +58,24 @@ class TargetAnalysis(_Analysis, Pushover):
     level: Label
 
 
+class VerticalMotion(Model):
+    """Vertical ground motion beside the horizontal one: `ratio` times the same record, or another `record`.
+
+    The other record is scaled as the horizontal one, or to its own peak `pga` (m/s2), or by `scale`.
+    """
+
+    ratio: PositiveFactor | None = None
+    record: str | None = None
+    pga: PositiveAcceleration | None = None
+    scale: PositiveFactor | None = None
+
+
 class HistoryAnalysis(_Analysis):
     """The response to a record under gravity.
 
-    The record is scaled to the peak `pga` (m/s2), or by `scale`; without both it is used as recorded.
-    `free_vibration` (s) is added after its end. `level` is a free label of the hazard level. With `collapse_drift` the
-    history ends as collapsed when the drift ratio of a storey passes it.
+    The record is scaled to the peak `pga` (m/s2), or by `scale`; without both it is used as recorded. `vertical` is the
+    ground motion upwards beside it. `free_vibration` (s) is added after the end. `level` is a free label of the hazard
+    level. With `collapse_drift` the history ends as collapsed when the drift ratio of a storey passes it.
     """
 
     kind: Literal["history"]
@@ -73,6 +85,7 @@ class HistoryAnalysis(_Analysis):
     free_vibration: Duration = 0.0
     level: Label = ""
     collapse_drift: PositiveRatio | None = None
+    vertical: VerticalMotion | None = None
 
 
 Analysis = Annotated[

@@ -13,6 +13,7 @@ from edesign.project.checks_files import check_file
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_loads import check_loads
 from edesign.project.checks_pushover import check_pushover
+from edesign.project.checks_vertical import check_vertical
 from edesign.project.chosen_records import FolderSource, Period, SuiteSource
 from edesign.project.file_bytes import is_folder
 from edesign.project.hazard import UserHazard
@@ -325,6 +326,7 @@ def _analyses(project: Project, problems: Problems) -> None:
         if isinstance(analysis, HistoryAnalysis):
             _history(project, problems, keys, analysis)
             check_drift(project, problems, (*keys, "collapse_drift"), analysis.collapse_drift)
+            check_vertical(project, problems, (*keys, "vertical"), analysis)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)

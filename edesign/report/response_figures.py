@@ -40,6 +40,7 @@ class Row:
 
 GROUND = Row("ground_acceleration", None, "ground\nacceleration", "m/s²", 1.0)
 ROWS = (
+    Row("ground_acceleration_vertical", None, "vertical ground\nacceleration", "m/s²", 1.0),
     Row("floor_displacement", -1, "roof\ndisplacement", "mm", 1e3),
     Row("floor_acceleration", -1, "roof\nacceleration", "m/s²", 1.0),
     Row("storey_shear", 0, "first-storey shear,\ncolumns", "kN", 1e-3),

@@ -66,6 +66,7 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
         checked_hazard(project)
     histories = [spec for spec in specs if isinstance(spec, HistoryAnalysis)]
     wanted = {record_of(spec.record) for spec in histories}
+    wanted |= {spec.vertical.record for spec in histories if spec.vertical is not None and spec.vertical.record}
     names = [name for name in project.records if name in wanted]
     found = find_recordings(project, [reference for name in names for reference in references(project, name)])
     for spec in histories:

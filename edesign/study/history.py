@@ -23,6 +23,7 @@ from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, make_structure
+from edesign.study.vertical_motion import ground_motion
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
@@ -34,7 +35,7 @@ def run_history(
     stop: Callable[[], bool] | None = None,
     motion: Motion | None = None,
 ) -> Group:
-    """Compute the response of a frame under gravity to a record along x.
+    """Compute the response of a frame under gravity to a record along x, and to its vertical motion if it has one.
 
     Args:
         project: the validated project.
@@ -52,7 +53,11 @@ def run_history(
         raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
     motion = motion or _motion(project, spec.record)
     factor = scale_factor(project, spec, motion.record)
-    ground = input_motion(motion.record, factor, project.integration.time_step, spec.free_vibration)
+    step = project.integration.time_step or motion.record.time_step
+    both = ground_motion(
+        project, spec, motion.record, factor, lambda record, scale, after: input_motion(record, scale, step, after)
+    )
+    ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
     results = HistoryResults(project, structure.frame, spec.collapse_drift)
     period = load_and_damp(project, structure)
@@ -67,9 +72,11 @@ def run_history(
         every=project.outputs.every,
         tail=period_steps(ground.time_step, period),
         energies=results.energies,
+        vertical=both.samples,
     )
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
+    both.store(group, project.outputs.every)
     return group
 
 

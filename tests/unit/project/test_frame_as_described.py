@@ -1,4 +1,4 @@
-"""Loads inside beams, area loads, leaning columns, rigid ends, damping: wrong ones are told with their place, `«`."""
+"""Frames as engineers describe them: wrong loads, rigid ends and dampings are told with their place, marked by `«`."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 import pytest
 
-from edesign.project import Problem
+from edesign.project import Problem, ProjectError, parse_project
 from edesign.project.positions import Position, parse_position
 
 Broken = Callable[..., list[Problem]]
@@ -139,6 +139,26 @@ ONE_PROBLEM = {
         "2 ratios for 3 modes",
     ),
     "unknown damping": ((DAMPING, "damping: {kind: «caughy, ratio: 2 %}"), "damping.kind", "did you mean `caughey`?"),
+    "vertical of nothing": (
+        ("pga: 0.2 g", "pga: 0.2 g, «vertical: {}"),
+        "analyses[1].vertical",
+        "either `ratio` (times the horizontal record) or `record`",
+    ),
+    "vertical of no record": (
+        ("pga: 0.2 g", "pga: 0.2 g, vertical: {record: «el_cetro}"),
+        "analyses[1].vertical.record",
+        "did you mean `el_centro`?",
+    ),
+    "vertical with two scales": (
+        ("pga: 0.2 g", "pga: 0.2 g, vertical: {record: el_centro, pga: 0.1 g, «scale: 2}"),
+        "analyses[1].vertical.scale",
+        "exclude each other",
+    ),
+    "ratio with a scale": (
+        ("pga: 0.2 g", "pga: 0.2 g, vertical: {ratio: 0.9, «scale: 2}"),
+        "analyses[1].vertical.scale",
+        "the `ratio` says the scale",
+    ),
 }
 
 
@@ -164,3 +184,11 @@ def test_places_along_a_beam(text: object, place: Position) -> None:
     found = parse_position(text)
     assert found.is_share == place.is_share
     assert found.value == pytest.approx(place.value, rel=1e-15)
+
+
+def test_vertical_motion_needs_masses_that_it_moves(small: str) -> None:
+    text = small.replace("masses:\n", "masses:\n  directions: horizontal\n").replace(
+        "pga: 0.2 g", "pga: 0.2 g, vertical: {ratio: 0.9}"
+    )
+    with pytest.raises(ProjectError, match=r"analyses\[1\].vertical: the masses resist horizontal motion alone"):
+        parse_project(text)
