@@ -71,6 +71,13 @@ class Member:
         """Whether it can yield, in bending."""
         return self.layers is not None or any(spring.yields for end in self.springs for spring in end)
 
+    @property
+    def bending_stretches(self) -> Stretches:
+        """Where what bends stands on it: its elements without their rigid ends, which are arms."""
+        if not any(self.rigid_ends):
+            return self.stretches
+        return Stretches(self.rigid_ends, (self.stretches.length - sum(self.rigid_ends),))
+
     def at_end(self, end: int) -> int:
         """The element at its start (0) or end (1)."""
         return self.parts[-end]
@@ -469,7 +476,7 @@ class _Parts:
 
 
 def _axis(run: Run) -> SectionAxis:
-    return run.axis if isinstance(run, ColumnRun) else "strong"
+    return "strong" if isinstance(run, BraceRun) else run.axis
 
 
 def _law(material: Material, elastic: bool) -> Steel:

@@ -29,7 +29,7 @@ class IShape:
 def i_shape(project: Project, run: ColumnRun | BeamRun) -> IShape | None:
     """Return the plates of a member's section; None if it is no I section, or bends about its weak axis."""
     own = project.sections.get(run.section)
-    if isinstance(run, ColumnRun) and run.axis == "weak":
+    if run.axis == "weak":
         return None
     if isinstance(own, PlateSection):
         return IShape(own.height, own.width, own.flange, own.web, 0.0)

@@ -8,7 +8,7 @@ from edesign.building.hollow_section import hollow_section
 from edesign.building.named_section import cross_section
 from edesign.errors import InputError
 from edesign.project import names
-from edesign.project.members import BeamRun, ColumnRun
+from edesign.project.members import BeamRun, ColumnRun, SectionAxis
 from edesign.project.positions import Position
 from edesign.project.project import Project
 from edesign.project.sections import ElasticSection
@@ -67,7 +67,7 @@ class _Depths:
 
     def __init__(self, project: Project) -> None:
         self._project = project
-        self._known: dict[tuple[str, str], float] = {}
+        self._known: dict[tuple[str, SectionAxis], float] = {}
 
     def of_columns(self, line: str, floor: int) -> float:
         """Depth of the deepest column at a node, m; 0 if there is none."""
@@ -90,14 +90,13 @@ class _Depths:
         return max((self._depth(run) for run in there), default=0.0)
 
     def _depth(self, run: ColumnRun | BeamRun) -> float:
-        axis = run.axis if isinstance(run, ColumnRun) else "strong"
-        key = (run.section, axis)
+        key = (run.section, run.axis)
         if key not in self._known:
             self._known[key] = self._of_section(*key)
         return self._known[key]
 
-    def _of_section(self, name: str, axis: str) -> float:
-        section = cross_section(self._project, name, "weak" if axis == "weak" else "strong")
+    def _of_section(self, name: str, axis: SectionAxis) -> float:
+        section = cross_section(self._project, name, axis)
         if isinstance(section, ElasticSection):
             where = self._project.where("elements", "rigid_ends")
             raise InputError(

@@ -246,7 +246,8 @@ def _sections(project: Project, problems: Problems, profiles: Catalogue | None) 
 
 def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
     own = project.sections.get(run.section)
-    if isinstance(run, ColumnRun) and run.axis == "weak" and own is not None and not isinstance(own, PlateSection):
+    weak = not isinstance(run, BraceRun) and run.axis == "weak"
+    if weak and own is not None and not isinstance(own, PlateSection):
         message = f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one"
         problems.at_value((*keys, "axis"), message)
     if own is None and profiles is not None and run.section not in profiles:

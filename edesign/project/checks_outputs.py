@@ -40,7 +40,7 @@ def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int
     It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.
     """
     fibres = project.fibres
-    weak = isinstance(run, ColumnRun) and run.axis == "weak"
+    weak = not isinstance(run, BraceRun) and run.axis == "weak"
     stack = isinstance(project.sections.get(run.section), RectangleSection)
     hollow = run.section not in project.sections and is_hollow(run.section)
     if fibres.fillets or weak or stack or hollow:

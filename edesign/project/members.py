@@ -39,10 +39,14 @@ class ColumnRun(ColumnPlaces):
 
 
 class BeamRun(BeamPlaces):
-    """Beams of one section and material; a later run overrides an earlier one where they overlap."""
+    """Beams of one section and material; a later run overrides an earlier one where they overlap.
+
+    `axis` is that of the section about which they bend in the plane of the frame.
+    """
 
     section: str
     material: str
+    axis: SectionAxis = "strong"
 
 
 class BraceRun(Model):

@@ -10,6 +10,7 @@ from edesign.building.loads import beam_loads, gravity_load, horizontal_load
 from edesign.building.named_section import cross_section
 from edesign.core import Response
 from edesign.project.analyses import GravityAnalysis
+from edesign.project.members import BraceRun
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings
@@ -87,15 +88,17 @@ def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
 def _work_inside(project: Project, frame: FrameModel) -> float:
     """Work of the loads on elastic beams as if they were simply supported, J, which the energy balance leaves out.
 
-    It is the same for any moments at their ends: the integral of M^2 / (2 E I).
+    It is the same for any moments at the ends of their elements: the integral of M^2 / (2 E I).
     """
     total = 0.0
     for name, loads in beam_loads(project, project.loads.gravity).items():
         run, member = project.frame.members[name], frame.members[name]
-        inertia = cross_section(project, run.section).inertia
+        inertia = cross_section(project, run.section, "strong" if isinstance(run, BraceRun) else run.axis).inertia
         if member.layers is None and inertia is not None:
-            span = frame.frame.nodes[member.end][0] - frame.frame.nodes[member.start][0] - sum(member.rigid_ends)
-            total += loads.squared_moment(span) / (2.0 * project.materials[run.material].E * inertia)
+            EI = project.materials[run.material].E * inertia
+            parts, _ = loads.split(member.bending_stretches)
+            lengths = zip(parts, member.bending_stretches.lengths, strict=True)
+            total += sum(on.squared_moment(length) for on, length in lengths) / (2.0 * EI)
     return total
 
 

@@ -123,6 +123,15 @@ def test_only_sections_with_two_axes_bend_about_the_weak_one(small: str) -> None
     rectangles = "sections:\n  solid: {rectangles: [{width: 0.1 m, depth: 0.2 m, centre: 0 m}]}\n"
     with pytest.raises(ProjectError, match=r"columns\[0\].axis: the own section `solid` has one axis"):
         parse_project(solid.replace("sections:\n", rectangles))
+    beam = "{floors: 1-3, section: girder, material: S275}"
+    flat = small.replace(beam, beam.replace("}", ", axis: weak}"))
+    assert parse_project(flat).frame.beam_at[1, 1].axis == "weak"
+    with pytest.raises(ProjectError, match=r"beams\[0\].axis: the own section `solid` has one axis"):
+        parse_project(
+            flat.replace("girder, material: S275, axis", "solid, material: S275, axis").replace(
+                "sections:\n", rectangles
+            )
+        )
 
 
 def test_layers_of_hollow_sections_are_counted_when_they_are_cut(small: str) -> None:
