@@ -114,6 +114,19 @@ static void add_damper(caller *c, things *m)
   }
 }
 
+static void shape_element(caller *c, const things *m)
+{
+  if (chance(c, 0.3))
+    expect_listed(c, ed_model_rigid_ends(m->model, some_id(c, m->elements), or_absurd(c, 0.2), or_absurd(c, 0.3)));
+  if (chance(c, 0.3)) {
+    double position[MOST_THINGS];
+    const int n = chance(c, c->wild) ? whole(c, -1, MOST_THINGS) : whole(c, 0, 3);
+    for (int k = 0; k < MOST_THINGS; k++)
+      position[k] = or_absurd(c, (k + 0.5) / (n > 0 ? n : 1));
+    expect_listed(c, ed_model_breaks(m->model, some_id(c, m->elements), n, position));
+  }
+}
+
 static void add_loads(caller *c, things *m)
 {
   for (int i = whole(c, 1, 3); i > 0; i--)
@@ -125,6 +138,8 @@ static void add_loads(caller *c, things *m)
       expect_listed(c, ed_model_uniform_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.0), or_absurd(c, -1e4)));
     if (chance(c, 0.2))
       expect_listed(c, ed_model_point_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.4), or_absurd(c, 0.0), or_absurd(c, -1e4)));
+    if (chance(c, 0.2))
+      expect_listed(c, ed_model_partial_load(m->model, pattern, some_id(c, m->elements), or_absurd(c, 0.1), or_absurd(c, 0.7), or_absurd(c, -1e4), or_absurd(c, -2e4)));
   }
 }
 
@@ -144,8 +159,10 @@ static int make_model(caller *c, things *m)
   for (int i = 0; i < m->nodes; i++)
     expect_listed(c, ed_model_mass(m->model, chance(c, 0.9) ? i : some_id(c, m->nodes), or_absurd(c, 1e4), or_absurd(c, 1e4),
                                    chance(c, 0.5) ? 0.0 : or_absurd(c, 1e3)));
-  for (int i = 0; i < m->nodes + 2; i++)
+  for (int i = 0; i < m->nodes + 2; i++) {
     add_element(c, m);
+    shape_element(c, m);
+  }
   for (int i = whole(c, 0, 4); i > 0 && chance(c, 0.6); i--)
     add_damper(c, m);
   add_loads(c, m);

@@ -76,6 +76,8 @@ int ed_model_material(ed_model *model, int law, int n, const double *p)
       return ed_model_refuse(model, ED_E_ARGUMENT, "material: parameter %d is not a finite number", i + 1);
   if (p[0] <= 0.0 || (n > 1 && p[1] <= 0.0))
     return ed_model_refuse(model, ED_E_ARGUMENT, "material: E and fy must be positive");
+  if (n > 1 && !isfinite(p[1] / p[0]))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "material: fy %g over E %g is not a finite strain", p[1], p[0]);
   if (n > 2 && (p[2] < 0.0 || p[2] >= 1.0))
     return ed_model_refuse(model, ED_E_ARGUMENT, "material: hardening ratio %g is not in [0, 1)", p[2]);
   if (law == ED_MENEGOTTO_PINTO && (p[3] <= 0.0 || p[4] < 0.0 || p[4] >= 1.0 || p[5] <= 0.0))
