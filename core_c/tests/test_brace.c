@@ -141,6 +141,11 @@ static void check_sudden(void)
       }
       CHECK_NEAR(last[0], last[1], 0.01 * fabs(last[1])); /* one step against sixteen, of a method of order 3 */
     }
+  rig r = new_rig(ED_LAW_MGMM, 12, mgmm, braces[0]);
+  double trial[LARGEST_DAMPER_STATE], force, slope[2];
+  /* the third of the shortest step is none, and has no path */
+  CHECK_STATUS(ed_damper_step(r.damper, ED_DAMPER_BEST, 1e-6, r.state, 5e-324, r.u, r.v, r.u, r.v, trial, &force, slope), ED_E_ARGUMENT);
+  free_rig(&r);
 }
 
 /* The law with asymptotes without dashpot, behind a brace, moved so little that it is a spring k1 (1 + kappa): a thousand million times

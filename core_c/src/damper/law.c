@@ -122,6 +122,8 @@ void ed_damper_start(const ed_damper *damper, double *state)
 int ed_damper_try(const ed_damper *damper, int rough, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out)
 {
+  if (!isnormal(path->h)) /* a part of it could be nothing, and has no path */
+    return ED_E_ARGUMENT;
   if (ed_damper_is_braced(damper))
     return ed_brace_step(damper, rough, committed, path, direction, trial, out);
   return ed_damper_own_step(damper, committed, path, direction, trial, out);
