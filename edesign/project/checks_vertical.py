@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.project.analyses import HistoryAnalysis
 from edesign.project.problems import Keys, Problems, unknown_name
 from edesign.project.project import Project
-from edesign.project.records import SuiteRecords, record_of
+from edesign.project.records import RecordSet, record_of
 
 
 def check_vertical(project: Project, problems: Problems, keys: Keys, history: HistoryAnalysis) -> None:
@@ -32,8 +32,10 @@ def check_vertical(project: Project, problems: Problems, keys: Keys, history: Hi
         problems.at_value((*keys, "record"), unknown_name("record", motion.record, project.records))
         return
     record = project.records[motion.record]
-    if isinstance(record, SuiteRecords):
-        message = f"`{motion.record}` is a suite; a vertical motion is one record, or a `ratio` of each horizontal one"
+    if isinstance(record, RecordSet):
+        message = (
+            f"`{motion.record}` has several motions; a vertical motion is one record, or a `ratio` of each horizontal one"
+        )
         problems.at_value((*keys, "record"), message)
     elif record.match is not None:
         message = f"`{motion.record}` is fitted to the horizontal spectrum; a vertical record is used as recorded"

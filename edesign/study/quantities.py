@@ -138,7 +138,8 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     """Reactions of each support, gravity included, and their moment; adds the names of the supports to the group.
 
     A vertical reaction is positive upwards, so that a negative one is uplift. The overturning moment is that of all
-    reactions about the point of the base midway between the outer supports, positive for loads to the right.
+    reactions about the point of the base midway between the outer supports, positive for loads to the right. The foot
+    of a leaning column is no support of the frame: where it stands is not known.
     """
     supports = frame.supports
     coordinate(group, "support", list(supports), "", "node that is supported")
@@ -152,7 +153,7 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
             name,
             ("support",),
             (len(supports),),
-            tuple(((1.0, "reaction", frame.nodes[node], at),) if fixed[at] else () for node, fixed in supports.items()),
+            tuple(frame.reaction(node, at) if fixed[at] else () for node, fixed in supports.items()),
             unit,
             label,
             history=True,
@@ -166,7 +167,10 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
         x, y = places[node]
         arms = (-y, x - middle, 1.0)
         terms += tuple(
-            (arm, "reaction", frame.nodes[node], at) for at, arm in enumerate(arms) if fixed[at] and arm != 0.0
+            (arm * factor, kind, number, component)
+            for at, arm in enumerate(arms)
+            if fixed[at] and arm != 0.0
+            for factor, kind, number, component in frame.reaction(node, at)
         )
     label = "moment of all reactions about the middle of the base, anticlockwise, that resists loads to the right"
     found.append(Quantity("overturning_moment", (), (), (terms,), "N*m", label, history=True))
