@@ -34,7 +34,7 @@ def check_vertical(project: Project, problems: Problems, keys: Keys, history: Hi
     record = project.records[motion.record]
     if isinstance(record, RecordSet):
         message = (
-            f"`{motion.record}` has several motions; a vertical motion is one record, or a `ratio` of each horizontal one"
+            f"`{motion.record}` has several motions; vertical motion is one record, or a `ratio` of each horizontal one"
         )
         problems.at_value((*keys, "record"), message)
     elif record.match is not None:
