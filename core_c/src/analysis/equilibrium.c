@@ -136,11 +136,11 @@ double ed_rounding(ed_analysis *a)
   return 4.0 * DBL_EPSILON * largest / a->trial.head->force_level;
 }
 
-/* The last eight iterations did not halve the unbalance. */
+/* The last eight iterations did not halve the unbalance; unknown beyond those that are kept. */
 int ed_stalls(const ed_analysis *a, int iteration)
 {
   enum { PATIENCE = 8 };
-  return iteration >= PATIENCE && a->residuals[iteration] > 0.5 * a->residuals[iteration - PATIENCE];
+  return iteration >= PATIENCE && iteration < a->n_residuals && a->residuals[iteration] > 0.5 * a->residuals[iteration - PATIENCE];
 }
 
 int ed_accept(ed_analysis *a, double unbalance)
