@@ -124,5 +124,6 @@ def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:
     """Message for a name that is not defined."""
     allowed = list(allowed)
     hint = did_you_mean(seen, allowed)
-    known = "" if hint and len(allowed) > 30 else f" ({what}s here: {listed(allowed)})"
+    several = f"{what[:-1]}ies" if what.endswith("y") else f"{what}s"
+    known = "" if hint and len(allowed) > 30 else f" ({several} here: {listed(allowed)})"
     return f"there is no {what} `{seen}`{hint}{known}"

@@ -7,13 +7,16 @@ from collections.abc import Iterable, Mapping, Sequence
 from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
+from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.checks_criteria import objective_level
 from edesign.project.checks_designs import design_warnings
+from edesign.project.chosen_records import ChosenRecords
 from edesign.project.materials import ElasticMaterial
 from edesign.project.problems import listed
 from edesign.project.project import Project
 from edesign.project.pushover import Pushover, pattern_name
+from edesign.project.records import record_of
 from edesign.project.sections import ElasticSection
 from edesign.project.study import Study
 from edesign.study.buckling import slender_braces
@@ -69,6 +72,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]
                 f"the time step of {given:g} s is longer than that of {listed(passed, 3)} "
                 f"({shortest:g} s): samples between the steps are passed over"
             )
+    found += unknown_events(project, records)
     longest = given or max((record.time_step for record in records.values()), default=0.0)
     if period is not None and longest > period / STEPS_A_PERIOD:
         found.append(
@@ -103,6 +107,21 @@ def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
     return [
         f"N2: EN 1998-1, 4.3.3.4.2.2(1), asks for a uniform and a modal pattern; {' and '.join(missing)} is missing"
     ]
+
+
+def unknown_events(project: Project, records: Iterable[str]) -> list[str]:
+    """Say of which chosen records a limit on those of one earthquake does not know the earthquake."""
+    found = []
+    for name in dict.fromkeys(map(record_of, records)):
+        spec, choice = project.records[name], project.record_choice(name)
+        if isinstance(spec, ChosenRecords) and spec.max_per_event is not None and isinstance(choice, RecordChoice):
+            unknown = [key for key, candidate in choice.candidates.items() if candidate.entry.event is None]
+            if unknown:
+                found.append(
+                    f"records {name}: the earthquake of {listed(unknown, 3)} is not known, so that `max_per_event` "
+                    "counts each as one of its own; a `flatfile` can name it"
+                )
+    return found
 
 
 def record_warnings(records: Mapping[str, Record]) -> list[str]:

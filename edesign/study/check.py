@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.damping import modal_ratios, modes_needed
+from edesign.building.masses import node_masses
 from edesign.core import CoreError
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard
@@ -224,6 +225,7 @@ def check_project(project: Project) -> dict[str, str]:
     return {
         "title": project.title,
         "frame": _frame(project),
+        **_mass(project),
         "members": _members(project),
         **({"dampers": _dampers(project)} if project.dampers is not None else {}),
         "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
@@ -262,6 +264,7 @@ def check_study(study: Study) -> dict[str, str]:
         "title": study.title,
         "project": str(study.base.path),
         "frame": _frame(study.base),
+        **_mass(study.base),
         "period": f"T1 = {period:.4f} s of the bare frame under gravity" if period is not None else "no masses",
         "records": _records(study.base, found),
         **_choices(study.base),
@@ -335,6 +338,19 @@ def _frame(project: Project) -> str:
         f"{_count(frame.n_storeys, 'storey')}, {frame.height:g} m high; "
         f"{_count(frame.n_bays, 'bay')}, {width:g} m wide; {_count(len(frame.nodes), 'node')}"
     )
+
+
+def _mass(project: Project) -> dict[str, str]:
+    """The mass of the frame and of each floor, in which a wrong unit or a missing load shows first."""
+    of_node = node_masses(project)
+    if not of_node:
+        return {}
+    of_floor = dict.fromkeys(range(1, project.frame.n_storeys + 1), 0.0)
+    for name, mass in of_node.items():
+        level = project.frame.nodes[name][1]
+        of_floor[min(of_floor, key=lambda floor: abs(project.frame.y[floor] - level))] += mass
+    floors = ", ".join(f"{mass / 1e3:.4g}" for mass in of_floor.values())
+    return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t"}
 
 
 def _members(project: Project) -> str:

@@ -130,9 +130,11 @@ class EC8Action:
         raise InputError(f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I")
 
     def facts(self, level: str) -> str:
-        """Return probability and importance factor of a level."""
-        given = self.hazard.levels[level].probability
-        chance = f"{100 * given:g} % in 50 years, " if given is not None else ""
+        """Return probability or return period, and importance factor, of a level."""
+        given = self.hazard.levels[level]
+        chance = f"{100 * given.probability:g} % in 50 years, " if given.probability is not None else ""
+        if given.return_period is not None:
+            chance = f"once in {given.return_period / YEAR:g} years, "
         return f"{chance}gamma_I = {self.factor(level):.4g}"
 
     def _gamma_I(self, level: str | None) -> float:
