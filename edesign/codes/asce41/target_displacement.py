@@ -30,7 +30,7 @@ class StrengthLimit:
 
     Attributes:
         alpha_2: slope from the largest base shear down to 60 % of V_y over K_e; None without a descent.
-        alpha_e: effective negative slope over K_e.
+        alpha_e: effective negative slope over K_e; None without a descent.
         mu_max: largest ratio of demand to strength for which the procedure is permitted; infinite without a descent.
     """
 
@@ -60,8 +60,10 @@ def degradation_factor(mu_strength: float, T_e: float) -> float:
 def strength_limit(curve: CapacityCurve, lines: Bilinear, T_e: float) -> StrengthLimit:
     """Return mu_max = D_d / D_y + |alpha_e|^-h / 4 with h = 1 + 0.15 ln T_e.
 
-    alpha_e is alpha_PDelta + lambda (alpha_2 - alpha_PDelta). The steel laws of these frames lose no strength, so that
-    the descent is that of P-Delta alone: alpha_2 = alpha_PDelta = alpha_e, whatever lambda.
+    alpha_e is alpha_PDelta + lambda (alpha_2 - alpha_PDelta), with lambda 0.2, or 0.8 near a fault. It is taken as
+    alpha_2. Where members lose no strength this is exact, as the descent is that of P-Delta alone: alpha_PDelta is
+    alpha_2. Where they do, alpha_PDelta is less steep than alpha_2, and lambda = 1 is on the safe side: mu_max falls
+    with |alpha_e|.
 
     Args:
         curve: base shear against displacement of the control node.

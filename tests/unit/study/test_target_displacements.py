@@ -186,3 +186,19 @@ def test_the_descent_of_a_mechanism_under_p_delta() -> None:
     assert float(old["fema356_alpha"].values) < 0.0 and float(old["fema356_C_3"].values) > 1.0
     events = found["push"].variables["capacity_event_what"].values.tolist()
     assert "largest base shear" in events
+
+
+def test_a_strength_limit_is_on_the_safe_side_where_members_lose_strength() -> None:
+    """With alpha_e = alpha_2 in place of the standard's alpha_PDelta + lambda (alpha_2 - alpha_PDelta), lambda < 1.
+
+    Steeper hinges and three times the load and mass of the case make the frame too weak for the procedure.
+    """
+    text = (CASES / "deteriorating_hinges" / "project.yaml").read_text(encoding="utf-8").partition("records:")[0]
+    text = text.replace("theta_pc: 0.12 rad", "theta_pc: 0.03 rad").replace("G: 22 kN/m", "G: 66 kN/m")
+    push = "  - {name: push, kind: pushover, pattern: uniform, roof_drift: 7.5 %, targets: asce41, levels: MCE}\n"
+    state = results(project(f"{text}{HAZARD.replace('@a@', '0.67 g')}analyses:\n{push}"))["push.asce41.MCE"]
+    (warning,) = state.attributes["warnings"]
+    assert warning["kind"] == "target_strength" and "on the safe side, as members lose strength" in warning["text"]
+    descent = float(state.variables["asce41_alpha_2"].values * state.variables["asce41_K_e"].values)
+    P, h = 2 * 7.0 * (66e3 + 0.3 * 8e3), 3.6
+    assert descent < -P / h, "steeper than by P-Delta alone in a mechanism of the first storey"
