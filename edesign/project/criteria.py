@@ -10,10 +10,10 @@ from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag, Vali
 
 from edesign.project.base import Model, refuse
 from edesign.project.criterion_quantities import QUANTITIES, EnergyTerm, Side, parse_quantity_value
-from edesign.project.measures import MEASURE_KINDS, ROTATION, SHORT_NAMES, parse_measure_value
+from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES, parse_measure_value
 from edesign.project.problems import unknown_name
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
-from edesign.project.units import PositiveFrequency, PositiveRatio, parse_quantity, parse_ratio
+from edesign.project.units import PositiveFrequency, PositiveRatio, Rotation
 
 PerformanceLevel = Literal["IO", "LS", "CP"]
 MemberKinds = Literal["columns", "beams", "all"]
@@ -42,10 +42,6 @@ def _measure(value: Any) -> Any:
     raise refuse(unknown_name("measure", str(value), SHORT_NAMES))
 
 
-def _rotation(value: Any) -> float:
-    return parse_quantity(value, ROTATION, "not negative")
-
-
 def _quantity(value: Any) -> Any:
     if isinstance(value, str) and value in QUANTITIES:
         return value
@@ -70,10 +66,6 @@ def _statistic(value: Any) -> Any:
     return f"{float(match[1]):g}%"
 
 
-def _share(value: Any) -> float:
-    return parse_ratio(value, 0.0, 1.0, low_allowed=False)
-
-
 Names = Annotated[tuple[str, ...], BeforeValidator(_some_names)]
 
 
@@ -88,7 +80,7 @@ class _Criterion(Model):
     variants: Names = ()
     levels: Names = ()
     statistic: Annotated[str, BeforeValidator(_statistic)] = "mean"
-    share: Annotated[float, BeforeValidator(_share)] | None = None
+    share: PositiveRatio | None = None
     storeys: Numbers = ALL_NUMBERS
 
 
@@ -143,7 +135,7 @@ class HingeCriterion(_Criterion):
     plastic_hinges: Literal["none"]
     of: MemberKinds = "all"
     members: Names = ()
-    rotation: Annotated[float, BeforeValidator(_rotation)] = 0.001
+    rotation: Rotation = 0.001
 
 
 class PerformanceCriterion(_Criterion):

@@ -5,12 +5,20 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, Literal
 
-from edesign.project.measures import RATIO, ROTATION
+from edesign.project.measures import RATIO
 from edesign.project.outputs import HistoryKind
-from edesign.project.units import ACCELERATION, FORCE, LENGTH, VELOCITY, Kind, parse_quantity, parse_ratio
-
-MOMENT = Kind("moment", "N*m", "120 kN*m")
-ENERGY = Kind("energy", "J", "25 kJ")
+from edesign.project.units import (
+    ACCELERATION,
+    ENERGY,
+    FORCE,
+    LENGTH,
+    MOMENT,
+    ROTATION,
+    VELOCITY,
+    Kind,
+    parse_quantity,
+    parse_ratio,
+)
 
 Place = Literal["floor", "storey", "column", "beam", "brace", "member", "damper", "support", "frame"]
 Side = Literal["tension", "compression"]

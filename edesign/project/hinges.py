@@ -2,48 +2,34 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Discriminator, Tag
+from pydantic import Discriminator, Tag
 
 from edesign.project.base import Model, by_shape
-from edesign.project.measures import ROTATION
 from edesign.project.members import BeamPlaces, ColumnPlaces
 from edesign.project.units import (
-    MOMENT,
-    ROTATIONAL_STIFFNESS,
     Hardening,
-    Kind,
     PositiveFactor,
     PositiveLength,
+    PositiveMoment,
+    PositiveRotation,
+    PositiveRotationalStiffness,
     UnitRatio,
-    parse_quantity,
 )
 
 Ends = Literal["both", "start", "end"]
 
 
-def _positive(kind: Kind) -> BeforeValidator:
-    def read(value: Any) -> float:
-        return parse_quantity(value, kind, "positive")
-
-    return BeforeValidator(read)
-
-
-Moment = Annotated[float, _positive(MOMENT)]
-Rotation = Annotated[float, _positive(ROTATION)]
-RotationalStiffness = Annotated[float, _positive(ROTATIONAL_STIFFNESS)]
-
-
 class HingeSide(Model):
     """A hinge turned one way; what is not given is as for the other way."""
 
-    M_y: Moment | None = None
+    M_y: PositiveMoment | None = None
     M_c_ratio: PositiveFactor | None = None
     M_r_ratio: UnitRatio | None = None
-    theta_p: Rotation | None = None
-    theta_pc: Rotation | None = None
-    theta_u: Rotation | None = None
+    theta_p: PositiveRotation | None = None
+    theta_pc: PositiveRotation | None = None
+    theta_u: PositiveRotation | None = None
     D: UnitRatio | None = None
 
 
@@ -62,16 +48,16 @@ class HingeValues(Model):
         hogging: of beams, values under moments that pull at the top, where they differ.
     """
 
-    M_y: Moment
+    M_y: PositiveMoment
     M_c_ratio: PositiveFactor = 1.1
     M_r_ratio: UnitRatio = 0.4
-    theta_p: Rotation
-    theta_pc: Rotation
-    theta_u: Rotation
-    Lambda: Rotation | None = None
-    Lambda_s: Rotation | None = None
-    Lambda_c: Rotation | None = None
-    Lambda_k: Rotation | None = None
+    theta_p: PositiveRotation
+    theta_pc: PositiveRotation
+    theta_u: PositiveRotation
+    Lambda: PositiveRotation | None = None
+    Lambda_s: PositiveRotation | None = None
+    Lambda_c: PositiveRotation | None = None
+    Lambda_k: PositiveRotation | None = None
     c: PositiveFactor = 1.0
     D: UnitRatio = 1.0
     hogging: HingeSide = HingeSide()
@@ -125,6 +111,6 @@ class Joints(Model):
     beams: BeamPlaces | None = None
     columns: ColumnPlaces | None = None
     ends: Ends = "both"
-    stiffness: RotationalStiffness
-    resistance: Moment | None = None
+    stiffness: PositiveRotationalStiffness
+    resistance: PositiveMoment | None = None
     hardening: Hardening = 0.0

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.project.units import ACCELERATION, FORCE, LENGTH, Kind, parse_quantity, parse_ratio
+from edesign.project.units import ACCELERATION, FORCE, LENGTH, ROTATION, Kind, parse_quantity, parse_ratio
 
-ROTATION = Kind("rotation", "rad", "0.002 rad")
 RATIO = Kind("ratio", "1", "1.3 %")
 
 MEASURE_KINDS = {

@@ -3,7 +3,19 @@
 from __future__ import annotations
 
 from edesign.project.base import refuse
-from edesign.project.units import ACCELERATION, AREA, FORCE, FREQUENCY, LENGTH, STIFFNESS, TIME, Kind, parse_quantity
+from edesign.project.units import (
+    ACCELERATION,
+    AREA,
+    ENERGY,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    ROTATION,
+    STIFFNESS,
+    TIME,
+    Kind,
+    parse_quantity,
+)
 
 _KINDS = {
     kind.unit: kind
@@ -16,8 +28,8 @@ _KINDS = {
         ACCELERATION,
         Kind("frequency", "Hz", "1 Hz"),
         FREQUENCY,
-        Kind("angle", "rad", "0.01 rad"),
-        Kind("energy", "J", "1 kJ"),
+        ROTATION,
+        ENERGY,
     )
 }
 

@@ -2,48 +2,30 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Discriminator, Tag
+from pydantic import Discriminator, Tag
 
-from edesign.project.base import Model, by_shape, refuse
+from edesign.project.base import Model, by_shape
 from edesign.project.units import (
-    FORCE,
-    MOMENT,
     ROTATIONAL_STIFFNESS,
     STIFFNESS,
     Hardening,
-    Kind,
-    parse_quantity,
+    PositiveForce,
+    PositiveMoment,
+    PositiveRotationalStiffness,
+    PositiveStiffness,
+    held,
 )
 
 SupportKind = Literal["fixed", "pinned", "roller"]
 
 
-def _quantity(kind: Kind) -> BeforeValidator:
-    def read(value: Any) -> float:
-        return parse_quantity(value, kind, "positive")
-
-    return BeforeValidator(read)
-
-
-def _held(kind: Kind) -> BeforeValidator:
-    def read(value: Any) -> Any:
-        if isinstance(value, str) and value in ("fixed", "free"):
-            return value
-        try:
-            return parse_quantity(value, kind, "positive")
-        except ValueError as error:
-            raise refuse(f"a direction is `fixed`, `free`, a stiffness, or a mapping with one: {error}") from None
-
-    return BeforeValidator(read)
-
-
 class YieldingTranslation(Model):
     """A spring along a direction; with a resistance it yields."""
 
-    stiffness: Annotated[float, _quantity(STIFFNESS)]
-    resistance: Annotated[float, _quantity(FORCE)] | None = None
+    stiffness: PositiveStiffness
+    resistance: PositiveForce | None = None
     hardening: Hardening = 0.0
 
 
@@ -56,23 +38,25 @@ class VerticalSpring(YieldingTranslation):
 class YieldingRotation(Model):
     """A spring that turns; with a resistance it yields."""
 
-    stiffness: Annotated[float, _quantity(ROTATIONAL_STIFFNESS)]
-    resistance: Annotated[float, _quantity(MOMENT)] | None = None
+    stiffness: PositiveRotationalStiffness
+    resistance: PositiveMoment | None = None
     hardening: Hardening = 0.0
 
 
 Held = Literal["fixed", "free"] | float
+_DIRECTION = "a direction is `fixed`, `free`, a stiffness, or a mapping with one", "fixed", "free"
+_Translation = Annotated[Annotated[Held, held(STIFFNESS, *_DIRECTION)], Tag("?plain")]
+_Rotation = Annotated[Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)], Tag("?plain")]
 Horizontal = Annotated[
-    Annotated[Annotated[Held, _held(STIFFNESS)], Tag("?plain")] | Annotated[YieldingTranslation, Tag("?mapping")],
+    _Translation | Annotated[YieldingTranslation, Tag("?mapping")],
     Discriminator(by_shape),
 ]
 Vertical = Annotated[
-    Annotated[Annotated[Held, _held(STIFFNESS)], Tag("?plain")] | Annotated[VerticalSpring, Tag("?mapping")],
+    _Translation | Annotated[VerticalSpring, Tag("?mapping")],
     Discriminator(by_shape),
 ]
 Turning = Annotated[
-    Annotated[Annotated[Held, _held(ROTATIONAL_STIFFNESS)], Tag("?plain")]
-    | Annotated[YieldingRotation, Tag("?mapping")],
+    _Rotation | Annotated[YieldingRotation, Tag("?mapping")],
     Discriminator(by_shape),
 ]
 

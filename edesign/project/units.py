@@ -60,9 +60,11 @@ _KINDS = (
     FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
     Kind("temperature", "K", "293 K"),
     NUMBER := Kind("number without dimension", "dimensionless", "1"),
-    # of one dimension with a stress and a moment, which are named where another quantity is needed
+    # of one dimension with those above, which are named where another quantity is needed
     AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2"),
     ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad"),
+    ENERGY := Kind("energy", "J", "25 kJ"),
+    ROTATION := Kind("rotation", "rad", "0.002 rad"),
 )
 
 
@@ -121,6 +123,26 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
         upper = "" if high == math.inf else f" and at most {high:g}" if high_allowed else f" and less than {high:g}"
         raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed")
     return result
+
+
+def held(kind: Kind, what: str, *words: str) -> BeforeValidator:
+    """Return what reads one of some words, or a stiffness greater than zero.
+
+    Args:
+        kind: of the stiffness.
+        what: is allowed, for the message: "a direction is `fixed`, `free`, or has a stiffness".
+        words: that are taken as they are.
+    """
+
+    def read(value: Any) -> Any:
+        if isinstance(value, str) and value in words:
+            return value
+        try:
+            return parse_quantity(value, kind, "positive")
+        except ValueError as error:
+            raise refuse(f"{what}: {error}") from None
+
+    return BeforeValidator(read)
 
 
 def a(noun: str) -> str:
@@ -255,6 +277,10 @@ PositiveArea = Annotated[float, _of(AREA, "positive")]
 PositiveInertia = Annotated[float, _of(INERTIA, "positive")]
 Force = Annotated[float, _of(FORCE)]
 NotNegativeForce = Annotated[float, _of(FORCE, "not negative")]
+PositiveForce = Annotated[float, _of(FORCE, "positive")]
+PositiveMoment = Annotated[float, _of(MOMENT, "positive")]
+Rotation = Annotated[float, _of(ROTATION, "not negative")]
+PositiveRotation = Annotated[float, _of(ROTATION, "positive")]
 LineLoad = Annotated[float, _of(LINE_LOAD)]
 AreaLoad = Annotated[float, _of(AREA_LOAD)]
 PositiveStiffness = Annotated[float, _of(STIFFNESS, "positive")]

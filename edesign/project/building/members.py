@@ -7,25 +7,16 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator
 
-from edesign.project.base import Model, refuse
+from edesign.project.base import Model
 from edesign.project.building.names import Direction
 from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
 from edesign.project.selections import ALL_NUMBERS, Numbers
 from edesign.project.several import ShortName
-from edesign.project.units import ROTATIONAL_STIFFNESS, parse_quantity
+from edesign.project.units import ROTATIONAL_STIFFNESS, held
 
 BraceKind = Literal["rising", "falling", "alternating", "cross", "chevron", "v"]
 CHEVRONS = ("chevron", "v")
 """Braces that meet a beam in the middle of its span."""
-
-
-def _end(value: Any) -> Any:
-    if value in ("rigid", "pinned"):
-        return value
-    try:
-        return parse_quantity(value, ROTATIONAL_STIFFNESS, "positive")
-    except ValueError as error:
-        raise refuse(f"an end is `rigid`, `pinned`, or has a stiffness: {error}") from None
 
 
 def _ends(value: Any) -> Any:
@@ -33,7 +24,10 @@ def _ends(value: Any) -> Any:
     return value if isinstance(value, Mapping) else {"start": value, "end": value}
 
 
-End = Annotated[Literal["rigid", "pinned"] | float, BeforeValidator(_end)]
+End = Annotated[
+    Literal["rigid", "pinned"] | float,
+    held(ROTATIONAL_STIFFNESS, "an end is `rigid`, `pinned`, or has a stiffness", "rigid", "pinned"),
+]
 """Of a member about its strong axis: `rigid`, `pinned`, or a rotational stiffness, N m/rad."""
 
 

@@ -2,31 +2,20 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Discriminator, Tag
+from pydantic import Discriminator, Tag
 
-from edesign.project.base import Model, by_shape, refuse
-from edesign.project.units import ROTATIONAL_STIFFNESS, STIFFNESS, Kind, parse_quantity
+from edesign.project.base import Model, by_shape
+from edesign.project.units import ROTATIONAL_STIFFNESS, STIFFNESS, held
 
 DIRECTIONS = ("ux", "uy", "uz", "rx", "ry", "rz")
 
 
-def _held(kind: Kind) -> BeforeValidator:
-    def read(value: Any) -> Any:
-        if value in ("fixed", "free"):
-            return value
-        try:
-            return parse_quantity(value, kind, "positive")
-        except ValueError as error:
-            raise refuse(f"a direction is `fixed`, `free`, or has a stiffness: {error}") from None
-
-    return BeforeValidator(read)
-
-
 Held = Literal["fixed", "free"] | float
-Translation = Annotated[Held, _held(STIFFNESS)]
-Rotation = Annotated[Held, _held(ROTATIONAL_STIFFNESS)]
+_DIRECTION = "a direction is `fixed`, `free`, or has a stiffness", "fixed", "free"
+Translation = Annotated[Held, held(STIFFNESS, *_DIRECTION)]
+Rotation = Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)]
 
 
 class Springs(Model):

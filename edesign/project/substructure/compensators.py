@@ -21,9 +21,8 @@ from edesign.project.substructure.quantities import (
     TimeRate,
     TimeSquaredRange,
     TimeSquaredRate,
-    UnitShare,
 )
-from edesign.project.units import Duration, PositiveFactor, PositiveStiffness, PositiveTime
+from edesign.project.units import Duration, PositiveFactor, PositiveRatio, PositiveStiffness, PositiveTime
 
 PolynomialOrder = Annotated[int, Field(ge=0, le=4)]
 Spacing = Literal["delay", "step"]
@@ -143,7 +142,7 @@ class ModifiedAtsCompensator(_AdaptiveTimeSeries):
     """Adaptive time series with all samples, whose weight falls by `forgetting` in each step (thesis 6.2.3)."""
 
     kind: Literal["modified_ats"]
-    forgetting: UnitShare = 0.996
+    forgetting: PositiveRatio = 0.996
 
 
 class LiveDelayCompensator(Model):
@@ -155,7 +154,7 @@ class LiveDelayCompensator(Model):
     kind: Literal["live_delay"]
     delay: Delay
     order: PolynomialOrder = 3
-    share: UnitShare = 0.5
+    share: PositiveRatio = 0.5
     limits: TimeRange = (0.0, 0.04)
     threshold: NoNegativeLength = 1e-4
 

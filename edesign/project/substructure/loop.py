@@ -7,8 +7,8 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from edesign.project.base import Model
-from edesign.project.substructure.quantities import Delay, NoNegativeForce, NoNegativeLength, PositiveForce, Steps
-from edesign.project.units import PositiveLength, PositiveTime, UnitRatio
+from edesign.project.substructure.quantities import Delay, NoNegativeForce, NoNegativeLength, Steps
+from edesign.project.units import PositiveForce, PositiveLength, PositiveTime, UnitRatio
 
 Method = Literal[
     "exact",

@@ -10,7 +10,7 @@ from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
 from edesign.project.base import refuse
-from edesign.project.units import FORCE, FREQUENCY, LENGTH, TIME, VELOCITY, Kind, Sign, parse_quantity, parse_ratio
+from edesign.project.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity
 
 MOST_DELAY = 1.0
 """Longest delay that is taken for one, s; actuators are late by 5 to 30 ms."""
@@ -136,8 +136,6 @@ PositiveVelocityPerForce = Annotated[float, BeforeValidator(quantity(VELOCITY_PE
 NoNegativeLength = Annotated[float, BeforeValidator(quantity(LENGTH, "not negative"))]
 NoNegativeForce = Annotated[float, BeforeValidator(quantity(FORCE, "not negative"))]
 NoNegativeDashpot = Annotated[float, BeforeValidator(quantity(DASHPOT, "not negative"))]
-PositiveForce = Annotated[float, BeforeValidator(quantity(FORCE, "positive"))]
-PositiveSpeed = Annotated[float, BeforeValidator(quantity(VELOCITY, "positive"))]
 Steps = Annotated[int, BeforeValidator(parse_steps)]
 
 Hertzes = Annotated[tuple[float, ...], several(parse_frequency)]
@@ -164,4 +162,3 @@ AlphaList = Annotated[
     ),
 ]
 """The first two of them at least, and perhaps a3 (s3) of the jerk."""
-UnitShare = Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, low_allowed=False))]

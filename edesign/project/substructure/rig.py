@@ -13,11 +13,17 @@ from edesign.project.substructure.quantities import (
     Delay,
     Hertz,
     NoNegativeLength,
-    PositiveForce,
-    PositiveSpeed,
     Rate,
 )
-from edesign.project.units import Duration, PositiveFactor, PositiveLength, PositiveStiffness, PositiveTime
+from edesign.project.units import (
+    Duration,
+    PositiveFactor,
+    PositiveForce,
+    PositiveLength,
+    PositiveStiffness,
+    PositiveTime,
+    PositiveVelocity,
+)
 
 MOST_STATES = 12
 """Largest order of a transfer function."""
@@ -30,7 +36,7 @@ class Limits(Model):
     """
 
     stroke: PositiveLength | None = None
-    velocity: PositiveSpeed | None = None
+    velocity: PositiveVelocity | None = None
     force: PositiveForce | None = None
 
 
