@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from edesign.building.steel_section import steel_section
+from edesign.codes.ec3.joints import PINNED, RIGID, classified
 from edesign.project.building.building import Building
-
-PINNED_BELOW, RIGID_FROM = 0.5, 25.0
-"""Of E I / L of the beam. Source: EN 1993-1-8:2005, 5.2.2.5(1), Figure 5.4, frames without bracing."""
 
 
 def unusual_ends(building: Building) -> list[str]:
@@ -19,14 +17,16 @@ def unusual_ends(building: Building) -> list[str]:
         beam = building.materials[run.material].E * steel_section(run.section).I_y / length
         for end in ("start", "end"):
             stiffness = getattr(run.ends, end)
-            if not isinstance(stiffness, float) or PINNED_BELOW <= stiffness / beam < RIGID_FROM:
+            if not isinstance(stiffness, float):
                 continue
-            kind = "pinned" if stiffness < PINNED_BELOW * beam else "rigid"
+            joint = classified(stiffness, beam)
+            if joint.name == "semi-rigid":
+                continue
             number = numbers[id(run)]
             where = building.where("beams", number, "ends", end)
             found.setdefault(
                 (number, end),
-                f"{where}: beams[{number}].ends: {stiffness / beam:.3g} E I / L of {place} is as good as {kind}; a "
-                f"semi-rigid end has {PINNED_BELOW:g} to {RIGID_FROM:g} E I / L (EN 1993-1-8, 5.2.2.5)",
+                f"{where}: beams[{number}].ends: {joint.ratio:.3g} E I / L of {place} is as good as {joint.name}; a "
+                f"semi-rigid end has {PINNED:g} to {RIGID:g} E I / L (EN 1993-1-8, 5.2.2.5)",
             )
     return list(found.values())

@@ -7,7 +7,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
 from edesign.building.hinges import EndSpring, SpringKind
-from edesign.building.joint_stiffness import classified
+from edesign.codes.ec3.joints import classified
 from edesign.study.recording import Quantity, Terms, coordinate
 
 _KINDS: tuple[SpringKind, ...] = ("hinge", "joint")

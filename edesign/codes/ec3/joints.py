@@ -1,4 +1,4 @@
-"""Classes of joints by their stiffness."""
+"""Classes of joints by their stiffness, EN 1993-1-8, 5.2.2."""
 
 from __future__ import annotations
 
