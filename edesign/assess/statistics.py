@@ -9,9 +9,10 @@ from statistics import median
 
 import numpy as np
 
-CODE_MOTIONS = {"ec8": 3, "mean": 7, "asce7": 11}
-"""Motions that codes want: EN 1998-1, 3.2.3.1.2(4)a at least 3, and 4.3.3.4.3(3) from 7 on for the mean; ASCE/SEI 7-22,
-16.2.3.1 at least 11."""
+from edesign.codes.registry import Code, find_code
+
+CODES: Mapping[str, Code] = {"ec8": find_code("ec8-2004"), "asce7": find_code("asce7-22")}
+"""Statistics that leave the choice to a code: its rules for a set say of how many motions the mean counts."""
 FRACTION = 0.84
 """The percentile beside the median: about one standard deviation above it if the logarithms are normal."""
 
@@ -91,11 +92,11 @@ def code_statistic(name: str, count: int) -> str:
     """Return the statistic that a code takes of so many motions, other names as they are.
 
     `ec8`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3)). `asce7`: the mean (ASCE/SEI 7-22,
-    16.4; of eleven or more, 16.2.3.1).
+    16.4), as it has no rule for fewer than eleven (16.2.2).
     """
     if name == "ec8":
-        return "mean" if count >= CODE_MOTIONS["mean"] else "maximum"
-    return "mean" if name == "asce7" else name
+        return "mean" if count >= CODES[name].set_rules.number_for_mean else "maximum"
+    return "mean" if name in CODES else name
 
 
 def counted_percentile(values: list[float], fraction: float) -> float:

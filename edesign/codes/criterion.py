@@ -11,6 +11,11 @@ ROUNDING = 1e-9
 _NAMED = ("EN ", "ASCE ", "NTC ")  # a clause of another standard than EN 1998-1 begins with its name
 
 
+def with_standard(clause: str) -> str:
+    """Return a clause with its standard: EN 1998-1, if it names none."""
+    return clause if clause.startswith(_NAMED) else f"EN 1998-1, {clause}"
+
+
 @dataclass(frozen=True)
 class Criterion:
     """One rule and what was found.
@@ -38,7 +43,7 @@ class Criterion:
     @property
     def reference(self) -> str:
         """The clause with its standard."""
-        return self.clause if self.clause.startswith(_NAMED) else f"EN 1998-1, {self.clause}"
+        return with_standard(self.clause)
 
     def __post_init__(self) -> None:
         """Make numbers and truth values of numpy plain ones: `passed is False` must hold for both."""

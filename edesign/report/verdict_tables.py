@@ -9,7 +9,7 @@ from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
 from edesign.assess.performance import Usage, set_performance
 from edesign.assess.requirement import shown
 from edesign.assess.sets import HistorySet
-from edesign.assess.statistics import CODE_MOTIONS
+from edesign.assess.statistics import CODES
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.checks_criteria import objective_level
@@ -158,16 +158,13 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
 
 def _few(verdicts: Sequence[Verdict]) -> list[str]:
     """What the codes say of statistics over few histories, if a verdict rests on one."""
-    few = [
-        v
-        for v in verdicts
-        if v.statistic not in ("maximum", "share") and 0 < v.count + len(v.missing) < CODE_MOTIONS["mean"]
-    ]
+    enough = CODES["ec8"].set_rules.number_for_mean
+    few = [v for v in verdicts if v.statistic not in ("maximum", "share") and 0 < v.count + len(v.missing) < enough]
     if not few:
         return []
     sets = dict.fromkeys(", ".join(part for part in (v.variant, v.level) if part) or "-" for v in few)
     return wrapped(
-        f"Fewer than {CODE_MOTIONS['mean']} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
+        f"Fewer than {enough} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
         "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
     )
 

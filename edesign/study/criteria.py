@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from edesign.assess.statistics import CODE_MOTIONS
+from edesign.assess.statistics import CODES
+from edesign.codes.criterion import with_standard
 from edesign.errors import InputError
 from edesign.ground_motion.sources import Found
 from edesign.project.analyses import HistoryAnalysis
@@ -15,8 +16,6 @@ from edesign.project.designs import AnyVerify
 from edesign.project.outputs import HistoryKind, Outputs
 from edesign.project.study import Study, warm_variant
 from edesign.study.study_plan import make_study_plan
-
-CLAUSES = {"ec8": "EN 1998-1, 3.2.3.1.2(4)a", "asce7": "ASCE/SEI 7-22, 16.2.3.1"}
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
@@ -30,16 +29,17 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
         InputError: a code wants more motions than a variant has at a level, or an oscillator on a floor swings faster
             than the samples that are kept can tell.
     """
-    motions = _motions(study) if any(criterion.statistic in CLAUSES for criterion in study.criteria) else {}
+    motions = _motions(study) if any(criterion.statistic in CODES for criterion in study.criteria) else {}
     for i, criterion in enumerate(study.criteria):
         where = f"{study.where('criteria', i)}: criteria[{i}]"
-        least = CODE_MOTIONS[criterion.statistic] if criterion.statistic in CLAUSES else 0
+        code = CODES.get(criterion.statistic)
         for (variant, level), count in motions.items():
             of_variant = not criterion.variants or variant in criterion.variants
-            if of_variant and count < least and (level in criterion.levels if criterion.levels else level):
+            at_level = level in criterion.levels if criterion.levels else bool(level)
+            if code is not None and of_variant and at_level and count < code.set_rules.least_number:
                 raise InputError(
-                    f"{where}.statistic: `{criterion.statistic}` wants at least {least} motions "
-                    f"({CLAUSES[criterion.statistic]}), and {variant} has {count} at {level}"
+                    f"{where}.statistic: `{criterion.statistic}` wants at least {code.set_rules.least_number} motions "
+                    f"({with_standard(code.set_rules.clauses.number)}), and {variant} has {count} at {level}"
                 )
         if isinstance(criterion, QuantityCriterion) and criterion.frequency is not None:
             _check_samples(study, where, criterion.frequency, found)
