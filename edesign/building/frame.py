@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
-from edesign.building.hinges import EndOf, EndSpring, MemberBuilder, member_ends
+from edesign.building.hinges import EndSpring, MemberBuilder, MemberEnd, member_ends
 from edesign.building.leaning_column import LeaningStruts, add_leaning_column
 from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_loads, node_loads
 from edesign.building.masses import node_masses, vertical_masses
@@ -307,13 +307,13 @@ def _members(
             element = model.truss(name, nodes[start], nodes[end], material, area, geometry=of_kind[kind])
             found[name] = Member(name, kind, element, start, end, None, (element,))
             continue
-        first, last = at_ends.get(name, (EndOf(), EndOf()))
+        first, last = at_ends.get(name, (MemberEnd(), MemberEnd()))
         arms = panels.arm(start, kind), panels.arm(end, kind)
         ends = first.from_edge(arms[0]), last.from_edge(arms[1])
         hinged = any(of.hinge is not None for of in ends)
         section, layers = parts.section(run, hinged)
         EI = parts.bending_stiffness(run)
-        between = math.dist(project.frame.nodes[start], project.frame.nodes[end]) - sum(arms)
+        between = project.frame.length(name) - sum(arms)
         built = builder.add(
             name,
             panels.ends(name, (start, end), EI, of_kind[kind]),
@@ -355,8 +355,7 @@ def _buckling_brace(
 ) -> Member:
     """Add a brace that buckles."""
     start, end = ends
-    (x0, y0), (x1, y1) = (project.frame.nodes[node] for node in ends)
-    length = math.hypot(x1 - x0, y1 - y0)
+    length = project.frame.length(name)
     camber = buckling.camber
     if camber == "ec3":
         effective = run.buckling_length_factor * length

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from math import inf, sqrt
+from math import dist, inf, sqrt
 from typing import TYPE_CHECKING, Literal
 
 from edesign.building.i_shape import i_section, i_shape
@@ -25,6 +25,8 @@ if TYPE_CHECKING:
     from edesign.core import DeterioratingSide, Model, SpringLaw
 
 TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
+"""Terms of a spring between two nodes at one place whose deformation is the rotation of the second less the first."""
+END_NAMES = ("start", "end")
 LATERAL_BRACING = 0.086
 """Largest distance of lateral braces of highly ductile beams over r_y E / F_y (AISC 341-10, D1.2b)."""
 
@@ -58,7 +60,7 @@ class EndSpring:
 
 
 @dataclass(frozen=True)
-class EndOf:
+class MemberEnd:
     """What stands at one end of a member.
 
     Attributes:
@@ -73,12 +75,12 @@ class EndOf:
     ratio: float = 10.0
     joint: Joints | None = None
 
-    def from_edge(self, arm: float) -> EndOf:
+    def from_edge(self, arm: float) -> MemberEnd:
         """Return the same, with the distance from the edge of a panel zone; a hinge in the panel stands at its edge."""
         return replace(self, distance=max(self.distance - arm, 0.0)) if arm else self
 
 
-Ends = tuple[EndOf, EndOf]
+Ends = tuple[MemberEnd, MemberEnd]
 
 
 def member_ends(project: Project) -> dict[str, Ends]:
@@ -87,24 +89,23 @@ def member_ends(project: Project) -> dict[str, Ends]:
     Raises:
         InputError: the regression does not know a section.
     """
-    found: dict[str, list[EndOf]] = {}
+    found: dict[str, list[MemberEnd]] = {}
     frame = project.frame
     for i, hinges in enumerate(project.hinges):
         for first, last in frame.members_in(hinges.beams, hinges.columns):
             for name, end in _chosen(first, last, hinges.ends):
                 distance = _distance(project, hinges, name, end, i)
-                of = found.setdefault(name, [EndOf(), EndOf()])
-                of[end] = EndOf(None, distance, hinges.stiffness_ratio, of[end].joint)
+                of = found.setdefault(name, [MemberEnd(), MemberEnd()])
+                of[end] = replace(of[end], hinge=None, distance=distance, ratio=hinges.stiffness_ratio)
         for first, last in frame.members_in(hinges.beams, hinges.columns):
             for name, end in _chosen(first, last, hinges.ends):
                 of = found[name]
-                values = _values(project, hinges, name, of, i)
-                of[end] = EndOf(values, of[end].distance, of[end].ratio, of[end].joint)
+                of[end] = replace(of[end], hinge=_values(project, hinges, name, of, i))
     for joints in project.joints:
         for first, last in frame.members_in(joints.beams, joints.columns):
             for name, end in _chosen(first, last, joints.ends):
-                of = found.setdefault(name, [EndOf(), EndOf()])
-                of[end] = EndOf(of[end].hinge, of[end].distance, of[end].ratio, joints)
+                of = found.setdefault(name, [MemberEnd(), MemberEnd()])
+                of[end] = replace(of[end], joint=joints)
     return {name: (of[0], of[1]) for name, of in found.items()}
 
 
@@ -114,12 +115,6 @@ def _chosen(first: str, last: str, ends: str) -> list[tuple[str, int]]:
     return [*both["start"], *both["end"]] if ends == "both" else both[ends]
 
 
-def _length(project: Project, name: str) -> float:
-    frame = project.frame
-    (x0, y0), (x1, y1) = (frame.nodes[node] for node in frame.ends[name])
-    return float(((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5)
-
-
 def _distance(project: Project, hinges: Hinges, name: str, end: int, i: int) -> float:
     cut = hinges.reduced_section
     distance = hinges.distance
@@ -127,7 +122,7 @@ def _distance(project: Project, hinges: Hinges, name: str, end: int, i: int) -> 
         distance = 0.0
         if cut is not None:
             distance = 0.5 * _column_depth(project, name, end, i) + cut.a + 0.5 * cut.b
-    if not distance < 0.5 * _length(project, name):
+    if not distance < 0.5 * project.frame.length(name):
         where = project.where("hinges", i)
         raise InputError(
             f"{where}: the hinge of {name} is {distance:.3g} m from its node, beyond the middle of the member"
@@ -150,7 +145,7 @@ def _column_depth(project: Project, name: str, end: int, i: int) -> float:
     return max(depths, default=0.0)
 
 
-def _values(project: Project, hinges: Hinges, name: str, of: Sequence[EndOf], i: int) -> HingeValues:
+def _values(project: Project, hinges: Hinges, name: str, of: Sequence[MemberEnd], i: int) -> HingeValues:
     if isinstance(hinges.parameters, HingeValues):
         return hinges.parameters
     run = project.frame.members[name]
@@ -167,7 +162,7 @@ def _values(project: Project, hinges: Hinges, name: str, of: Sequence[EndOf], i:
     unbraced = hinges.unbraced_length
     if unbraced is None:
         unbraced = LATERAL_BRACING * r_y * section.E / section.expected_yield
-    clear = _length(project, name) - of[0].distance - of[1].distance
+    clear = project.frame.length(name) - of[0].distance - of[1].distance
     span = 0.5 * clear if hinges.ends == "both" else clear
     capacity = rotation_capacity(
         section.web_slenderness,
@@ -236,16 +231,6 @@ def _side(values: HingeValues, other: HingeSide) -> DeterioratingSide:
     )
 
 
-def joint_law(joint: Joints) -> SpringLaw:
-    """Return the core's law of a joint: linear, or bilinear from its resistance on."""
-    from edesign.core import MultilinearSpring
-
-    if joint.resistance is None:
-        return MultilinearSpring(joint.stiffness)
-    corner = (joint.resistance / joint.stiffness, joint.resistance)
-    return MultilinearSpring(joint.hardening * joint.stiffness, (corner,))
-
-
 @dataclass(frozen=True)
 class BuiltMember:
     """A member as it stands in the core.
@@ -261,6 +246,23 @@ class BuiltMember:
     lengths: tuple[float, ...]
     interior: int
     springs: tuple[tuple[EndSpring, ...], tuple[EndSpring, ...]]
+
+
+@dataclass(frozen=True)
+class _BuiltEnd:
+    """An end of a member in the core.
+
+    Attributes:
+        inner: node at which the part between the hinges ends.
+        springs: from the member's node inwards.
+        flexibility: of its hinge, which the member leaves out, rad/(N m).
+        stub: nodes of the short part outside of its hinge, None: there is none.
+    """
+
+    inner: int
+    springs: tuple[EndSpring, ...]
+    flexibility: float
+    stub: tuple[int, int] | None
 
 
 class MemberBuilder:
@@ -303,57 +305,60 @@ class MemberBuilder:
                 hinges are elastic and need none.
         """
         model = self._model
-        (x0, y0), (x1, y1) = (self._places[node] for node in nodes)
-        length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
+        length = dist(*(self._places[node] for node in nodes))
         interior = length - ends[0].distance - ends[1].distance
-        parts: list[tuple[int, int, int]] = []  # end, nodes of the short parts outside of hinges
-        inner, springs, without = [], [], []
-        for end, of in enumerate(ends):
-            label = f"{name}.{('start', 'end')[end]}"
-            at, found, flexibility = nodes[end], [], 0.0
-            if of.joint is not None:
-                at, spring = self._spring(f"{label}.joint", at, joint_law(of.joint))
-                resistance = inf if of.joint.resistance is None else of.joint.resistance
-                found.append(EndSpring(spring, "joint", of.joint.stiffness, EI / length, resistance))
-            if of.hinge is not None:
-                if of.distance > 0.0:
-                    share = of.distance / length if end == 0 else 1.0 - of.distance / length
-                    outside = self._node(f"{label}.cut", (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
-                    parts.append((end, at, outside))
-                    at = outside
-                stiffness = (of.ratio + 1.0) * 6.0 * EI / interior
-                flexibility = 1.0 / stiffness
-                at, spring = self._spring(f"{label}.hinge", at, hinge_law(of.hinge, stiffness, end))
-                model.damping_factor(spring, 0.0)
-                values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
-                found.append(EndSpring(spring, "hinge", stiffness, EI / length, of.hinge.M_y, values))
-            inner.append(at)
-            springs.append(tuple(found))
-            without.append(flexibility)
-        hinged = any(without)
+        built = [self._end(name, end, nodes, ends[end], EI, length, interior) for end in (0, 1)]
+        without = [end.flexibility for end in built]
         element = model.beam_column(
             name,
-            inner[0],
-            inner[1],
+            built[0].inner,
+            built[1].inner,
             section,
             points=points,
             geometry=geometry,
             release=release,
-            breaks=() if hinged else breaks,
+            breaks=() if any(without) else breaks,
         )
-        if hinged:
-            model.without_flexibility(element, without[0], without[1])
+        if any(without):
+            model.without_flexibility(element, *without)
             model.damping_factor(element, _damping_factor(without, EI, interior))
-        outer = {}
-        for end, node, cut in parts:
-            pair = (node, cut) if end == 0 else (cut, node)
-            outer[end] = model.beam_column(f"{name}.{('start', 'end')[end]}", *pair, section, 2, geometry)
-        order, lengths = [element], [interior]
-        if 0 in outer:
-            order, lengths = [outer[0], *order], [ends[0].distance, *lengths]
-        if 1 in outer:
-            order, lengths = [*order, outer[1]], [*lengths, ends[1].distance]
-        return BuiltMember(tuple(order), tuple(lengths), element, (springs[0], springs[1]))
+        parts, lengths = [element], [interior]
+        for end, of in enumerate(built):
+            if of.stub is None:
+                continue
+            pair, at = (of.stub, 0) if end == 0 else (of.stub[::-1], len(parts))
+            parts.insert(at, model.beam_column(f"{name}.{END_NAMES[end]}", *pair, section, 2, geometry))
+            lengths.insert(at, ends[end].distance)
+        return BuiltMember(tuple(parts), tuple(lengths), element, (built[0].springs, built[1].springs))
+
+    def _end(
+        self, name: str, end: int, nodes: tuple[int, int], of: MemberEnd, EI: float, length: float, interior: float
+    ) -> _BuiltEnd:
+        """Add the nodes and springs of an end, from its node inwards: joint, stub, hinge."""
+        from edesign.core import MultilinearSpring
+
+        label, at = f"{name}.{END_NAMES[end]}", nodes[end]
+        springs: list[EndSpring] = []
+        stub, flexibility = None, 0.0
+        if of.joint is not None:
+            joint = of.joint
+            law = MultilinearSpring.bilinear(joint.stiffness, joint.resistance, joint.hardening)
+            at, spring = self._spring(f"{label}.joint", at, law)
+            resistance = inf if joint.resistance is None else joint.resistance
+            springs.append(EndSpring(spring, "joint", joint.stiffness, EI / length, resistance))
+        if of.hinge is not None:
+            if of.distance > 0.0:
+                (x0, y0), (x1, y1) = (self._places[node] for node in nodes)
+                share = of.distance / length if end == 0 else 1.0 - of.distance / length
+                cut = self._node(f"{label}.cut", (x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
+                stub, at = (at, cut), cut
+            stiffness = (of.ratio + 1.0) * 6.0 * EI / interior
+            flexibility = 1.0 / stiffness
+            at, spring = self._spring(f"{label}.hinge", at, hinge_law(of.hinge, stiffness, end))
+            self._model.damping_factor(spring, 0.0)
+            values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
+            springs.append(EndSpring(spring, "hinge", stiffness, EI / length, of.hinge.M_y, values))
+        return _BuiltEnd(at, tuple(springs), flexibility, stub)
 
     def _node(self, name: str, place: tuple[float, float]) -> int:
         node = self._model.node(name, *place)

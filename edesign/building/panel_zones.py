@@ -8,9 +8,10 @@ has one degree more than a rigid one.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
+from math import hypot, sqrt
 from typing import TYPE_CHECKING
 
+from edesign.building.hinges import TURN
 from edesign.building.i_shape import IShape, i_shape
 from edesign.errors import InputError
 from edesign.project import names
@@ -154,7 +155,7 @@ class PanelBuilder:
             places[turning] = places[node]
             model.tie(turning, node, ux=True, uy=True)
             self._of_columns[name] = turning
-            spring = model.spring(f"{name}.panel", turning, node, (0.0, 0.0, -1.0, 0.0, 0.0, 1.0), panel.law())
+            spring = model.spring(f"{name}.panel", turning, node, TURN, panel.law())
             self.built[name] = BuiltPanel(panel, spring)
 
     def arm(self, joint: str, kind: str) -> float:
@@ -172,7 +173,7 @@ class PanelBuilder:
             geometry: of the member.
         """
         (x0, y0), (x1, y1) = (self._places[self._nodes[joint]] for joint in joints)
-        length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
+        length = hypot(x1 - x0, y1 - y0)
         along = ((x1 - x0) / length, (y1 - y0) / length)
         back = (-along[0], -along[1])
         first = self._edge(joints[0], member, along, EI, length, geometry)

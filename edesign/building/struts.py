@@ -139,8 +139,7 @@ def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
     found = []
     for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
         run = project.frame.members[member.name]
-        (x0, y0), (x1, y1) = (frame.frame.nodes[node] for node in (member.start, member.end))
-        length = math.hypot(x1 - x0, y1 - y0) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
+        length = project.frame.length(member.name) * (run.buckling_length_factor if isinstance(run, BraceRun) else 1.0)
         kind: Kind = "brace" if member.kind == "brace" else "column"
         if isinstance(run, BraceRun) and (run.buckling is not None or not run.compression):
             found.append(Bar(member.name, kind, run.section, None, compression=False))

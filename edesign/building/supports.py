@@ -47,10 +47,6 @@ def _law(spring: float | SpringValues) -> SpringLaw:
 
     if isinstance(spring, float):
         return MultilinearSpring(spring)
-    resistance = inf if spring.resistance is None else spring.resistance
     if isinstance(spring, VerticalSpring) and spring.uplift:
-        return ContactSpring(spring.stiffness, resistance)
-    if spring.resistance is None:
-        return MultilinearSpring(spring.stiffness)
-    corner = (spring.resistance / spring.stiffness, spring.resistance)
-    return MultilinearSpring(spring.hardening * spring.stiffness, (corner,))
+        return ContactSpring(spring.stiffness, inf if spring.resistance is None else spring.resistance)
+    return MultilinearSpring.bilinear(spring.stiffness, spring.resistance, spring.hardening)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from math import inf
+from typing import Self
 
 from edesign.core._edcore import lib
 
@@ -19,6 +20,19 @@ class MultilinearSpring:
 
     slope: float
     corners: tuple[tuple[float, float], ...] = ()
+
+    @classmethod
+    def bilinear(cls, stiffness: float, resistance: float | None, hardening: float = 0.0) -> Self:
+        """Return a spring that yields at its resistance, and then has `hardening` times its stiffness.
+
+        Args:
+            stiffness: at the start.
+            resistance: force or moment; None: it stays linear.
+            hardening: ratio, at least 0 and less than 1.
+        """
+        if resistance is None:
+            return cls(stiffness)
+        return cls(hardening * stiffness, ((resistance / stiffness, resistance),))
 
     @property
     def stiffness(self) -> float:

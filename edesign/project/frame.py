@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
@@ -253,6 +254,11 @@ class Frame(Model):
         found |= {name: (beam.start, beam.end) for name, beam in self.beam_members.items()}
         found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
         return found
+
+    def length(self, member: str) -> float:
+        """Distance between the nodes of a member, m."""
+        start, end = self.ends[member]
+        return math.dist(self.nodes[start], self.nodes[end])
 
     # --- selections on this grid
 

@@ -1,4 +1,4 @@
-"""Plastic hinges lumped at members' ends, and joints that turn."""
+"""Plastic hinges lumped at members' ends, joints that turn, and panel zones that shear."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from pydantic import Discriminator, Tag
 
 from edesign.project.base import Model, by_shape
 from edesign.project.members import BeamPlaces, ColumnPlaces
+from edesign.project.selections import ALL_LINES, Lines, Numbers
 from edesign.project.units import (
     Hardening,
     PositiveFactor,
@@ -114,3 +115,18 @@ class Joints(Model):
     stiffness: PositiveRotationalStiffness
     resistance: PositiveMoment | None = None
     hardening: Hardening = 0.0
+
+
+class PanelZones(Model):
+    """Joints whose panel shears.
+
+    Attributes:
+        lines, floors: which joints.
+        doubler: thickness of doubler plates, together.
+        hardening: slope beyond the full shear over that before yield (0.03: Gupta & Krawinkler 1999).
+    """
+
+    lines: Lines = ALL_LINES
+    floors: Numbers
+    doubler: PositiveLength | None = None
+    hardening: Hardening = 0.03

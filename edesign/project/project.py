@@ -17,13 +17,12 @@ from edesign.project.elements import Elements
 from edesign.project.file_model import FileModel
 from edesign.project.frame import Frame
 from edesign.project.hazard import AnyHazard
-from edesign.project.hinges import Hinges, Joints
+from edesign.project.hinges import Hinges, Joints, PanelZones
 from edesign.project.integration import Integration
 from edesign.project.loads import Loads
 from edesign.project.masses import Masses
 from edesign.project.materials import Material
 from edesign.project.outputs import Outputs
-from edesign.project.panel_zones import PanelZones
 from edesign.project.record_files import RecordChoice, RecordFiles
 from edesign.project.records import Record
 from edesign.project.sections import Fibres, Section

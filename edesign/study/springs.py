@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
-from edesign.building.hinges import EndSpring, SpringKind
+from edesign.building.hinges import END_NAMES, EndSpring, SpringKind
 from edesign.codes.ec3.joints import classified
 from edesign.study.recording import Quantity, Terms, coordinate
 
@@ -24,7 +24,7 @@ _SUPPORT = (
 def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
     """Return the hinges or joints of a frame by their names, such as B_1_2:start."""
     return {
-        f"{member.name}:{('start', 'end')[end]}": spring
+        f"{member.name}:{END_NAMES[end]}": spring
         for member in frame.members.values()
         for end in (0, 1)
         for spring in member.springs[end]

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 from verification.structures import channel
 
-from edesign.building.hinges import EndOf, MemberBuilder
+from edesign.building.hinges import MemberBuilder, MemberEnd
 from edesign.core import Analysis, Model
 from edesign.project.hinges import HingeValues
 
@@ -48,7 +48,7 @@ def ours() -> tuple[np.ndarray, np.ndarray]:
         m.beam_column(f"C_{line}", nodes[f"{line}0"], nodes[f"{line}1"], column, geometry="linear")
         m.fix(nodes[f"{line}0"], True, True, False)
         m.mass(nodes[f"{line}1"], MASS)
-    end = EndOf(VALUES, 0.0, N)
+    end = MemberEnd(VALUES, 0.0, N)
     built = builder.add("B", (nodes["A1"], nodes["B1"]), beam, E * I_B, 2, "linear", (False, False), (end, end))
     analysis = Analysis(m, tolerance=1e-9)
     hinge = built.springs[0][0].element
