@@ -360,8 +360,8 @@ def _buckling_brace(
     if camber == "ec3":
         effective = run.buckling_length_factor * length
         camber = equivalent_camber(project, run.section, run.material, buckling.axis, effective)
-    held = {"pinned": 0.0, "fixed": math.inf}
-    stiffness = held[buckling.ends] if isinstance(buckling.ends, str) else buckling.ends.stiffness
+    stiffnesses = {"pinned": 0.0, "fixed": math.inf}
+    stiffness = stiffnesses[buckling.ends] if isinstance(buckling.ends, str) else buckling.ends
     section, material, area = parts.buckling_brace(run, buckling)
     element = model.strut(
         name,

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Discriminator, Field, Tag
+from pydantic import AfterValidator, BeforeValidator, Field
 
-from edesign.project.base import Model, by_shape, refuse
+from edesign.project.base import Model, refuse
 from edesign.project.sections import SectionAxis
-from edesign.project.units import PositiveFactor, PositiveRotationalStiffness, parse_ratio
+from edesign.project.units import ROTATIONAL_STIFFNESS, PositiveFactor, held, parse_ratio
 
 CAMBER = 1e-3
 """Camber / buckling length. Source: Uriz, Filippou & Mahin (2008): 0.05 % to 0.1 % fit tests of braces."""
@@ -35,12 +35,6 @@ def _even(value: int) -> int:
     return value
 
 
-class EndStiffness(Model):
-    """Rotational stiffness of the connection at each end of a brace, as of a gusset plate, N m/rad."""
-
-    stiffness: PositiveRotationalStiffness
-
-
 class Fracture(Model):
     """Low-cycle fatigue: fibres break by Manson and Coffin's law, rainflow and Miner's sum.
 
@@ -55,14 +49,15 @@ class BraceBuckling(Model):
     """The model of a brace that buckles.
 
     `camber` is its height / buckling length, or `ec3`: with it first yield is at N_b,Rd of EN 1993-1-1. `axis` is that
-    of the section about which it buckles; a stack of rectangles has but one. `elements` None: by the ends.
+    of the section about which it buckles; a stack of rectangles has but one. `ends` turn freely, not at all, or against
+    a rotational stiffness such as that of a gusset plate (N m/rad). `elements` None: by the ends.
     """
 
     camber: Annotated[float | Literal["ec3"], BeforeValidator(_camber)] = CAMBER
     axis: SectionAxis = "weak"
     ends: Annotated[
-        Annotated[Literal["pinned", "fixed"], Tag("?plain")] | Annotated[EndStiffness, Tag("?mapping")],
-        Discriminator(by_shape),
+        Literal["pinned", "fixed"] | float,
+        held(ROTATIONAL_STIFFNESS, "the ends are `pinned`, `fixed`, or have a stiffness", "pinned", "fixed"),
     ] = "pinned"
     elements: Annotated[int, Field(ge=2, le=16), AfterValidator(_even)] | None = None
     fracture: Fracture | None = None
