@@ -27,8 +27,8 @@ class RecordChoice:
     Attributes:
         candidates: the chosen ones by name, in the order of the names.
         selection: their factors, mean spectrum and criteria.
-        T1: for which they were chosen, s.
-        T1_given: the file says T1; otherwise it is that of the frame.
+        T_1: for which they were chosen, s.
+        T_1_given: the file says T_1; otherwise it is that of the frame.
         band: over which misfit counts, s.
         fit_band: that, widened to what the code checks, s.
         compared: how many candidates were compared.
@@ -38,8 +38,8 @@ class RecordChoice:
 
     candidates: Mapping[str, Candidate]
     selection: Selection
-    T1: float
-    T1_given: bool
+    T_1: float
+    T_1_given: bool
     band: tuple[float, float]
     fit_band: tuple[float, float]
     compared: int
@@ -54,8 +54,8 @@ class RecordChoice:
     def facts(self) -> dict[str, Any]:
         """What an archive keeps of it."""
         return {
-            "T1_s": self.T1,
-            "T1_given": self.T1_given,
+            "T_1_s": self.T_1,
+            "T_1_given": self.T_1_given,
             "band_s": list(self.band),
             "checksum": self.checksum,
             **choice_facts(tuple(self.candidates), self.selection, self.compared),
@@ -90,10 +90,10 @@ def choice_lines(facts: Mapping[str, Any]) -> list[str]:
         facts: from `choice_facts`, and of a project's choice what the archive has beside them.
     """
     lines = []
-    if "T1_s" in facts:
-        given = "given" if facts["T1_given"] else "of the frame"
+    if "T_1_s" in facts:
+        given = "given" if facts["T_1_given"] else "of the frame"
         low, high = facts["band_s"]
-        lines.append(f"chosen for T1 = {facts['T1_s']:.4g} s ({given}) over periods from {low:.4g} s to {high:.4g} s")
+        lines.append(f"chosen for T_1 = {facts['T_1_s']:.4g} s ({given}) over periods from {low:.4g} s to {high:.4g} s")
     how = "all choices were compared" if facts["exhaustive"] else "greedy search with exchanges"
     lines.append(
         f"scaled mean / target - 1: {100 * facts['deviation']:.1f} % rms, {100 * facts['largest_deviation']:.1f} % at "
@@ -122,7 +122,7 @@ class EarlierChoice:
 
 
 def choose(
-    spec: ChosenRecords, project: Path, target: Spectrum, T1: float, earlier: EarlierChoice | None = None
+    spec: ChosenRecords, project: Path, target: Spectrum, T_1: float, earlier: EarlierChoice | None = None
 ) -> RecordChoice:
     """Choose records whose scaled mean is nearest to a spectrum; the same input gives the same choice.
 
@@ -130,17 +130,17 @@ def choose(
         spec: what the project file says.
         project: the project file, to which paths are relative.
         target: elastic spectrum at 5 % damping.
-        T1: fundamental period of the structure, s.
+        T_1: fundamental period of the structure, s.
         earlier: the choice of an archive, which is taken if it depends on the same; the result is the same.
 
     Raises:
         InputError: the band of periods is empty, a folder, suite, flatfile or package cannot be read, or there are
             not enough candidates; the message tells why others were left out.
     """
-    widest = target.set_rules.period_band(T1)
-    low, high = widest if spec.periods is None else (period.at(T1) for period in spec.periods)
+    widest = target.set_rules.period_band(T_1)
+    low, high = widest if spec.periods is None else (period.at(T_1) for period in spec.periods)
     if low >= high:
-        raise InputError(f"`periods` from {low:.4g} s to {high:.4g} s, with T1 = {T1:.4g} s, do not rise")
+        raise InputError(f"`periods` from {low:.4g} s to {high:.4g} s, with T_1 = {T_1:.4g} s, do not rise")
     options = SelectionOptions(
         scaling=spec.scaling,
         scale_bounds=spec.scale_bounds,
@@ -150,11 +150,11 @@ def choose(
         max_per_station=spec.max_per_station,
     )
     fit_band = (min(widest[0], low), max(widest[1], high))
-    periods = selection_periods(target.set_rules, T1, options)
+    periods = selection_periods(target.set_rules, T_1, options)
     found = gather(spec, project, periods, MatchOptions(method="scale", periods=fit_band))
     if not found.candidates:
         raise InputError(f"there are no candidates{_why(found.refused)}")
-    checksum = _checksum(found, periods, target, T1, spec.choose, options)
+    checksum = _checksum(found, periods, target, T_1, spec.choose, options)
     kept = list(range(len(found.candidates)))
     if earlier is not None and earlier.checksum != checksum:
         earlier = None
@@ -164,7 +164,7 @@ def choose(
     events, stations = [item.event for item in compared], [item.station for item in compared]
     try:
         chosen = select(
-            periods, found.spectra[kept], found.pgas[kept], target, T1, spec.choose, options, events, stations
+            periods, found.spectra[kept], found.pgas[kept], target, T_1, spec.choose, options, events, stations
         )
     except InputError as error:
         raise InputError(f"{error}{_why(found.refused)}") from error
@@ -175,8 +175,8 @@ def choose(
     return RecordChoice(
         candidates=names,
         selection=chosen,
-        T1=T1,
-        T1_given=spec.T1 is not None,
+        T_1=T_1,
+        T_1_given=spec.T_1 is not None,
         band=(low, high),
         fit_band=fit_band,
         compared=len(found.candidates),
@@ -186,10 +186,10 @@ def choose(
 
 
 def _checksum(
-    found: Catalogue, periods: np.ndarray, target: Spectrum, T1: float, count: int, options: SelectionOptions
+    found: Catalogue, periods: np.ndarray, target: Spectrum, T_1: float, count: int, options: SelectionOptions
 ) -> str:
     """SHA-256 of all that decides a choice beside the program: candidates, target, and how they are compared."""
-    checksum = hashlib.sha256(f"{count} for T1 = {T1!r}: {options}\n".encode())
+    checksum = hashlib.sha256(f"{count} for T_1 = {T_1!r}: {options}\n".encode())
     checksum.update(target.acceleration(periods).astype("<f8").tobytes())
     checksum.update(np.float64(target.zero_period).tobytes())
     for candidate, samples in zip(found.candidates, found.checksums, strict=True):

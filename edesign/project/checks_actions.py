@@ -156,11 +156,11 @@ def _choice(project: Project, record: ChosenRecords, keys: Keys, problems: Probl
         _fitted_level(project.hazard, record.level, keys, problems)
     elif record.level is not None:
         problems.at_key((*keys, "level"), "with `match` its `level` says for which spectrum")
-    if record.T1 is None and project.masses is None:
+    if record.T_1 is None and project.masses is None:
         message = "this key is missing; the frame has no `masses` from which it would follow"
-        problems.under(keys, "T1", message)
+        problems.under(keys, "T_1", message)
     first, last = record.periods or (Period(0.0), Period(1.0))  # by the code they rise
-    if (first.of_T1 == last.of_T1 or record.T1 is not None) and first.at(record.T1 or 1.0) >= last.at(record.T1 or 1.0):
+    if (first.of_T_1 == last.of_T_1 or record.T_1 is not None) and first.at(record.T_1 or 1.0) >= last.at(record.T_1 or 1.0):
         problems.at_value((*keys, "periods"), "the shorter period stands first, and the two must differ")
     if record.scale_bounds[0] > record.scale_bounds[1]:
         problems.at_value((*keys, "scale_bounds"), "the smaller factor stands first")

@@ -16,7 +16,7 @@ from edesign.project.record_tables import AccelerationUnit, Layout
 from edesign.project.units import LENGTH, TIME, VELOCITY, Factor, PositiveTime, parse_quantity
 
 FemaSet = Literal["farfield", "nearfield_pulse", "nearfield_no_pulse"]
-_MULTIPLE = re.compile(r"\s*([0-9]+\.?[0-9]*|\.[0-9]+)\s*T1\s*")
+_MULTIPLE = re.compile(r"\s*([0-9]+\.?[0-9]*|\.[0-9]+)\s*T_1\s*")
 
 
 @dataclass(frozen=True)
@@ -24,11 +24,11 @@ class Period:
     """A period in s, or in multiples of the fundamental period of the frame."""
 
     value: float
-    of_T1: bool = False
+    of_T_1: bool = False
 
-    def at(self, T1: float) -> float:
+    def at(self, T_1: float) -> float:
         """The period for a fundamental period, both in s."""
-        return self.value * T1 if self.of_T1 else self.value
+        return self.value * T_1 if self.of_T_1 else self.value
 
 
 def _period(value: Any) -> Period:
@@ -36,7 +36,7 @@ def _period(value: Any) -> Period:
         return value
     match = _MULTIPLE.fullmatch(value) if isinstance(value, str) else None
     if match is None and isinstance(value, str) and "T" in value:
-        raise refuse(f"`{value}` is no period; write a time such as `0.3 s`, or a multiple of T1 such as `0.2 T1`")
+        raise refuse(f"`{value}` is no period; write a time such as `0.3 s`, or a multiple of T_1 such as `0.2 T_1`")
     found = Period(float(match[1]), True) if match else Period(parse_quantity(value, TIME, "positive"))
     if found.value <= 0.0:
         raise refuse(f"`{value}` must be greater than zero")
@@ -45,7 +45,7 @@ def _period(value: Any) -> Period:
 
 def _periods(value: Any) -> Any:
     if not isinstance(value, (tuple, list)) or len(value) != 2:
-        raise refuse("two periods are needed, the shorter one first, for example `[0.2 T1, 2 T1]`")
+        raise refuse("two periods are needed, the shorter one first, for example `[0.2 T_1, 2 T_1]`")
     return tuple(value)
 
 
@@ -150,7 +150,7 @@ class Limits(Model):
 class ChosenRecords(Model):
     """The `choose` candidates whose scaled mean is nearest to the elastic spectrum of the `hazard` at gamma_I = 1.
 
-    Where each level has a spectrum of its own, `level` says which. `T1` (s) is that of the frame if it is not given.
+    Where each level has a spectrum of its own, `level` says which. `T_1` (s) is that of the frame if it is not given.
     Misfit counts over `periods`, by default those that the code checks; `scatter_weight` is that of the
     square of the records' scatter beside the square of the mean's deviation. Each record has one factor within
     `scale_bounds`, found as `scaling` says. At most `max_per_event` are of one earthquake, and `max_per_station` of
@@ -161,7 +161,7 @@ class ChosenRecords(Model):
 
     choose: Annotated[int, Field(ge=1)]
     sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), BeforeValidator(_one_or_more)]
-    T1: PositiveTime | None = None
+    T_1: PositiveTime | None = None
     level: LevelName | None = None
     periods: Annotated[tuple[AnyPeriod, AnyPeriod], BeforeValidator(_periods)] | None = None
     scaling: Literal["both", "individual", "common", "none"] = "both"

@@ -28,8 +28,8 @@ def with_choices(project: Project, archive: Path | None = None) -> Project:
         archive: of an earlier run, whose choice is taken where nothing has changed that it depends on.
 
     Raises:
-        InputError: a record cannot be chosen, or the frame, whose T1 is needed, cannot be built.
-        AnalysisError: T1 cannot be found.
+        InputError: a record cannot be chosen, or the frame, whose T_1 is needed, cannot be built.
+        AnalysisError: T_1 cannot be found.
     """
     wanted = {name: spec for name, spec in project.records.items() if isinstance(spec, ChosenRecords)}
     if not wanted:
@@ -47,11 +47,11 @@ def with_choices(project: Project, archive: Path | None = None) -> Project:
     choices: dict[str, RecordChoice] = {}
     with one_thread():
         for name, spec in wanted.items():
-            T1 = spec.T1 if spec.T1 is not None else period()
-            assert T1 is not None  # a frame without masses needs the key, which was checked
+            T_1 = spec.T_1 if spec.T_1 is not None else period()
+            assert T_1 is not None  # a frame without masses needs the key, which was checked
             try:
                 target = target_spectrum(project, name).with_damping(DAMPING)
-                choices[name] = choose(spec, project.path, target, T1, _earlier(archive, name, spec.choose))
+                choices[name] = choose(spec, project.path, target, T_1, _earlier(archive, name, spec.choose))
             except InputError as error:
                 raise InputError(f"{project.where('records', name)}: records.{name}: {error}") from error
     return project.with_choices(choices)
@@ -60,7 +60,7 @@ def with_choices(project: Project, archive: Path | None = None) -> Project:
 def study_with_choices(study: Study, archive: Path | None = None) -> Study:
     """Return the study with the records of its project chosen; otherwise as `with_choices`.
 
-    They are chosen once, for T1 of the bare frame, so that all variants are under the same motions.
+    They are chosen once, for T_1 of the bare frame, so that all variants are under the same motions.
     """
     base = with_choices(study.base, archive)
     return study if base is study.base else study.model_copy().set_base(base)

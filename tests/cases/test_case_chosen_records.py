@@ -65,7 +65,7 @@ def test_the_choice_is_the_best_of_all_with_one_of_each_earthquake(suite: Group)
     found = []
     for names in product(*EVENTS.values()):
         records = [EVENTS[event][name] for event, name in zip(EVENTS, names, strict=True)]
-        short, misfit, factors = shortfall_and_misfit(records, choice["T1_s"])
+        short, misfit, factors = shortfall_and_misfit(records, choice["T_1_s"])
         found.append((short, misfit, dict(zip(names, factors, strict=True))))
     _, _, best = min(found, key=lambda item: item[:2])
     assert choice["factors"] == pytest.approx(best, rel=1e-8)
@@ -75,8 +75,8 @@ def test_the_choice_is_the_best_of_all_with_one_of_each_earthquake(suite: Group)
 def test_the_period_is_that_of_the_frame(suite: Group, results_of: Callable[[str, str], Group]) -> None:
     modes = results_of("chosen_records", "modes")
     period = float(modes.variables["period"].values[0])
-    assert suite.attributes["choice"]["T1_s"] == pytest.approx(period, rel=1e-9)
-    assert suite.attributes["choice"]["T1_given"] is False
+    assert suite.attributes["choice"]["T_1_s"] == pytest.approx(period, rel=1e-9)
+    assert suite.attributes["choice"]["T_1_given"] is False
 
 
 def test_what_was_left_out_is_told(suite: Group) -> None:
@@ -112,7 +112,7 @@ def test_the_criteria_in_the_archive_are_those_of_the_scaled_set(suite: Group) -
 def test_check_tells_the_choice(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(CASE / "project.yaml")]) == 0
     output = capsys.readouterr().out
-    assert "set: the best 3 of 6; chosen for T1 = " in output
+    assert "set: the best 3 of 6; chosen for T_1 = " in output
     assert "left out: small: its magnitude of 5 is outside of 5.5 to 7.5" in output
 
 

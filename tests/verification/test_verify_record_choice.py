@@ -144,13 +144,13 @@ def test_a_motion_times_a_number_has_its_factor_divided_by_it(folder: Path, tmp_
 
 
 def test_the_band_follows_T1_or_is_given(folder: Path) -> None:
-    of_T1 = chosen(folder, 3, periods=("0.5 T1", "1.5 T1"))
+    of_T1 = chosen(folder, 3, periods=("0.5 T_1", "1.5 T_1"))
     given = chosen(folder, 3, periods=("0.2 s", "0.6 s"))
     assert of_T1.band == pytest.approx((0.2, 0.6)) and given.band == (0.2, 0.6)
     assert of_T1.factors == pytest.approx(dict(given.factors), rel=1e-9)
     assert of_T1.fit_band == pytest.approx((0.08, 0.8))  # what EC8 checks, 0.2 T1 to 2 T1
-    with pytest.raises(InputError, match="`periods` from 1 s to 0.8 s, with T1 = 0.4 s, do not rise"):
-        chosen(folder, 3, periods=("1 s", "2 T1"))
+    with pytest.raises(InputError, match="`periods` from 1 s to 0.8 s, with T_1 = 0.4 s, do not rise"):
+        chosen(folder, 3, periods=("1 s", "2 T_1"))
 
 
 def test_an_earlier_choice_is_taken_only_where_nothing_has_changed(folder: Path) -> None:

