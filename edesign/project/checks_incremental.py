@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
-from edesign.project.checks_actions import check_drift, check_fitted_levels
+from edesign.project.checks_actions import check_drift
 from edesign.project.checks_names import ALL, check_names, check_records
+from edesign.project.checks_records import check_fitted_levels
 from edesign.project.hazard import UserHazard
 from edesign.project.hazard_base import YEAR
 from edesign.project.incremental import COLLAPSE, Incremental, LevelFactorStudy

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.checks_actions import check_drift, check_fitted_levels
+from edesign.project.checks_actions import check_drift
 from edesign.project.checks_criteria import check_criteria
 from edesign.project.checks_derived import check_derived
 from edesign.project.checks_designs import check_design
@@ -11,6 +11,7 @@ from edesign.project.checks_names import ALL, check_names, check_records
 from edesign.project.checks_outputs import check_member
 from edesign.project.checks_pushover import check_pushover
 from edesign.project.checks_quantities import names_of_dampers, names_of_design
+from edesign.project.checks_records import check_fitted_levels
 from edesign.project.designs import AnyVerify
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.pushover import Pushovers

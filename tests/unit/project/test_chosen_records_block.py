@@ -75,7 +75,7 @@ ONE_PROBLEM = {
     "step alone": ("choose: 3, from: {folder: ., «time_step: 0.01 s}", "from.time_step", "`acceleration_unit`"),
     "twice": (f"choose: 3, from: [{FEMA}, «{FEMA}]", "from[1]", "stand here twice"),
     "periods": (f"choose: 3, from: {FEMA}, periods: [«0.2 T2, 2 s]", "periods[0]", "`0.2 T2` is no period"),
-    "multiple": (f"choose: 3, from: {FEMA}, periods: [«x T_1, 2 s]", "periods[0]", "a multiple of T_1 such as `0.2 T_1`"),
+    "multiple": (f"choose: 3, from: {FEMA}, periods: [«x T_1, 2 s]", "periods[0]", "a multiple of T_1 such as"),
     "falling": (f"choose: 3, from: {FEMA}, periods: «[2 T_1, 1 T_1]", "periods", "the shorter period stands first"),
     "falling with T_1": (
         f"choose: 3, from: {FEMA}, T_1: 1 s, periods: «[2 s, 1 T_1]", "periods", "the shorter period stands first"
