@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Collection, Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, BeforeValidator, ConfigDict
@@ -38,6 +38,13 @@ def by_key(key: str) -> Callable[[Any], str]:
         return f"{TAG}{key}={chosen}"
 
     return choose
+
+
+def keys_in(value: Any) -> Collection[str]:
+    """Return the keys of a mapping or the fields of a model, for discriminators; none of anything else."""
+    if isinstance(value, Mapping):
+        return value.keys()
+    return type(value).model_fields if isinstance(value, BaseModel) else ()
 
 
 def by_shape(value: Any) -> str:

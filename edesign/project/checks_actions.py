@@ -8,7 +8,7 @@ from edesign.project.checks_damping import check_damping
 from edesign.project.checks_frame import Selections
 from edesign.project.checks_loads import check_loads
 from edesign.project.checks_pushover import check_pushover
-from edesign.project.checks_records import check_fitted_levels, check_record_files, check_records
+from edesign.project.checks_records import check_fitted_levels, check_project_records, check_record_files
 from edesign.project.checks_vertical import check_vertical
 from edesign.project.problems import Keys, Problems, listed, unknown_name
 from edesign.project.project import Project
@@ -28,7 +28,7 @@ def check_actions(project: Project, problems: Problems, files: bool = True) -> N
     _masses(project, problems, check)
     check_damping(project, problems)
     _validity(project, problems)
-    check_records(project, problems)
+    check_project_records(project, problems)
     if files:
         check_record_files(project.records, project.folder, problems)
     _analyses(project, problems)

@@ -30,7 +30,7 @@ from edesign.project.suite_names import is_suite_name, suite_names
 UNITS = get_args(AccelerationUnit)
 
 
-def check_records(project: Project, problems: Problems) -> None:
+def check_project_records(project: Project, problems: Problems) -> None:
     """Check what records of a project say of themselves and of its hazard; their files are another matter."""
     for name, record in project.records.items():
         keys: Keys = ("records", name)

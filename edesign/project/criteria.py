@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
+from pydantic import BeforeValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
 
-from edesign.project.base import Model, refuse
-from edesign.project.criterion_quantities import QUANTITIES, EnergyTerm, Side, parse_quantity_value
-from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES, parse_measure_value
+from edesign.project.base import Model, keys_in, refuse
+from edesign.project.criterion_quantities import QUANTITIES, EnergyTerm, Side
+from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
 from edesign.project.problems import unknown_name
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.units import PositiveFrequency, PositiveRatio, Rotation
@@ -100,7 +99,7 @@ class MeasureCriterion(_Criterion):
     @classmethod
     def _value(cls, value: Any, info: ValidationInfo) -> Any:
         measure = info.data.get("measure")
-        return None if measure is None else parse_measure_value(measure, value)
+        return None if measure is None else parse_limit(MEASURE_KINDS[measure], value)
 
 
 class QuantityCriterion(_Criterion):
@@ -126,7 +125,7 @@ class QuantityCriterion(_Criterion):
     @classmethod
     def _value(cls, value: Any, info: ValidationInfo) -> Any:
         quantity = info.data.get("quantity")
-        return None if quantity is None else parse_quantity_value(quantity, value)
+        return None if quantity is None else parse_limit(QUANTITIES[quantity].kind, value)
 
 
 class HingeCriterion(_Criterion):
@@ -147,7 +146,7 @@ class PerformanceCriterion(_Criterion):
 
 
 def _which(value: Any) -> str:
-    given = value if isinstance(value, Mapping) else type(value).model_fields if isinstance(value, BaseModel) else ()
+    given = keys_in(value)
     kinds = ("performance", "plastic_hinges", "quantity")
     return next((f"?{key}" for key in kinds if key in given), "?measure")
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Literal
 
 from edesign.project.measures import RATIO
 from edesign.project.outputs import HistoryKind
@@ -16,8 +16,6 @@ from edesign.project.units import (
     ROTATION,
     VELOCITY,
     Kind,
-    parse_quantity,
-    parse_ratio,
 )
 
 Place = Literal["floor", "storey", "column", "beam", "brace", "member", "damper", "support", "frame"]
@@ -99,18 +97,6 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     ),
 }
 """What a criterion may limit, by the name that it has in the archive."""
-
-
-def parse_quantity_value(name: str, value: Any) -> float:
-    """Read a limit of an archived quantity with its unit, in SI.
-
-    Raises:
-        PydanticCustomError: no number, another unit, or a negative value; what is limited has no sign.
-    """
-    kind = QUANTITIES[name].kind
-    if kind is RATIO:
-        return parse_ratio(value, 0.0, float("inf"))
-    return parse_quantity(value, kind, "not negative")
 
 
 def keys_of(name: str) -> tuple[str, ...]:

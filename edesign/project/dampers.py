@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key, by_shape
+from edesign.project.base import Model, by_key, by_shape, keys_in
 from edesign.project.selections import Numbers
 from edesign.project.temperature import Temperature
 from edesign.project.units import (
@@ -106,7 +106,7 @@ Scales = Annotated[
 def _brace_shape(value: Any) -> str:
     if by_shape(value) == "?plain":
         return "?plain"
-    keys = value if isinstance(value, dict) else type(value).model_fields
+    keys = keys_in(value)
     return "?section" if "section" in keys or "material" in keys else "?stiffness"
 
 

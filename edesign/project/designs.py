@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key, by_shape
+from edesign.project.base import Model, by_key, by_shape, keys_in
 from edesign.project.damping import State
 from edesign.project.selections import ALL_NUMBERS, Numbers
 from edesign.project.several import Names
@@ -35,7 +35,7 @@ def _by_keys(value: Any) -> str:
     """Tag of properties: the word `law`, or the key that a mapping has."""
     if not isinstance(value, (Mapping, BaseModel)):
         return "?plain"
-    keys = value if isinstance(value, Mapping) else type(value).model_fields
+    keys = keys_in(value)
     return next((f"?{key}" for key in ("table", "file") if key in keys), "?values")
 
 
@@ -207,7 +207,7 @@ class DriftAmplitude(Model):
 def _amplitude(value: Any) -> str:
     if by_shape(value) == "?plain":
         return "?plain"
-    keys = value if isinstance(value, Mapping) else type(value).model_fields
+    keys = keys_in(value)
     return "?drift" if "drift" in keys else "?roof_displacement"
 
 

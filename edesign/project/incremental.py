@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 from edesign.project.base import Model, by_key, by_shape, refuse
 from edesign.project.hazard_base import LevelName
 from edesign.project.life_cycle import LifeCycle
-from edesign.project.measures import SHORT_NAMES, parse_measure_value
+from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
 from edesign.project.problems import unknown_name
 from edesign.project.several import Names, ShortName
 from edesign.project.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
@@ -34,7 +34,7 @@ def _limit(value: Any) -> Any:
     ((name, given),) = value.items()
     if name not in SHORT_NAMES:
         raise refuse(unknown_name("response measure", str(name), SHORT_NAMES))
-    limit = parse_measure_value(SHORT_NAMES[name], given)
+    limit = parse_limit(MEASURE_KINDS[SHORT_NAMES[name]], given)
     if limit == 0.0:
         raise refuse(f"`{given}` must be greater than zero")
     return Limit(measure=SHORT_NAMES[name], value=limit)

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model
+from edesign.project.base import Model, keys_in
 from edesign.project.hazard_base import YEAR, LevelName
 from edesign.project.several import ShortName
 from edesign.project.units import Factor, PositiveAcceleration, PositiveTime, UnitRatio
@@ -26,8 +26,7 @@ class CurveOfIntensities(Model):
 
 
 def _curve_shape(value: object) -> str:
-    has_levels = "levels" in value if isinstance(value, dict) else isinstance(value, CurveOfLevels)
-    return "?levels" if has_levels else "?intensities"
+    return "?levels" if "levels" in keys_in(value) else "?intensities"
 
 
 HazardCurve = Annotated[

@@ -43,20 +43,19 @@ SHORT_NAMES = {short_name(measure): measure for measure in MEASURE_KINDS}
 """Measures by their names without units."""
 
 
-def parse_measure_value(measure: str, value: Any) -> float:
-    """Read a limit of a measure with its unit.
+def parse_limit(kind: Kind, value: Any) -> float:
+    """Read a limit of a measure or of an archived quantity with its unit.
 
     Args:
-        measure: a name of MEASURE_KINDS.
+        kind: of `MEASURE_KINDS`, or of an archived quantity.
         value: text such as `1.3 %`, `35 mm`, `0.002 rad`.
 
     Returns:
         The value in SI.
 
     Raises:
-        PydanticCustomError: no number, another unit, or a negative value; measures are absolute values.
+        PydanticCustomError: no number, another unit, or a negative value; what is limited has no sign.
     """
-    kind = MEASURE_KINDS[measure]
     if kind is RATIO:
         return parse_ratio(value, 0.0, float("inf"))
     return parse_quantity(value, kind, "not negative")

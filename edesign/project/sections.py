@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from typing import Annotated, Any, Literal, Protocol
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model
+from edesign.project.base import Model, keys_in
 from edesign.project.problems import did_you_mean, listed
 from edesign.project.units import Length, PositiveArea, PositiveInertia, PositiveLength
 
@@ -46,14 +46,10 @@ class ElasticSection(Model):
 
 
 def _which(value: Any) -> str:
-    keys = set(value) if isinstance(value, Mapping) else set(type(value).model_fields) if _is_model(value) else set()
+    keys = keys_in(value)
     if "rectangles" in keys:
         return "?rectangles"
-    return "?elastic" if keys & {"area", "inertia"} else "?plates"
-
-
-def _is_model(value: Any) -> bool:
-    return isinstance(value, BaseModel)
+    return "?elastic" if "area" in keys or "inertia" in keys else "?plates"
 
 
 Section = Annotated[

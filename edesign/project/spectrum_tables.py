@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model
+from edesign.project.base import Model, keys_in
 from edesign.project.units import Duration, PositiveAcceleration
 
 
@@ -26,7 +25,7 @@ class SpectrumFile(Model):
 
 
 def _which(value: Any) -> str:
-    keys = value if isinstance(value, Mapping) else type(value).model_fields if isinstance(value, Model) else ()
+    keys = keys_in(value)
     return "?values" if "periods" in keys or "accelerations" in keys else "?file"
 
 

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key
+from edesign.project.base import Model, by_key, keys_in
 from edesign.project.damping import ModeNumber, NoDamping
 from edesign.project.several import Names
 from edesign.project.units import PositiveMass, PositiveRatio, PositiveStiffness
@@ -65,7 +64,7 @@ class ShearBuilding(Model):
 
 
 def _which(value: Any) -> str:
-    keys = value if isinstance(value, Mapping) else type(value).model_fields if isinstance(value, Model) else ()
+    keys = keys_in(value)
     return "?project" if "project" in keys or "physical" in keys or "analysis" in keys else "?shear"
 
 
