@@ -47,6 +47,16 @@ def _facts(groups: Mapping[str, Group], coordinate: str, variables: tuple[str, .
     return found
 
 
+def _most(found: Mapping[str, tuple[float, str]]) -> list[tuple[str, tuple[float, str]]]:
+    """The rows of a table: names with the largest values, then in the order of their names."""
+    return sorted(found.items(), key=lambda item: (-item[1][0], item[0]))[:SHOWN]
+
+
+def _note_left_out(table: Table, count: int, what: str) -> None:
+    if count > SHOWN:
+        table.notes.append(f"The {SHOWN} of {count} {what}.")
+
+
 def _hinges(groups: Mapping[str, Group]) -> Table | None:
     turned = _worst(groups, "hinge_plastic_rotation", "hinge")
     if not turned:
@@ -67,7 +77,7 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
             "plastic rotation [mrad]",
             "of theta_p [%]",
             "strength left [%]",
-            "in",
+            "analysis",
         ],
     )
     rows = []
@@ -84,8 +94,7 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
         "Plastic rotation: the largest of all analyses; strength left: the least yield moment at their ends over that "
         "at first, 0 % beyond the ultimate rotation or the energy capacity."
     )
-    if len(rows) > SHOWN:
-        table.notes.append(f"The {SHOWN} of {len(rows)} hinges that turned most of theta_p.")
+    _note_left_out(table, len(rows), "hinges that turned most of theta_p")
     return table
 
 
@@ -105,7 +114,7 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
         "rotation [mrad]",
     ]
     table = Table("Joints", columns)
-    for name, (rotation, _) in sorted(turned.items(), key=lambda item: (-item[1][0], item[0]))[:SHOWN]:
+    for name, (rotation, _) in _most(turned):
         stiffness, resistance, ratio, word = facts[name]
         capacity = float(np.asarray(resistance))
         table.rows.append(
@@ -120,8 +129,7 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
             ]
         )
     table.notes.append("Class by the stiffness of the analysis, of an unbraced frame (EN 1993-1-8, 5.2.2.5).")
-    if len(turned) > SHOWN:
-        table.notes.append(f"The {SHOWN} of {len(turned)} joints that turned most.")
+    _note_left_out(table, len(turned), "joints that turned most")
     return table
 
 
@@ -133,22 +141,21 @@ def _panels(groups: Mapping[str, Group]) -> Table | None:
     moments = _worst(groups, "panel_moment", "panel")
     columns = [
         "panel",
-        "at yield [kN m]",
+        "yield moment [kN m]",
         "moment [kN m]",
         "distortion at yield [mrad]",
         "distortion [mrad]",
-        "ratio",
-        "in",
+        "distortion / yield",
+        "analysis",
     ]
     table = Table("Panel zones", columns)
-    for name, (distortion, analysis) in sorted(distorted.items(), key=lambda item: (-item[1][0], item[0]))[:SHOWN]:
+    for name, (distortion, analysis) in _most(distorted):
         stiffness, moment = (float(np.asarray(value)) for value in facts[name])
         at_yield = moment / stiffness
         cells = (number(moment, scale=1e3), number(moments[name][0], scale=1e3), number(at_yield, scale=1e-3))
         table.rows.append([name, *cells, number(distortion, scale=1e-3), number(distortion / at_yield, 3), analysis])
-    table.notes.append("Largest distortions of all analyses; ratio: over that at yield of the web in shear.")
-    if len(distorted) > SHOWN:
-        table.notes.append(f"The {SHOWN} of {len(distorted)} panel zones that were distorted most.")
+    table.notes.append("Largest distortions of all analyses; yield: of the web in shear.")
+    _note_left_out(table, len(distorted), "panel zones that were distorted most")
     return table
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from math import isfinite
 
 from edesign.archive.dataset import Group
 from edesign.assess.measures import response_measures
@@ -127,4 +128,4 @@ def _pushover(name: str, group: Group) -> str:
 
 
 def _shown(value: float, unit: float) -> str:
-    return "none" if value in (float("inf"),) or value != value else number(value, scale=unit, negligible=ROUNDING)
+    return number(value, scale=unit, negligible=ROUNDING) if isfinite(value) else "none"

@@ -45,14 +45,14 @@ def run_target(
     else:
         at = found.push.start + found.push.sign * target.d_t
         pushed = push(project, spec, found.basis.loads, at, progress, stop)
-        group, warnings = pushed.group, _doubts(project, spec, found, target)
+        group, warnings = pushed.group, _warnings(project, spec, found, target)
     _store(group, spec, found, target)
     store_warnings(group, warnings)
     group.attributes |= {"method": spec.method, "spectrum_damping": level_spectrum(project, spec, spec.level).damping}
     return group
 
 
-def _doubts(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
+def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
     warnings = []
     reached, wanted = found.curve.end, RANGE * target.d_t
     if spec.method == "n2" and reached < wanted * (1.0 - ROUNDING):
