@@ -112,7 +112,7 @@ def test_the_criteria_in_the_archive_are_those_of_the_scaled_set(suite: Group) -
 def test_check_tells_the_choice(capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["check", str(CASE / "project.yaml")]) == 0
     output = capsys.readouterr().out
-    assert "set: the best 3 of 6; chosen for T_1 = " in output
+    assert "set: the best 3 of 6\n" in output and "chosen for T_1 = " in output
     assert "left out: small: its magnitude of 5 is outside of 5.5 to 7.5" in output
 
 
