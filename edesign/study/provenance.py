@@ -16,7 +16,6 @@ import edesign
 from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
-from edesign.archive.hdf5 import library_versions
 from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
@@ -150,6 +149,8 @@ def libraries() -> dict[str, str]:
 
 def circumstances() -> Group:
     """Return moment, machine and versions of others: all that may differ between runs with equal results."""
+    from edesign.archive.hdf5 import library_versions  # it loads h5py, which a check does not need
+
     return Group(
         attributes={
             "created": datetime.now(UTC).isoformat(timespec="seconds"),

@@ -98,3 +98,11 @@ def test_spring_behind_play_is_a_gap() -> None:
 def test_play_without_a_brace_is_refused() -> None:
     with pytest.raises(CoreError, match="play = 0.003 is not allowed: play stands with the stiffness of a brace"):
         CoreDamper("viscous", [1e6], play=PLAY)
+
+
+@pytest.mark.parametrize("law, values", [("viscous", [2e6]), ("viscous_power", [6e4, 0.5]), ("maxwell", [2e6, 0.1])])
+def test_slow_steps_leave_nothing_in_a_dashpot(law: str, values: list[float]) -> None:
+    """Static steps last 1e8 s: the force is that of the damper's own velocity, 5e-11 m/s."""
+    t = np.arange(8) * 1e8
+    force = CoreDamper(law, values, BRACE, play=PLAY).force(t, np.arange(8) * 5e-3, np.zeros(8))
+    assert np.max(np.abs(force)) < 1.0

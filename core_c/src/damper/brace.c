@@ -110,10 +110,16 @@ enum { STRETCHING = 1, BENDING, FROM, DURATION, OWN, TOTAL = OWN + 2, SLOPE = TO
 /* The first guess. In the first trial of a step damper and brace go on as in the step before, and share what the total deformation does
  * otherwise by the slopes at its end; where that step had another length, the damper takes all of it. In others the last trial of this
  * step moves on to where the total deformation is now. Returns by how much that moved the damper, or 0. */
-static double guess(const double *committed, const double *last, const ed_path *path, const double total[2], double kb, ed_stage *stage)
+static double guess(const ed_damper *d, const double *committed, const double *last, const ed_path *path, const double total[2],
+                    ed_stage *stage)
 {
-  const double h = path->h, u0 = committed[0], third = THIRD * h;
+  const double h = path->h, u0 = committed[0], third = THIRD * h, kb = d->brace;
   double slope[2][2], move[2];
+  if (d->joint > 0.0) { /* slopes found within the play say nothing beyond it */
+    stage->a = total[0] - path->c[0];
+    stage->b = total[1] - path->c[0];
+    return 0.0;
+  }
   if (last[FROM] == u0 && last[DURATION] == h) {
     memcpy(slope, last + SLOPE, sizeof slope);
     if (solve(slope, kb * (total[0] - last[TOTAL]) - last[RESIDUAL], kb * (total[1] - last[TOTAL + 1]) - last[RESIDUAL + 1], move)) {
@@ -198,8 +204,8 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
   ed_stage stage;
   /* Between trials of one step the balance need only be better than the change from one to the next: the rest is made up to first
    * order below, and vanishes with the change. So is it in a rough trial, which begins with the whole deformation of the step. */
-  double rest = BETWEEN_TRIALS * kb * guess(committed + own, trial + own, path, total, kb, &stage);
-  if (rough)
+  double rest = BETWEEN_TRIALS * kb * guess(d, committed + own, trial + own, path, total, &stage);
+  if (rough && d->joint == 0.0)
     rest = largest(rest, ROUGH * kb * (fabs(total[0] - path->c[0]) + fabs(total[1] - path->c[0])));
   int status = evaluate(d, committed, h, total, &stage, trial);
   for (int i = 0;; i++) {
@@ -219,8 +225,9 @@ static int viscous(const ed_damper *d, int rough, const double *committed, const
   trial[own] = u0 + stage.b;
   trial[own + STRETCHING] = ed_path_v(path, h) - (5.0 * stage.b - 9.0 * stage.a) / (2.0 * h);
   trial[own + BENDING] = 2.0 * path->c[2] + 6.0 * path->c[3] * h - (3.0 * stage.b - 9.0 * stage.a) / (h * h);
-  double holds;
-  out->force = kb * strained(d, total[1] - u0 - stage.b + by[0] * stage.residual[0] + by[1] * stage.residual[1], &holds);
+  /* What is missing to balance is made up to first order; a corner of the play would spoil that, and there the balance is as near */
+  out->force = d->joint > 0.0 ? stage.end.force
+                              : kb * (total[1] - u0 - stage.b + by[0] * stage.residual[0] + by[1] * stage.residual[1]);
   for (int i = 0; i < 2; i++) {
     const double of_third = stage.holds[0] * ed_path_u(&direction[i], THIRD * h);
     const double of_end = stage.holds[1] * ed_path_u(&direction[i], h);
