@@ -52,9 +52,9 @@ hazard:
   ground: B
   spectrum: 2
   damping: 5 %
-  parameters: {S: 1.2, T_B: 0.15 s, T_C: 0.5 s, T_D: 2 s}
+  parameters: {S: 1.2, F_0: 2.5, T_B: 0.15 s, T_C: 0.5 s, T_D: 2 s}
   national:
-    vertical: {ratio: 0.9, T_B: 0.05 s, T_C: 0.15 s, T_D: 1 s}
+    vertical: {ratio: 0.9, F_0: 3, T_B: 0.05 s, T_C: 0.15 s, T_D: 1 s}
     lower_bound_factor: 0.2
     importance_factors: {I: 0.8, II: 1.0, III: 1.2, IV: 1.4}
     phi: {roof: 1.0, correlated: 0.8}
