@@ -24,6 +24,7 @@ from edesign.report.table import Table, number, seconds, whole
 from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.study.kinds import DESIGNS, INCREMENTAL
 from edesign.study.outcome import COLLAPSED, COMPLETED, SKIPPED
+from edesign.study.variants import bound_of
 from edesign.study.warnings import warning_lines
 
 EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
@@ -101,16 +102,20 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
     """
     tables = []
     for name in archive.names(DESIGNS):
-        factors = {} if study is None else _property_factors(study, name)
+        factors = {} if study is None else property_factors_of(study, name)
         tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
     return tables
 
 
-def _property_factors(study: Study, design: str) -> dict[str, float]:
-    """Property factors on the dampers of the variants that have a design, that of the law among them."""
+def property_factors_of(study: Study, design: str) -> dict[str, float]:
+    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound."""
     dampers = study.base.dampers
     own = 1.0 if dampers is None else dampers.laws[study.designs[design].law].property_factor
-    return {key: own * (v.property_factor or 1.0) for key, v in study.variants.items() if v.design == design}
+    return {
+        key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
+        for key, variant in study.variants.items()
+        if variant.design == design
+    }
 
 
 def _stripe_entries(archive: Archive) -> tuple[str, ...]:

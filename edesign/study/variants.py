@@ -33,13 +33,13 @@ def variant_project(
     dampers = designed[variant.design] if variant.design is not None else base.dampers
     if variant.dampers == "none" or dampers is None:
         return base.model_copy(update={"dampers": None})
-    factor, own_temperature = _bound(study, name)
+    factor, own_temperature = bound_of(study, name)
     temperature_C = own_temperature if temperature_C is None else temperature_C
     return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C, factor)})
 
 
-def _bound(study: Study, name: str) -> tuple[float, float | None]:
-    """Factor on the dampers' forces and their temperature, if a variant is a bound of another."""
+def bound_of(study: Study, name: str) -> tuple[float, float | None]:
+    """Return the factor on the dampers' forces and their temperature, if a variant is a bound of another."""
     source = study.derived.get(name)
     bounds = study.variants[source.of].bounds if source is not None and source.bound else None
     if source is None or bounds is None:

@@ -14,7 +14,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.report.page.document import page_text
-from edesign.report.study_tables import study_tables
+from edesign.report.study_tables import property_factors_of, study_tables
 from edesign.study.run import run_study
 
 CASE = HERE / "viscous_dampers"
@@ -121,3 +121,9 @@ def test_verification_changes_the_dampers_until_the_drift_is_met(tmp_path: Path,
     assert np.all(device[chosen] > device[0])
     if change == "coefficient":
         np.testing.assert_allclose(device[chosen] / device[0], design.variables["round_changed"].values[chosen])
+
+
+def test_devices_of_bounds_have_the_factors_of_bounds(tmp_path: Path) -> None:
+    change = ("upper: {design: oil, property_factor: 1.2}", "x: {design: oil, bounds: {upper: 1.3, lower: 0.8}}")
+    found = property_factors_of(load_study(study_in(tmp_path, change)), "oil")
+    assert found == pytest.approx({"damped": 1.0, "x": 1.0, "x_lower": 0.8, "x_upper": 1.3})
