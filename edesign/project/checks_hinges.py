@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.checks_frame import Selections
-from edesign.project.hinges import Hinges, HingeValues, Joints
+from edesign.project.hinges import Hinges, HingeSide, HingeValues, Joints
 from edesign.project.problems import Keys, Problems
 from edesign.project.project import Project
 from edesign.project.supports import SupportSprings, VerticalSpring
@@ -87,11 +87,33 @@ def _values(problems: Problems, keys: Keys, hinges: Hinges, values: HingeValues)
     ):
         if ratio is not None and ratio < 1.0:
             problems.at_value(place, f"the moment at capping, {ratio:g} M_y, is below M_y; at least 1 is allowed")
-    if values.theta_u <= values.theta_p:
-        message = f"the ultimate rotation {values.theta_u:g} rad is not beyond theta_p, {values.theta_p:g} rad"
-        problems.at_value((*at, "theta_u"), message)
+    _side(problems, at, values, values)
+    if hinges.columns is None:
+        _side(problems, (*at, "hogging"), values, values.hogging)
     if hinges.unbraced_length is not None:
         problems.at_key((*keys, "unbraced_length"), "it is for the regression; here the parameters are given")
+
+
+def _side(problems: Problems, at: Keys, values: HingeValues, own: HingeValues | HingeSide) -> None:
+    """Check the values of one way of turning, `own` at `at`, with what they take from the other way, `values`."""
+
+    def of(name: str) -> float:
+        given = getattr(own, name)
+        return float(getattr(values, name) if given is None else given)
+
+    def place(name: str, other: str) -> Keys | None:
+        """Where the first of two values stands, or the second; None: both are those of the other way."""
+        found = (key for key in (name, other) if key in own.model_fields_set)
+        return next(((*at, key) for key in found), None)
+
+    where = place("theta_u", "theta_p")
+    if where is not None and of("theta_u") <= of("theta_p"):
+        message = f"the ultimate rotation {of('theta_u'):g} rad is not beyond theta_p, {of('theta_p'):g} rad"
+        problems.at_value(where, message)
+    where = place("M_r_ratio", "M_c_ratio")
+    if where is not None and of("M_c_ratio") >= 1.0 and of("M_r_ratio") >= of("M_c_ratio"):
+        message = f"the residual moment, {of('M_r_ratio'):g} M_y, is not below that at capping, {of('M_c_ratio'):g} M_y"
+        problems.at_value(where, message)
 
 
 def _regression(problems: Problems, keys: Keys, hinges: Hinges) -> None:

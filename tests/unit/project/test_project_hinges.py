@@ -75,6 +75,30 @@ WRONG = {
         "parameters.hogging",
         "only beams",
     ),  # fmt: skip # noqa: E501
+    "ultimate too soon in hogging": (
+        "hinges",
+        f"{{beams: {{floors: 1}}, parameters: {VALUES[:-1]}, hogging: {{theta_u: «1 mrad}}}}}}",
+        "parameters.hogging.theta_u",
+        "0.001 rad is not beyond theta_p, 0.02 rad",
+    ),  # fmt: skip # noqa: E501
+    "plastic beyond ultimate in hogging": (
+        "hinges",
+        f"{{beams: {{floors: 1}}, parameters: {VALUES[:-1]}, hogging: {{theta_p: «0.5 rad}}}}}}",
+        "parameters.hogging.theta_p",
+        "0.3 rad is not beyond theta_p, 0.5 rad",
+    ),  # fmt: skip # noqa: E501
+    "no loss": (
+        "hinges",
+        f"{{beams: {{floors: 1}}, parameters: {VALUES[:-1]}, M_c_ratio: 1, M_r_ratio: «1, hogging: {{D: 0.5}}}}}}",
+        "parameters.M_r_ratio",
+        "1 M_y, is not below that at capping, 1 M_y",
+    ),  # fmt: skip # noqa: E501
+    "no loss in hogging": (
+        "hinges",
+        f"{{beams: {{floors: 1}}, parameters: {VALUES[:-1]}, M_r_ratio: 1, hogging: {{M_c_ratio: «1}}}}}}",
+        "parameters.hogging.M_c_ratio",
+        "1 M_y, is not below that at capping, 1 M_y",
+    ),  # fmt: skip # noqa: E501
     "no line": ("panel_zones", "{lines: «K, floors: 1}", "lines", "there is no line K"),
     "no thickness": ("panel_zones", "{floors: 1, doubler: «8 kN}", "doubler", "is a force"),
     "no stiffness": ("joints", "«{beams: {floors: 1}}", "stiffness", "missing"),
