@@ -6,6 +6,9 @@ import math
 
 from edesign.errors import InputError
 
+LARGEST_EXPONENT = 100.0
+"""Largest logarithm of gamma_I, either way: no action is e^100 times another, and squares of responses are numbers."""
+
 
 def factor_of_probability(probability: float, reference: float = 0.10, k: float = 3.0) -> float:
     """Return gamma_I = (P_L / P_LR)^(-1/k), both probabilities of exceedance over the same years.
@@ -16,13 +19,14 @@ def factor_of_probability(probability: float, reference: float = 0.10, k: float 
         k: exponent of the hazard curve, generally of the order of 3.
 
     Raises:
-        InputError: a probability is not between 0 and 1, or k is not greater than zero.
+        InputError: a probability is not between 0 and 1, or k is not greater than zero or so small that
+            gamma_I is no number.
 
     Source: EN 1998-1:2004, 2.1(4) Note; thesis Eq. 5.5.
     """
     _probability(probability)
     _probability(reference)
-    return float((probability / reference) ** (-1.0 / _exponent(k)))
+    return _power(probability / reference, k)
 
 
 def factor_of_return_period(return_period: float, reference: float = 475.0, k: float = 3.0) -> float:
@@ -37,13 +41,13 @@ def factor_of_return_period(return_period: float, reference: float = 475.0, k: f
         k: exponent of the hazard curve.
 
     Raises:
-        InputError: an argument is not greater than zero.
+        InputError: an argument is not greater than zero, or k is so small that gamma_I is no number.
 
     Source: EN 1998-1:2004, 2.1(4) Note.
     """
     _years(return_period)
     _years(reference)
-    return float((reference / return_period) ** (-1.0 / _exponent(k)))
+    return _power(reference / return_period, k)
 
 
 def return_period_of(probability: float, years: float = 50.0) -> float:
@@ -58,6 +62,17 @@ def return_period_of(probability: float, years: float = 50.0) -> float:
 def probability_of(return_period: float, years: float = 50.0) -> float:
     """Return P_R = 1 - exp(-T_L / T_R), the inverse of `return_period_of`."""
     return -math.expm1(-_years(years) / _years(return_period))
+
+
+def _power(ratio: float, k: float) -> float:
+    """The factor between two actions of which one is exceeded `ratio` times as often as the other."""
+    exponent = -math.log(ratio) / _exponent(k)
+    if not abs(exponent) <= LARGEST_EXPONENT:
+        raise InputError(
+            f"with the exponent k = {k:g} what is exceeded {ratio:.4g} times as often as the reference action has "
+            f"gamma_I = e^{exponent:.4g}, which is no factor; k is generally of the order of 3 (EN 1998-1, 2.1(4) Note)"
+        )
+    return float(ratio ** (-1.0 / k))
 
 
 def _probability(value: float) -> float:

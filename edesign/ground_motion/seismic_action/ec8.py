@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from functools import partial
 
 from edesign.codes.ec8 import (
     DesignSpectrum,
@@ -38,7 +39,11 @@ class EC8Action:
         yield ("zone",), lambda: self.a_gR
         yield ("spectrum",), lambda: self.spectrum_type
         yield ("parameters",), lambda: self.parameters
-        yield ("levels",), lambda: [self.factor(level) for level in self.hazard.levels]
+        if self.hazard.k is not None:
+            rare = [name for name, one in self.hazard.levels.items() if one.probability or one.return_period]
+            yield ("k",), lambda: [self.factor(level) for level in rare]
+        for level in self.hazard.levels:
+            yield ("levels", level), partial(self.factor, level)
 
     @property
     def title(self) -> str:

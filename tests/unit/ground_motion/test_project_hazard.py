@@ -109,6 +109,7 @@ def test_what_the_code_does_not_know_is_told_with_its_place(tmp_path: Path) -> N
     for old, new, words in [
         ("zone: 3", "zone: 4", r"frame.yaml:\d+:9: hazard.zone: there is no zone in greece `4`.*`Z3`"),
         ("greece", "grece", r"frame.yaml:\d+:12: hazard.country: .*did you mean `greece`"),
+        ("ground: C", "ground: C\n  k: 1e-6", r"frame.yaml:\d+:6: hazard.k: with the exponent k = 1e-06 .* no factor"),
         ("ground: C", "ground: C\n  parameters: {T_D: 0.5 s}", r"frame.yaml:\d+:15: hazard.parameters: .*T_B <= T_C"),
     ]:
         with pytest.raises(InputError, match=words):
