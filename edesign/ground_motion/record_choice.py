@@ -13,11 +13,12 @@ import numpy as np
 from edesign.codes import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Candidate, Refusal
+from edesign.ground_motion.catalogue.folder import ENDINGS
 from edesign.ground_motion.catalogue.gather import Catalogue, gather
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.selection import Selection, select, selection_periods
 from edesign.ground_motion.selection_scaling import SelectionOptions
-from edesign.project.chosen_records import ChosenRecords
+from edesign.project.chosen_records import ChosenRecords, FolderSource
 
 
 @dataclass(frozen=True)
@@ -153,7 +154,7 @@ def choose(
     periods = selection_periods(target.set_rules, T_1, options)
     found = gather(spec, project, periods, MatchOptions(method="scale", periods=fit_band))
     if not found.candidates:
-        raise InputError(f"there are no candidates{_why(found.refused)}")
+        raise InputError(f"there are no candidates{_why(found.refused)}{_looked_for(spec, project)}")
     checksum = _checksum(found, periods, target, T_1, spec.choose, options)
     kept = list(range(len(found.candidates)))
     if earlier is not None and earlier.checksum != checksum:
@@ -195,6 +196,14 @@ def _checksum(
     for candidate, samples in zip(found.candidates, found.checksums, strict=True):
         checksum.update(f"{candidate.name}\t{candidate.event}\t{candidate.station}\t{samples}\n".encode())
     return checksum.hexdigest()
+
+
+def _looked_for(spec: ChosenRecords, project: Path) -> str:
+    """Where files were looked for, and which."""
+    folders = [str(project.parent / source.folder) for source in spec.sources if isinstance(source, FolderSource)]
+    if not folders:
+        return ""
+    return f"\n    looked for in {', '.join(folders)} and all folders below: files that end in {', '.join(ENDINGS)}"
 
 
 def _why(refused: tuple[Refusal, ...], most: int = 10) -> str:

@@ -184,3 +184,6 @@ def test_too_few_candidates_are_told_with_what_was_left_out(tmp_path: Path) -> N
     (tmp_path / "all" / "one.AT2").unlink()
     with pytest.raises(InputError, match="there are no candidates\n    left out: bad"):
         chosen(tmp_path, 3)
+    (tmp_path / "all" / "bad.AT2").unlink()
+    with pytest.raises(InputError, match=rf"looked for in {tmp_path / 'all'} and all .* files that end in \.at2, "):
+        chosen(tmp_path, 3)

@@ -22,7 +22,7 @@ _SUFFIXES = (*_WITHOUT_COMPONENT, ".ns", ".ew", ".ns1", ".ew1", ".ns2", ".ew2")
 _VERTICAL_SUFFIXES = (".ud", ".ud1", ".ud2")
 _TABLES = (".csv", ".tsv", ".txt", ".dat", ".acc")
 _PEER_TABLE = ".time_acc.csv"
-_ALL = (*_SUFFIXES, *_TABLES, *_VERTICAL_SUFFIXES)
+ENDINGS = (*_SUFFIXES, *_TABLES, *_VERTICAL_SUFFIXES)
 """Endings of files that may be records; all others are passed over."""
 
 
@@ -69,7 +69,7 @@ def _files(root: Path) -> tuple[list[Path], list[Refusal]]:
 
     for here, _, names in os.walk(root, onerror=unreadable):
         for name in names:
-            if not name.lower().endswith(_ALL):
+            if not name.lower().endswith(ENDINGS):
                 continue
             path = Path(here, name)
             below = path.relative_to(root).as_posix()
