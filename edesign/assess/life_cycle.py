@@ -13,6 +13,11 @@ from numpy.typing import ArrayLike
 from edesign.assess.fragility import Fragility
 from edesign.errors import InputError
 
+SQRT_2 = math.sqrt(2.0)
+LARGEST_EXPONENT = math.log(np.finfo(float).max)
+MOST_A_YEAR = 365.25 * 86400.0
+"""Once a second: greater rates come from lines that are too steep to go on."""
+
 
 @dataclass(frozen=True)
 class HazardCurve:
@@ -82,25 +87,54 @@ def exceedance(fragility: Fragility, curve: HazardCurve, dispersion: float = 0.0
         curve: in the unit of the fragility.
         dispersion: of modelling, added to that of the records by the root of the sum of squares.
 
+    Raises:
+        InputError: the first line of the curve is so steep that the rate is more than one a second.
+
     Source: Cornell, Jalayer, Hamburger & Foutch (2002), Journal of Structural Engineering 128(4), Eq. 18 for one line;
     FEMA P-58-1, 7.6 (time-based assessment).
     """
     beta = math.hypot(fragility.beta, dispersion)
+    lines = curve.exponents.size
     edges = np.concatenate(([0.0], curve.intensity[1:-1], [np.inf]))
-    k = curve.exponents
-    at_median = curve.rate[:-1] * (fragility.theta / curve.intensity[:-1]) ** -k
-    with np.errstate(divide="ignore"):
-        z = np.log(edges / fragility.theta) / beta
-
-    def part(k: np.ndarray | float, at_median: np.ndarray | float, low: ArrayLike, high: ArrayLike) -> np.ndarray:
-        inside = scipy.special.ndtr(np.asarray(high) + k * beta) - scipy.special.ndtr(np.asarray(low) + k * beta)
-        return np.asarray(at_median * np.exp(0.5 * (k * beta) ** 2) * inside)
-
-    rate = float(np.sum(part(k, at_median, z[:-1], z[1:])))
-    first, last = np.log(curve.intensity[[0, -1]] / fragility.theta) / beta
-    below = float(part(k[0], at_median[0], -np.inf, first))
-    beyond = float(part(k[-1], at_median[-1], last, np.inf))
+    rate = sum(_over_line(curve, i, edges[i], edges[i + 1], fragility.theta, beta) for i in range(lines))
+    if not rate <= MOST_A_YEAR:
+        raise InputError(
+            f"the first line of the hazard curve, k = {curve.exponents[0]:.4g}, is too steep to go on below its first "
+            f"point with a dispersion of {beta:.3g}; codes have k of the order of 3"
+        )
+    below = _over_line(curve, 0, 0.0, curve.intensity[0], fragility.theta, beta)
+    beyond = _over_line(curve, lines - 1, curve.intensity[-1], np.inf, fragility.theta, beta)
     return Exceedance(rate, below / rate if rate > 0.0 else 0.0, beyond / rate if rate > 0.0 else 0.0)
+
+
+def _over_line(curve: HazardCurve, i: int, low: float, high: float, theta: float, beta: float) -> float:
+    """The integral over a part of a line of the curve, from `low` to `high`; infinite where it is beyond numbers.
+
+    With x = ln(a/theta)/beta, H(theta) exp(k^2 beta^2 / 2) Phi(-x - k beta) is H(a) exp(-x^2 / 2) erfcx((x + k beta) /
+    sqrt(2)) / 2, in which nothing is large, whatever k is.
+    """
+    k = float(curve.exponents[i])
+
+    def log_rate(im: float) -> float:
+        return math.log(curve.rate[i]) - k * math.log(im / curve.intensity[i])
+
+    def place(im: float) -> float:
+        return -math.inf if im == 0.0 else math.log(im / theta) / beta if im < math.inf else math.inf
+
+    def tail(im: float, side: float) -> float:
+        """What is beyond (1) or before (-1) an intensity that is beyond or before the largest of the integrand."""
+        x = place(im)
+        if math.isinf(x):
+            return 0.0
+        return math.exp(log_rate(im) - 0.5 * x * x) * float(scipy.special.erfcx(side * (x + k * beta) / SQRT_2)) / 2.0
+
+    if place(low) + k * beta >= 0.0:
+        return tail(low, 1.0) - tail(high, 1.0)
+    if place(high) + k * beta <= 0.0:
+        return tail(high, -1.0) - tail(low, -1.0)
+    exponent = log_rate(theta) + 0.5 * (k * beta) ** 2
+    whole = math.exp(exponent) if exponent < LARGEST_EXPONENT else math.inf
+    return whole - tail(low, -1.0) - tail(high, 1.0)
 
 
 @dataclass(frozen=True)

@@ -11,6 +11,9 @@ from edesign.project.hazard_base import YEAR, LevelName
 from edesign.project.several import ShortName
 from edesign.project.units import Factor, PositiveAcceleration, PositiveTime, UnitRatio
 
+Dispersion = Annotated[Factor, Field(le=2.0)]
+"""Standard deviation of a logarithm; with 2, one standard deviation is a factor of 7 already."""
+
 
 class CurveOfLevels(Model):
     """A hazard curve through levels of the hazard, by the return period of each, s."""
@@ -44,6 +47,6 @@ class LifeCycle(Model):
 
     hazard_curve: HazardCurve
     years: PositiveTime = 50.0 * YEAR
-    dispersion: Factor = 0.0
+    dispersion: Dispersion = 0.0
     losses: dict[ShortName, UnitRatio] = {}
     discount: UnitRatio = 0.0

@@ -168,7 +168,10 @@ def _life_cycle(variant: str, fragilities: Sequence[LimitFragility], about: Grou
     except InputError as error:
         return LifeCycle(variant, years, dispersion, None, {}, None, str(error))
     fits = {one.limit: one.fit for one in fragilities if one.variant == variant}
-    found = {name: exceedance(fit, curve, dispersion) for name, fit in fits.items() if fit is not None}
+    try:
+        found = {name: exceedance(fit, curve, dispersion) for name, fit in fits.items() if fit is not None}
+    except InputError as error:
+        return LifeCycle(variant, years, dispersion, curve, {}, None, str(error))
     losses = {str(name): float(share) for name, share in spec["losses"].items()}
     missing = [name for name in losses if name not in found]
     loss, reason = None, ""

@@ -48,6 +48,26 @@ def test_a_bent_hazard_curve_by_quadrature(theta: float, beta: float, dispersion
     assert found.beyond == pytest.approx(parts[-1] / sum(parts), abs=1e-8)
 
 
+@pytest.mark.parametrize("theta", [0.05, 0.0999, 0.1, 0.3])
+def test_a_steep_line_between_others_is_the_step_that_it_nearly_is(theta: float) -> None:
+    """With k = 1e7 on the second line, H falls from 1e-2 to 1e-6 at 0.1; the first and third line have k = 1."""
+    top = 0.1 * 1e4**1e-7
+    curve = HazardCurve(np.array([0.01, 0.1, top, 1.0]), np.array([0.1, 1e-2, 1e-6, 1e-7]))
+    assert curve.exponents == pytest.approx([1.0, 1e7, 1.0], rel=1e-6)
+    beta, x = 0.4, math.log(0.1 / theta) / 0.4
+    below, beyond = (r * 0.1 / theta * math.exp(beta**2 / 2.0) for r in (1e-2, 1e-6))
+    expected = below * norm.cdf(x + beta) + beyond * norm.sf(x + beta)
+    found = exceedance(fragility(theta, beta), curve)
+    assert found.rate == pytest.approx(expected, rel=2e-5)
+    assert 0.0 <= found.below <= 1.0 and 0.0 <= found.beyond <= 1.0
+
+
+@pytest.mark.parametrize("top", [1.000001, 1.2])
+def test_a_steep_first_line_is_refused(top: float) -> None:
+    with pytest.raises(InputError, match="first line of the hazard curve, k = .*, is too steep"):
+        exceedance(fragility(0.8, 0.4), HazardCurve(np.array([0.1, 0.1 * top]), np.array([0.02, 1e-300])))
+
+
 def test_points_of_the_curve_are_met() -> None:
     np.testing.assert_allclose(BENT.rate_of(BENT.intensity), BENT.rate, rtol=1e-12)
     assert BENT.rate_of(np.sqrt(0.2 * 0.6)) == pytest.approx(np.sqrt(0.01 * 1e-3))
