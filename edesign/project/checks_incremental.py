@@ -68,6 +68,12 @@ def _life_cycle(keys: Keys, incremental: Incremental, spec: LifeCycle, base: Pro
             if name not in base.hazard_levels:
                 problems.at_key((*at, "levels", name), unknown_name("level", name, base.hazard_levels))
             _return_period((*at, "levels", name), period, problems)
+        names = list(curve.levels)
+        for i, name in enumerate(names):
+            twin = next((other for other in names[:i] if curve.levels[other] == curve.levels[name]), None)
+            if twin is not None:
+                message = f"{curve.levels[name] / YEAR:g} years are the return period of `{twin}` too; each has its own"
+                problems.at_value((*at, "levels", name), message)
     else:
         if isinstance(incremental, LevelFactorStudy):
             message = "intensities are factors of a level here; give the return periods of `levels`"

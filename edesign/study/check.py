@@ -30,6 +30,7 @@ from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.criteria import check_criteria_inputs
 from edesign.study.design.design import check_sizing
 from edesign.study.history import check_motion
+from edesign.study.intensity import check_hazard_curves
 from edesign.study.modal import fundamental_period, mode_count
 from edesign.study.motions import Motion, check_fits, expected_scale
 from edesign.study.plan import Task, make_plan
@@ -98,7 +99,8 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
         plan: of the study.
 
     Raises:
-        InputError: also if no damper reaches the target of a design, or a law has no parameters at a temperature.
+        InputError: also if no damper reaches the target of a design, a law has no parameters at a temperature, or the
+            intensities of a hazard curve do not rise.
     """
     study.check_unchanged()
     study.base.check_unchanged()
@@ -115,6 +117,7 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
     specs = (*(task.spec for task in plan), *histories)
     found = _check_inputs(base, specs)
+    check_hazard_curves(study)
     for name, variant in study.variants.items():
         if variant.values:
             try:

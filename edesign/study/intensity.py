@@ -2,18 +2,27 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from edesign.codes.motion_sets import DAMPING
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.analyses import ModalAnalysis
+from edesign.project.hazard_base import YEAR
 from edesign.project.incremental import Incremental, LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
+from edesign.project.life_cycle import CurveOfLevels
+from edesign.project.problems import keys_text
 from edesign.project.project import Project
+from edesign.project.study import Study
 from edesign.project.units import STANDARD_GRAVITY
 from edesign.study.damper_stiffness import damped_modes
 from edesign.study.history import input_motion
 from edesign.study.structure import make_structure
+
+LONGEST = 10.0
+"""Up to what period levels are compared where a study leaves it to the frame, s."""
 
 
 def intensity_text(study: Incremental, intensity: float) -> str:
@@ -67,6 +76,62 @@ def level_intensity(project: Project, study: Incremental, period: float | None, 
     at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
     spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
     return None if at is None else float(spectrum.acceleration(at))
+
+
+def check_hazard_curves(study: Study) -> None:
+    """Check that levels of hazard curves that are rarer have larger intensities.
+
+    Where the period of the spectral acceleration is not known yet, that of variants, they must at some period.
+
+    Args:
+        study: the validated study, whose hazard is right.
+
+    Raises:
+        InputError: they have not, or a level has no intensity; the message names the place.
+    """
+    for i, item in enumerate(study.incremental):
+        curve = item.life_cycle.hazard_curve if item.life_cycle is not None else None
+        if not isinstance(curve, CurveOfLevels):
+            continue
+        given = item.period if isinstance(item, SpectralAccelerationStudy) else 0.0
+        periods = np.linspace(0.0, LONGEST, 401) if given is None else np.array([given])
+        names = sorted(curve.levels, key=lambda name: curve.levels[name])
+        for before, name in zip(names, names[1:], strict=False):
+            keys = ("incremental", i, "life_cycle", "hazard_curve", "levels", name)
+            try:
+                pair = [_intensities(study.base, item, level, periods) for level in (before, name)]
+                reached = np.isfinite(pair[0]) & np.isfinite(pair[1])
+                if np.all(pair[1][reached] <= pair[0][reached]):
+                    raise InputError(_not_rising(item, curve, before, name, given, pair))
+            except InputError as error:
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {error}") from error
+
+
+def _intensities(project: Project, item: Incremental, level: str, periods: np.ndarray) -> np.ndarray:
+    """Intensities of a level at periods; nan where there is a choice of periods and the spectrum does not reach."""
+    if isinstance(item, LevelFactorStudy):
+        return np.array([level_intensity(project, item, None, level)])
+    assert project.hazard is not None, "it has the level"
+    spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
+    reached = periods if periods.size == 1 else periods[periods <= spectrum.last_period]
+    found = np.full(periods.shape, np.nan)
+    found[: reached.size] = spectrum.acceleration(reached)
+    return found
+
+
+def _not_rising(
+    item: Incremental, curve: CurveOfLevels, before: str, name: str, given: float | None, pair: list[np.ndarray]
+) -> str:
+    years = {level: f"{curve.levels[level] / YEAR:g} years" for level in (before, name)}
+    said = f"`{name}` of {years[name]} is no larger than `{before}` of {years[before]}"
+    if given is None:
+        said += " at any period"
+    else:
+        first, second = (float(values[0]) for values in pair)
+        shown = [intensity_text(item, value) for value in (second, first)]
+        at = f" at {given:g} s" if isinstance(item, SpectralAccelerationStudy) else ""
+        said += f"{at} ({shown[0]} and {shown[1]})"
+    return f"{said}; the longer a return period, the larger must be the intensity"
 
 
 def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:

@@ -117,6 +117,11 @@ CURVE = "hazard_curve: {intensities: [0.1 g, 0.4 g], return_periods: [95 years, 
         (f"{CURVE}, losses: {{LSS: 20 %}}", "losses.LSS: there is no limit `LSS`; did you mean `LS`?"),
         (f"{CURVE}, losses: {{LS: 120 %}}", "120 %"),
         (f"{CURVE}, years: 1 month", "this is shorter than a year"),
+        (f"{CURVE}, dispersion: 2.5", "12: incremental[0].life_cycle.dispersion: "),
+        (
+            "hazard_curve: {levels: {MCE: 475 years, DBE: 475 years}}",
+            "levels.DBE: 475 years are the return period of `MCE` too",
+        ),
         (f"{CURVE}, disperson: 0.3", "did you mean `dispersion`?"),
     ],
 )

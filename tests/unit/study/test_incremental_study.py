@@ -20,7 +20,7 @@ from edesign.project.units import STANDARD_GRAVITY
 from edesign.project.validity import Validity
 from edesign.study.analyses import run_analysis
 from edesign.study.incremental import incremental_group
-from edesign.study.intensity import first_period, level_intensity, record_intensity
+from edesign.study.intensity import check_hazard_curves, first_period, level_intensity, record_intensity
 from edesign.study.plan import waves
 from edesign.study.run import run_study
 from edesign.study.study_plan import make_study_plan
@@ -164,3 +164,24 @@ def test_the_group_of_the_study(tmp_path: Path) -> None:
     assert np.isnan(group.variables["period"].values[2]) and np.isnan(group.variables["level_intensity"].values[2])
     assert group.attributes["limits"] == {"LS": ["interstorey_drift", 0.025]}
     assert group.attributes["level"] == "MCE" and group.attributes["collapse_drift"] == 0.1
+
+
+RARER = (
+    "records: shake, intensity: spectral_acceleration, {period}levels: [0.5 g, 1 g], collapse_drift: 8 %, "
+    "life_cycle: {{hazard_curve: {{levels: {{DBE: 475 years, MCE: {rare}}}}}}}"
+)
+
+
+@pytest.mark.parametrize(
+    ("period", "said"), [("period: 0.8 s, ", r"at 0.8 s \(0.77625g and 1.32737g\)"), ("", "at any period")]
+)
+def test_a_rarer_level_has_the_larger_intensity(tmp_path: Path, period: str, said: str) -> None:
+    levels = ("levels: {MCE: {probability: 2 %}}", "levels: {DBE: {gamma_I: 1}, MCE: {probability: 2 %}}")
+    path = write(tmp_path, RARER.format(period=period, rare="2475 years"))
+    project = tmp_path / "project.yaml"
+    project.write_text(project.read_text(encoding="utf-8").replace(*levels), encoding="utf-8")
+    check_hazard_curves(load_study(path))
+    text = path.read_text(encoding="utf-8").replace("MCE: 2475 years", "MCE: 95 years")
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=rf"study.yaml:7:\d+: incremental\[0\].*levels.DBE: `DBE` of 475 .*{said}"):
+        check_hazard_curves(load_study(path))
