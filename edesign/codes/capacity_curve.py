@@ -93,10 +93,19 @@ def fitting(target: Callable[[float], float], most: float) -> float:
     Args:
         target: the target displacement, m, from the displacement of the idealisation, m; above 0 at small ones.
         most: the largest displacement of the idealisation, m.
+
+    Raises:
+        InputError: the target is too small for a displacement of its own on the curve.
     """
     if target(most) >= most:
         return most
-    return zero(lambda displacement: displacement - target(displacement), SETTLED * most, most)
+    least = SETTLED * most
+    if not (found := target(least)) > least:
+        raise InputError(
+            f"the target displacement, {found:.3g} m, is below {SETTLED:g} of the {most:.3g} m up to which the "
+            "capacity curve is idealised: the spectrum of this level hardly moves the frame"
+        )
+    return zero(lambda displacement: displacement - target(displacement), least, most)
 
 
 def zero(function: Callable[[float], float], low: float, high: float) -> float:

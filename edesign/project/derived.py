@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Field
 
 from edesign.project.base import Model, refuse
 from edesign.project.measures import SHORT_NAMES
-from edesign.project.problems import unknown_name
+from edesign.project.problems import as_seen, unknown_name
 from edesign.project.several import Names, ShortName, several
 
 SHARED = ("edesign", "title", "hazard", "records", "analyses", "outputs")
@@ -21,8 +21,10 @@ Side = Literal["lower", "upper"]
 def _measures(value: Any) -> Any:
     found = several(value)
     for i, name in enumerate(found if isinstance(found, (list, tuple)) else ()):
+        if not isinstance(name, str):
+            raise refuse(f"a name of a response measure is needed, such as `interstorey_drift`, not {as_seen(name)}", i)
         if name not in SHORT_NAMES:
-            raise refuse(unknown_name("response measure", str(name), SHORT_NAMES), i)
+            raise refuse(unknown_name("response measure", name, SHORT_NAMES), i)
     return found
 
 

@@ -14,6 +14,7 @@ from edesign.project.several import Names
 from edesign.project.temperature import Temperature
 from edesign.project.units import (
     Duration,
+    LeastBrace,
     PositiveFactor,
     PositiveFrequency,
     PositiveLength,
@@ -70,7 +71,7 @@ Properties = Annotated[
 class BraceRatio(Model):
     """Braces of a storey together, along its drift, as a multiple of the stiffness of the storey."""
 
-    ratio: PositiveFactor
+    ratio: LeastBrace
 
 
 Brace = Annotated[

@@ -11,7 +11,7 @@ from pydantic import BaseModel, Tag, ValidationError
 from pydantic_core import ErrorDetails
 
 from edesign.project.base import TAG
-from edesign.project.problems import Keys, Problems, did_you_mean, listed
+from edesign.project.problems import Keys, Problems, as_seen, did_you_mean, listed
 
 _VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_rts",))
 """Keys whose value is the version of a file format."""
@@ -49,10 +49,12 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
     elif kind == "tuple_type" and detail["loc"][-1] == f"{TAG}plain":
         other = _allowed_keys(_model_at(model, (*detail["loc"][:-1], f"{TAG}mapping")))
         problems.at_value(
-            keys, f"a list, or a mapping of {listed(other)}, is needed here, not {_seen(detail['input'])}"
+            keys, f"a list, or a mapping of {listed(other)}, is needed here, not {as_seen(detail['input'])}"
         )
     elif kind == "literal_error" and keys in _VERSIONS:
-        problems.at_value(keys, f"format {_seen(detail['input'])} is unknown to this version of edesign, which reads 1")
+        problems.at_value(
+            keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"
+        )
     elif detail["loc"] and detail["loc"][-1] == "[key]":
         problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")
     else:
@@ -62,7 +64,7 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
 def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: Problems) -> None:
     """The value of the key that chooses between alternatives is missing or unknown."""
     if not isinstance(value, Mapping):
-        problems.at_value(keys, f"a mapping is needed here, not {_seen(value)}")
+        problems.at_value(keys, f"a mapping is needed here, not {as_seen(value)}")
         return
     key, _, seen = str(context["tag"]).lstrip(TAG).partition("=")
     tags = [tag.strip(" '").lstrip(TAG) for tag in str(context["expected_tags"]).split(",")]
@@ -75,7 +77,7 @@ def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: 
 
 
 def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str:
-    seen = _seen(detail["input"])
+    seen = as_seen(detail["input"])
     if kind in _WORDS:
         return f"{_WORDS[kind](context)} is needed here, not {seen}"
     if kind in _LIMITS:
@@ -122,16 +124,6 @@ _LIMITS = {
     "less_than": "less than",
     "less_than_equal": "at most",
 }
-
-
-def _seen(value: Any) -> str:
-    if value is None:
-        return "nothing"
-    if isinstance(value, Mapping):
-        return "a mapping"
-    if isinstance(value, (tuple, list)):
-        return "a list"
-    return f"`{str(value).lower() if isinstance(value, bool) else value}`"
 
 
 def _keys(loc: tuple[int | str, ...], problems: Problems) -> Keys:

@@ -8,7 +8,7 @@ from edesign.project.base import Model
 from edesign.project.braces import BraceBuckling
 from edesign.project.sections import SectionAxis
 from edesign.project.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
-from edesign.project.units import PositiveRatio
+from edesign.project.units import BucklingLengthFactor
 
 BraceKind = Literal["rising", "falling", "cross", "chevron", "v"]
 
@@ -63,7 +63,7 @@ class BraceRun(Model):
     section: str
     material: str
     compression: bool = True
-    buckling_length_factor: PositiveRatio = 1.0
+    buckling_length_factor: BucklingLengthFactor = 1.0
     buckling: BraceBuckling | None = None
 
 

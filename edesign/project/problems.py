@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import difflib
 import os.path
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from edesign.errors import InputError
 from edesign.project.yaml_nodes import Mark, Node, find
@@ -118,6 +119,17 @@ def listed(names: Iterable[object], most: int = 12) -> str:
     names = list(names)
     text = ", ".join(f"`{name}`" for name in names[:most])
     return text + (f" and {len(names) - most} more" if len(names) > most else "") if names else "none"
+
+
+def as_seen(value: Any) -> str:
+    """A value of a file, as messages say what stands there."""
+    if value is None:
+        return "nothing"
+    if isinstance(value, Mapping):
+        return "a mapping"
+    if isinstance(value, (tuple, list)):
+        return "a list"
+    return f"`{str(value).lower() if isinstance(value, bool) else value}`"
 
 
 def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:

@@ -9,7 +9,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag
 from edesign.project.base import Model, by_shape
 from edesign.project.damping import ModeNumber
 from edesign.project.several import Names, ShortName, several
-from edesign.project.units import Factor, PositiveRatio
+from edesign.project.units import Factor, PositiveRatio, PushedDrift
 
 Steps = Annotated[int, Field(ge=1, le=1_000_000)]
 PUSHOVER_STEPS = 200
@@ -67,7 +67,7 @@ class Pushover(Model):
 
     pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), BeforeValidator(_one_or_more)]
     direction: Literal["right", "left", "both"] = "right"
-    roof_drift: PositiveRatio | None = None
+    roof_drift: PushedDrift | None = None
     steps: Steps = PUSHOVER_STEPS
     targets: Annotated[tuple[Method, ...], BeforeValidator(several)] = ()
     levels: Names | None = None

@@ -296,6 +296,13 @@ PositiveVelocity = Annotated[float, _of(VELOCITY, "positive")]
 PositiveAcceleration = Annotated[float, _of(ACCELERATION, "positive")]
 PositiveRatio = Annotated[float, _ratio(0.0, 1.0, low_allowed=False)]
 """Greater than 0, at most 1."""
+BucklingLengthFactor = Annotated[float, _ratio(0.1, 1.0)]
+"""At least 0.1, at most 1. Fixed ends make 0.5 and holds on the way less; a tenth would be nine holds. Below it the
+squash load comes long before any buckling, and the part that bends is too short to be an element."""
+PushedDrift = Annotated[float, _ratio(1e-6, 1.0)]
+"""At least 1e-6, at most 1: less, a hundredth of a millimetre at 10 m, is lost beside the displacement from gravity."""
+LeastBrace = Annotated[float, _ratio(0.001, math.inf)]
+"""At least 0.001. A damper behind such a brace adds 0.025 % of damping at most, (sqrt(1 + r) - 1) / 2: it is none."""
 Hardening = Annotated[float, _ratio(0.0, 1.0, high_allowed=False)]
 """At least 0, less than 1."""
 UnitRatio = Annotated[float, _ratio(0.0, 1.0)]

@@ -38,7 +38,9 @@ def brace_table(groups: Mapping[str, Group]) -> Table:
             for _, variable, sign, unit in shown:
                 stored = group.variables.get(variable)
                 names = braces if stored is not None and stored.dims[0] == "buckling_brace" else every
-                value = None if stored is None else sign * float(stored.values[names.index(braces[at])])
+                value = None
+                if stored is not None:  # an extreme of the other sign: it was never in tension, or in compression
+                    value = max(sign * float(stored.values[names.index(braces[at])]), 0.0)
                 cells.append(number(value, scale=unit))
             table.rows.append([name, braces[at], *cells])
     if table.rows:

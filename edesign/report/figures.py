@@ -157,6 +157,21 @@ def legend_label(text: str) -> str:
     return f" {text}" if text.startswith("_") else text
 
 
+def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
+    """Put a legend below the axes, in as many columns as fit the width of the figure; to be called when `styled`.
+
+    Args:
+        figure: of its final size.
+        handles, labels: of the legend.
+        most: columns, however wide the figure is.
+    """
+    for columns in range(min(most, len(handles)), 0, -1):
+        legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
+        if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
+            return
+        legend.remove()
+
+
 def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
     """Return a figure of `count` panels in rows of at most `columns`, and their axes; to be called when `styled`.
 

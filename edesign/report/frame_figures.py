@@ -179,6 +179,11 @@ def hinge_figure(frame: Frame, panels: Sequence[Hinges], scale: Scale = ROTATION
         for size, color, label in zip(SIZES, COLORS, scale.names[1:], strict=True)
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=4 if width * len(panels) > 4.0 else 2)
+    engine = figure.get_layout_engine()
+    assert engine is not None
+    engine.execute(
+        figure
+    )  # with equal scales an elevation fills its panel only then, and the next layout sees its title
     return figure
 
 

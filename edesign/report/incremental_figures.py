@@ -11,7 +11,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.incremental import COLLAPSE, FRACTILES, Stripes, capacities, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
 from edesign.report.captions import file_name
-from edesign.report.figures import MEAN, RECORDS, TARGET, VARIANTS, label_outer, new_figure, styled
+from edesign.report.figures import MEAN, RECORDS, TARGET, VARIANTS, label_outer, legend_below, new_figure, styled
 from edesign.report.incremental_results import UNITS, IncrementalResults, read_incremental
 from edesign.report.measure_columns import measure_title
 
@@ -87,7 +87,7 @@ def ida_figure(
         here.set_ylim(0.0, top)
     label_outer(axes, len(axes), measure, intensity)
     handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=4)
+    legend_below(figure, handles, labels, 4)
     return figure
 
 
@@ -124,7 +124,7 @@ def fragility_figure(fragilities: Sequence[LimitFragility], intensity: str, inte
         here.set_ylim(0.0, 1.0)
     label_outer(axes, len(axes), intensity, "probability")
     named = {label: handle for here in axes for handle, label in zip(*here.get_legend_handles_labels(), strict=True)}
-    figure.legend(list(named.values()), list(named), loc="outside lower center", ncols=4)
+    legend_below(figure, list(named.values()), list(named), 4)
     return figure
 
 

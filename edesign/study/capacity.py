@@ -18,7 +18,7 @@ from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.hazard import EC8Hazard
 from edesign.project.project import Project
-from edesign.project.pushover import Method
+from edesign.project.pushover import METHODS, Method
 from edesign.study.lateral_patterns import by_floor, floor_masses, lateral_loads
 from edesign.study.push import Progress, Push, Stop, push
 from edesign.study.structure import make_frame, make_structure
@@ -108,7 +108,10 @@ class Capacity:
         Raises:
             AnalysisError: there is none.
         """
-        return _METHODS[method](self, level_spectrum(self.project, self.spec, level))
+        try:
+            return _METHODS[method](self, level_spectrum(self.project, self.spec, level))
+        except InputError as problem:
+            raise AnalysisError(f"{METHODS[method]}: {problem}") from problem
 
 
 def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, level: str) -> Spectrum:
@@ -159,10 +162,7 @@ def capacity(
 
 
 def _n2(capacity: Capacity, spectrum: Spectrum) -> Target:
-    try:
-        oscillator = n2.equivalent_oscillator(capacity.basis.forces, capacity.basis.masses)
-    except InputError as problem:
-        raise AnalysisError(f"N2: {problem}") from problem
+    oscillator = n2.equivalent_oscillator(capacity.basis.forces, capacity.basis.masses)
     found = n2.target_displacement(capacity.curve, oscillator, spectrum, _corner(spectrum))
     relation, Gamma = found.idealisation, oscillator.Gamma
     values = (

@@ -97,6 +97,13 @@ def test_the_target_fits_its_own_idealisation() -> None:
     assert far.idealisation.d_m == pytest.approx(0.4) and far.d_t > 0.4
 
 
+def test_targets_too_small_for_the_curve_are_refused() -> None:
+    with pytest.raises(InputError, match="is below 1e-09 of the 1 m up to which the capacity curve is idealised"):
+        n2.target_displacement(elastoplastic(0.1), n2.Oscillator(MASS, 1.0), Hyperbola(1e-12), 0.5)
+    with pytest.raises(InputError, match="the roof is 1e-200 of the largest one"):
+        n2.equivalent_oscillator(np.array([1.0, 1e-200]), np.ones(2))
+
+
 def test_oscillator_of_uniform_and_linear_shapes() -> None:
     """Phi = 1: m* = sum m, Gamma = 1. Phi = i/n of n equal masses: Gamma = 3 n / (2 n + 1)."""
     masses = np.full(10, 5e4)

@@ -116,7 +116,7 @@ def first(storeys: int) -> float:
     return 2.0 * OMEGA * math.sin(0.5 * math.pi / (2 * storeys + 1))
 
 
-@pytest.mark.parametrize("ratio", [0.5, 2.0, 5.0])
+@pytest.mark.parametrize("ratio", [0.001, 0.01, 0.5, 2.0, 5.0])
 def test_brace_limits_the_damping(ratio: float) -> None:
     # one storey with dashpot and brace in series is a Zener solid with a mass: (sqrt(1 + r) - 1) / 2 at most, up to
     # r = 8, where all three eigenvalues meet; the closed form is checked against its characteristic polynomial

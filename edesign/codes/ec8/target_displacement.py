@@ -14,6 +14,10 @@ from edesign.errors import InputError
 RANGE = 1.5
 """The capacity curve reaches to this multiple of the target displacement. Source: EN 1998-1:2004, 4.3.3.4.2.3(1)."""
 
+LEAST_ROOF_FORCE = 1e-6
+"""Of the force of the roof over the largest one. With less the control node does not stand for the frame: Gamma, by
+which its displacement is divided, goes with it towards zero."""
+
 LARGEST_RATIO = 3.0
 """d_t* need not exceed this multiple of d_et*. Source: EN 1998-1:2004, Annex B.5(2), Note to Eq. B.12."""
 
@@ -82,12 +86,18 @@ def equivalent_oscillator(forces: np.ndarray, masses: np.ndarray) -> Oscillator:
         masses: m_i of the floors, kg; 0 only where there is no force.
 
     Raises:
-        InputError: the floor of the control node has no mass or no force, or forces have no resultant.
+        InputError: the floor of the control node has no mass or hardly a force, or forces have no resultant.
 
     Source: EN 1998-1:2004, Annex B, Eqs. B.1 to B.3.
     """
     if not (masses[-1] > 0.0 and forces[-1] != 0.0):
         raise InputError("the roof needs a mass and a lateral force, to which those of the other floors are related")
+    share = abs(forces[-1]) / np.abs(forces).max()
+    if share < LEAST_ROOF_FORCE:
+        raise InputError(
+            f"the lateral force of the roof is {share:.3g} of the largest one; those of the other floors are related "
+            f"to it, which takes {LEAST_ROOF_FORCE:g} at least"
+        )
     there = masses > 0.0
     m, normalised = masses[there], forces[there] * masses[-1] / forces[-1]
     total = float(normalised.sum())

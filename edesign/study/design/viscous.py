@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
@@ -21,6 +22,7 @@ from edesign.study.design.viscous_frame import Vibration, ViscousFrame, differen
 _GROWTH = 1.5  # of the coefficients between trials on the way to a target
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 _LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too
+_FREE = 0.25  # omega c f up to which a dashpot hardly feels the flexibility f in series with it
 _FIRST = 0.25
 """First trial over what the energy of the mode without dampers asks for. Damping is largest where that formula says at
 most twice as much as there is (behind a brace, towards the brace's limit), so a quarter is below every optimum."""
@@ -110,8 +112,7 @@ def largest_viscous_damping(frame: ViscousFrame) -> float:
     """
     pattern, weight = pattern_of(frame.building, frame.spec.distribution), frame.weight(frame.undamped(0.0))
     damping_of = partial(_damping, frame, pattern, weight)
-    ends = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * _SMALL, _LOCKED))
-    return _reach(damping_of, math.inf, *ends)[1]
+    return _reach(damping_of, math.inf, *_ends(frame, pattern, weight, _SMALL))[1]
 
 
 def _coefficients(
@@ -121,7 +122,7 @@ def _coefficients(
     if frame.spec.distribution == "least_coefficient":
         return least_coefficient(frame, weight, omega, before)
     pattern = pattern_of(frame.building, frame.spec.distribution)
-    ends = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * target, _LOCKED))
+    ends = _ends(frame, pattern, weight, target)
     scale, found = _reach(partial(_damping, frame, pattern, weight), target, *ends)
     if found < target:
         raise InputError(_unreachable(frame, target, found, before is not None))
@@ -132,6 +133,21 @@ def _damping(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, scale
     """Damping of the first mode with scaled coefficients."""
     coefficient = scale * pattern
     return frame.modes(weight * frame.at_places(coefficient), coefficient).first_damping
+
+
+def _ends(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, target: float) -> tuple[float, float]:
+    """Scales of a pattern below all that a damping ratio may need, and at which all dashpots are locked.
+
+    A target far beyond what soft braces let the dampers reach says nothing of the former: a dashpot in series with
+    the flexibility f of its brace, and of what the masses do not share, does most at omega c f of about 1, so below `_FREE` of it.
+    """
+    first, last = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * target, _LOCKED))
+    shared = np.sum((frame.bare.dampers / frame.bare.omega[:, None]) ** 2, axis=0)
+    flexibility = np.maximum(np.diag(frame.building.frame.C) - shared, 0.0)
+    if frame.brace is not None:
+        flexibility += 1.0 / frame.building.at_places(frame.brace)
+    felt = float(frame.bare.omega[0]) * weight * frame.at_places(pattern) * flexibility
+    return min(first, _FREE / max(float(felt.max()), sys.float_info.min)), last
 
 
 def _scale_of(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, damping: float) -> float:

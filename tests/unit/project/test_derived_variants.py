@@ -82,6 +82,12 @@ def test_a_variant_that_is_named_takes_with_it_what_is_made_of_it() -> None:
         ),
         ("name: brace", "name: c", "vary[1].name", "comes twice"),
         ("roof_acceleration,", "roof_acceleraton,", "vary[0].measures[1]", "did you mean `roof_acceleration`?"),
+        (
+            "roof_acceleration,",
+            "{x: damper_force},",
+            "vary[0].measures[1]",
+            "such as `interstorey_drift`, not a mapping",
+        ),
         ("  softer: {", "  damped_c_2: {", "vary[0].name", "makes a variant `damped_c_2`, which there is"),
         ("values: [40 kN*s/m, 150 kN*s/m, 600 kN*s/m]", "values: []", "vary[0].values", ""),
     ],

@@ -71,6 +71,7 @@ def test_what_pushovers_stand_for() -> None:
         ("pattern: uniform, roof_drift: 1 %, damping: 10 %", WITH, "this is of target displacements"),
         ("pattern: uniform, roof_drift: 1 %, direction: up", WITH, "`up` is unknown"),
         ("pattern: uniform, targets: n2, damping: 5", WITH, "damping"),
+        ("pattern: uniform, roof_drift: 1e-300", WITH, "`1e-300` is out of range: a ratio at least 1e-06"),
         ("pattern: uniform, roof_drift: 60 %", WITH, "is beyond 31.2 %"),
     ],
 )

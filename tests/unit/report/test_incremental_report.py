@@ -72,3 +72,9 @@ def test_fragilities_with_observed_fractions() -> None:
     assert fit is not None
     curve = points["bare, fitted"]
     assert np.interp(fit.theta / G, curve.get_xdata(), curve.get_ydata()) == pytest.approx(0.5, abs=1e-3)
+
+
+def test_the_legend_fits_a_single_panel() -> None:
+    figure = ida_figure(STRIPES[:1], "Sa (g)", G, "drift (%)", 0.01, {})
+    (legend,) = figure.legends
+    assert len(legend.get_texts()) == 4 and legend.get_window_extent().width <= figure.bbox.width

@@ -5,9 +5,11 @@ from __future__ import annotations
 import io
 import re
 
+import numpy as np
 import pytest
 
-from edesign.archive.dataset import Group
+from edesign.archive.dataset import Group, Variable
+from edesign.report.brace_table import brace_table
 from edesign.report.table import Table, number, seconds
 from edesign.report.tables import fallbacks_table
 from edesign.report.text import folded, print_tables
@@ -106,3 +108,15 @@ def test_fallbacks_stand_where_the_run_was(kind: str, header: str) -> None:
     table = fallbacks_table("a", Group(attributes={"kind": kind, "events": [event]}))
     assert table.columns[1] == header
     assert table.rows == [["7", "0.1250", "new factors", "step / 1, converged after 3 iterations"]]
+
+
+def test_a_brace_that_was_never_in_tension_has_none() -> None:
+    group = Group()
+    for dim in ("brace", "buckling_brace"):
+        group.coords[dim] = Variable((dim,), np.array(["D_1_1_r"]), "", dim)
+    for kind, low, high in (("axial_force", -2e5, -9e4), ("ductility", -1.5, -0.062)):
+        dim = "brace" if kind == "axial_force" else "buckling_brace"
+        group.add(f"brace_{kind}_min", (dim,), [low], "1", "least")
+        group.add(f"brace_{kind}_max", (dim,), [high], "1", "largest")
+    (row,) = brace_table({"push": group}).rows
+    assert row[2].startswith("200") and [float(row[3]), float(row[5])] == [0.0, 0.0]

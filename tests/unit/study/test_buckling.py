@@ -56,7 +56,7 @@ def test_a_brace_that_is_held_at_mid_length() -> None:
     made = project(BRACED.replace("section: HEA160", "buckling_length_factor: 0.5, section: HEA160"))
     half = [bar.strut for bar in frame_bars(made, make_frame(made)) if bar.kind == "brace"]
     assert half[0] is not None and half[0].length == pytest.approx(0.5 * np.hypot(6.0, 4.0))
-    for wrong in ("0", "1.5"):
+    for wrong in ("0", "1e-9", "1.5"):
         with pytest.raises(ProjectError, match=r"frame.braces\[0\].buckling_length_factor.*out of range"):
             project(BRACED.replace("section: HEA160", f"buckling_length_factor: {wrong}, section: HEA160"))
 
