@@ -139,7 +139,8 @@ def _ends(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, target: 
     """Scales of a pattern below all that a damping ratio may need, and at which all dashpots are locked.
 
     A target far beyond what soft braces let the dampers reach says nothing of the former: a dashpot in series with
-    the flexibility f of its brace, and of what the masses do not share, does most at omega c f of about 1, so below `_FREE` of it.
+    the flexibility f of its brace, and of what the masses do not share, does most at omega c f of about 1, so at
+    `_FREE` all are below it.
     """
     first, last = (_scale_of(frame, pattern, weight, damping) for damping in (_FIRST * target, _LOCKED))
     shared = np.sum((frame.bare.dampers / frame.bare.omega[:, None]) ** 2, axis=0)
