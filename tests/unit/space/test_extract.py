@@ -43,14 +43,14 @@ def test_the_interior_frame_of_the_thesis(thesis: Building) -> None:
     node more: what two secondary beams a bay weigh (about 36 kg/m), which Table 5.1 does not have.
     """
     project = extracted(thesis, "X2")
-    assert beam_loads(project, Q)["B_2_3"] == pytest.approx(9.6e3, rel=DIGITS)
-    assert beam_loads(project, G)["B_2_3"] == pytest.approx(22.36e3, rel=1e-3)  # mass of tables: three digits
+    assert beam_loads(project, Q)["B_2_3"].uniform == pytest.approx(9.6e3, rel=DIGITS)
+    assert beam_loads(project, G)["B_2_3"].uniform == pytest.approx(22.36e3, rel=1e-3)  # mass of tables: three digits
     mass = node_masses(project)["C3"]
     members = 7.2 * (77.6 + 57.1) + 3.5 * 171.1
     assert mass == pytest.approx(51.84e3 * 5.1 / STANDARD_GRAVITY + members, rel=1e-3)
     secondary = 2.0 * 7.2 * 36.1  # IPE270
     assert mass + secondary == pytest.approx(29.5e3, rel=0.02)
-    assert beam_loads(project, G)["B_2_3"] + 2.0 * 36.1 * STANDARD_GRAVITY == pytest.approx(23e3, rel=0.02)
+    assert beam_loads(project, G)["B_2_3"].uniform + 2.0 * 36.1 * STANDARD_GRAVITY == pytest.approx(23e3, rel=0.02)
     assert project.frame.column_at["E", 6].section == "HEB360"
     assert project.frame.released == {f"B_2_{floor}": (True, True) for floor in range(1, 11)}
     assert project.hazard is not None and list(project.hazard.levels) == ["DBE"]

@@ -32,6 +32,7 @@ class Made:
     name: str = "drift"
     limit: float = LIMIT
     level: str = ""
+    applies: bool = True
 
     @property
     def met(self) -> bool:
