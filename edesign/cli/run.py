@@ -18,7 +18,7 @@ def run(
     only: Annotated[
         list[str] | None,
         typer.Option(
-            "--only", "-o", metavar="NAME", help="Run this analysis only; may be repeated. Written to its own archive."
+            "--only", metavar="NAME", help="Run this analysis only; may be repeated. Written to its own archive."
         ),
     ] = None,
     folder: Annotated[

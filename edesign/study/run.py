@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -119,4 +120,5 @@ def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> P
     path = source.archive_path
     if not only:
         return path
-    return path.with_name(f"{path.stem}.{'+'.join(only)[:80]}{path.suffix}")
+    asked = re.sub(r"[^\w.+-]", "_", "+".join(only))  # names that do not exist, which the plan refuses, may be paths
+    return path.with_name(f"{path.stem}.{asked[:80]}{path.suffix}")

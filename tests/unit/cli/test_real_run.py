@@ -67,3 +67,12 @@ def test_a_wrong_project_is_exit_code_2_and_nothing_is_written(
     errors = capsys.readouterr().err
     assert str(project) in errors and message in errors and "Traceback" not in errors
     assert [path.name for path in project.parent.iterdir()] == ["project.yaml"]
+
+
+@pytest.mark.parametrize("name", ["/tmp/out.h5", "a/b", "..", "elcentro"])
+def test_an_unknown_analysis_is_refused_by_its_name(
+    name: str, project: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["run", str(project), "--only", name]) == 2
+    assert f"no analysis is named {name!r}" in capsys.readouterr().err
+    assert [path.name for path in project.parent.iterdir()] == ["project.yaml"]
