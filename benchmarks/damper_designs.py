@@ -15,10 +15,10 @@ import numpy as np  # noqa: E402
 
 from edesign.archive.dataset import Group  # noqa: E402
 from edesign.building.project_file import load_project  # noqa: E402
-from edesign.project.base import Model  # noqa: E402
-from edesign.project.designs import Design  # noqa: E402
+from edesign.project.dampers.designs import Design  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
-from edesign.project.yaml_file import check_model  # noqa: E402
+from edesign.project.reading.base import Model  # noqa: E402
+from edesign.project.reading.yaml_file import check_model  # noqa: E402
 from edesign.study.design.design import run_design  # noqa: E402
 
 FILE = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"

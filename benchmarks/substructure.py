@@ -21,7 +21,7 @@ from edesign.core.substructure import LinearRig, Recursion, Sensors, ServoHydrau
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project import parse_project
-from edesign.project.damping import ModalDamping
+from edesign.project.analysis.damping import ModalDamping
 from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 from edesign.substructure.structure.numerical import shear_building

@@ -13,9 +13,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from benchmarks.damper_designs import FILE, Designs  # noqa: E402
 from edesign.building.project_file import load_project  # noqa: E402
-from edesign.project.dampers import DamperLaw, Dampers  # noqa: E402
+from edesign.project.dampers.dampers import DamperLaw, Dampers  # noqa: E402
 from edesign.project.project import Project  # noqa: E402
-from edesign.project.yaml_file import check_model  # noqa: E402
+from edesign.project.reading.yaml_file import check_model  # noqa: E402
 from edesign.study.design.design import run_design  # noqa: E402
 
 EXPONENTS = (1.0, 0.35)

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
-from edesign.project.yaml_nodes import Node, parse
+from edesign.project.reading.yaml_nodes import Node, parse
 
 Random = random.Random
 Mutation = Callable[[str, Random], str]

@@ -9,13 +9,13 @@ from shear_frames import shear_frame_text
 from edesign.building.profiles import profile_names
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
-from edesign.project.base import Model
-from edesign.project.checks_designs import check_design
-from edesign.project.designs import Design
+from edesign.project.dampers.checks_designs import check_design
+from edesign.project.dampers.designs import Design
 from edesign.project.loader import parse_project
-from edesign.project.problems import FileProblems
 from edesign.project.project import Project
-from edesign.project.yaml_file import check_model
+from edesign.project.reading.base import Model
+from edesign.project.reading.problems import FileProblems
+from edesign.project.reading.yaml_file import check_model
 
 THESIS = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
 TABLE_5_7_STIFFNESS = (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592)  # kN/m

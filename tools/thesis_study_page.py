@@ -23,7 +23,7 @@ from edesign.archive.files import write_text
 from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.errors import EdesignError, InputError
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference_loader import load_reference
 from edesign.report.compared import Comparison
 from edesign.report.comparison import compare
 from edesign.report.comparison_variants import variant_tables

@@ -15,10 +15,10 @@ from edesign.assess.requirement import Requirement, performance_requirement, req
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
 from edesign.codes.fema356.objectives import OBJECTIVES
-from edesign.project.checks_criteria import objective_level
-from edesign.project.criteria import Criterion, Objectives, PerformanceCriterion
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.project import Project
-from edesign.project.study import Study, own_variant
+from edesign.project.study.study import Study, own_variant
 
 Answer = Literal["met", "not met", "open", "does not apply"]
 _STATIC = "states at target displacements have no such result"

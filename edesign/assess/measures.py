@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import final, peak, residual
-from edesign.project.measures import MEASURE_KINDS
+from edesign.project.criteria.measures import MEASURE_KINDS
 
 MEASURES = tuple(MEASURE_KINDS)
 """Names of all response measures; the unit ends the name, ratios have none."""

@@ -14,9 +14,9 @@ from edesign.building.i_shape import i_section
 from edesign.codes.fema356.sections import ISection
 from edesign.codes.fema356.steel import RotationLimits, beam_rotations, column_rotations
 from edesign.codes.fema356.strength import lower_bound_axial_strength
-from edesign.project.names import column_name
+from edesign.project.notation.names import column_name
 from edesign.project.project import Project
-from edesign.project.study import Study, own_variant
+from edesign.project.study.study import Study, own_variant
 
 Kind = Literal["column", "beam"]
 

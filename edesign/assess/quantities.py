@@ -10,8 +10,8 @@ from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located, storey_of
 from edesign.ground_motion.response_spectrum import response_spectra
-from edesign.project.criteria import QuantityCriterion
-from edesign.project.criterion_quantities import QUANTITIES
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.project import Project
 
 HISTORY_OF = {"floor_spectral_acceleration": "floor_acceleration", "damper_velocity": "damper_deformation"}

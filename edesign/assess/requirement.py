@@ -12,17 +12,17 @@ from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import By, usage
 from edesign.assess.quantities import is_of_dampers, lacking, located_quantity, missing_history
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
-from edesign.project.criteria import (
+from edesign.project.criteria.criteria import (
     Criterion,
     HingeCriterion,
     MeasureCriterion,
     PerformanceCriterion,
     QuantityCriterion,
 )
-from edesign.project.criterion_quantities import QUANTITIES, SELECTIONS
-from edesign.project.measures import MEASURE_KINDS, short_name
+from edesign.project.criteria.criterion_quantities import QUANTITIES, SELECTIONS
+from edesign.project.criteria.measures import MEASURE_KINDS, short_name
+from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
-from edesign.project.selections import NumberSelection
 
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
 UNITS = {

@@ -9,8 +9,8 @@ from functools import cached_property
 from edesign.archive.dataset import Group
 from edesign.assess.measures import MEASURES, response_measures
 from edesign.assess.statistics import Statistics, statistics
-from edesign.project.pushover import METHODS, Method
-from edesign.project.study import warm_variant
+from edesign.project.analysis.pushover import METHODS, Method
+from edesign.project.study.study import warm_variant
 
 NOT_RUN = "not run"
 """Status of a history that was planned and has no result yet."""

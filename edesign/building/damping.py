@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.project.damping import (
+from edesign.project.analysis.damping import (
     CaugheyDamping,
     Damping,
     MassDamping,

@@ -10,11 +10,11 @@ from edesign.building.building_sections import BuildingSections
 from edesign.building.named_section import cross_section
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.dampers import PROTOTYPE_SCALE, BraceSection, BraceStiffness, DamperBetween, DamperRun
-from edesign.project.problems import did_you_mean, keys_text
+from edesign.project.dampers.dampers import PROTOTYPE_SCALE, BraceSection, BraceStiffness, DamperBetween, DamperRun
+from edesign.project.frame.sections import no_section
+from edesign.project.notation import names
 from edesign.project.project import Project
-from edesign.project.sections import no_section
+from edesign.project.reading.problems import did_you_mean, keys_text
 
 UX, UY = 0, 1
 Term = tuple[float, int, int]

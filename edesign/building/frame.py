@@ -22,15 +22,15 @@ from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
 from edesign.building.supports import support_springs
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.beam_loads import breaks_of_members
-from edesign.project.braces import BraceBuckling, Fracture
-from edesign.project.frame import Frame
-from edesign.project.materials import BilinearMaterial, ElasticMaterial, Material
-from edesign.project.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.actions.beam_loads import breaks_of_members
+from edesign.project.frame.braces import BraceBuckling, Fracture
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.frame.sections import ElasticSection, SectionAxis
+from edesign.project.frame.supports import springs_of
+from edesign.project.notation import names
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, SectionAxis
-from edesign.project.supports import springs_of
 
 if TYPE_CHECKING:
     from edesign.core import Model, Steel

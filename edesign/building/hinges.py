@@ -16,9 +16,9 @@ from edesign.codes.lignos_krawinkler import (
     rotation_capacity,
 )
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.hinges import Hinges, HingeSide, HingeValues, Joints
-from edesign.project.members import BraceRun
+from edesign.project.frame.hinges import Hinges, HingeSide, HingeValues, Joints
+from edesign.project.frame.members import BraceRun
+from edesign.project.notation import names
 from edesign.project.project import Project
 
 if TYPE_CHECKING:

@@ -6,7 +6,7 @@ import math
 
 from edesign.building.hollow_section import HollowSection
 from edesign.building.section import CrossSection, Spot, Strip
-from edesign.project.sections import Fibres
+from edesign.project.frame.sections import Fibres
 
 
 def hollow_cross_section(hollow: HollowSection, cut: Fibres, weak: bool = False) -> CrossSection:

@@ -9,10 +9,10 @@ from edesign.building.named_section import cross_section
 from edesign.building.profiles import profile, profile_names
 from edesign.building.section import CrossSection
 from edesign.codes.fema356.sections import ISection
-from edesign.project.materials import ElasticMaterial
-from edesign.project.members import BeamRun, ColumnRun
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.members import BeamRun, ColumnRun
+from edesign.project.frame.sections import PlateSection
 from edesign.project.project import Project
-from edesign.project.sections import PlateSection
 
 
 @dataclass(frozen=True)

@@ -6,10 +6,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from edesign.project.leaning_column import of_floors
-from edesign.project.loads import Combination
+from edesign.project.actions.loads import Combination
+from edesign.project.frame.leaning_column import of_floors
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.project.units import STANDARD_GRAVITY
 
 if TYPE_CHECKING:
     from edesign.core import Model

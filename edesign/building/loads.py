@@ -10,9 +10,9 @@ from itertools import accumulate, pairwise
 import numpy as np
 
 from edesign.building.leaning_column import leaning_loads
-from edesign.project import names
-from edesign.project.beam_loads import PointOnMember, parts_on_members, points_on_members
-from edesign.project.loads import BeamLoad, ColumnLoad, Combination, FloorLoad, NodeLoad
+from edesign.project.actions.beam_loads import PointOnMember, parts_on_members, points_on_members
+from edesign.project.actions.loads import BeamLoad, ColumnLoad, Combination, FloorLoad, NodeLoad
+from edesign.project.notation import names
 from edesign.project.project import Project
 
 

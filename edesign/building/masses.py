@@ -5,10 +5,10 @@ from __future__ import annotations
 from edesign.building.leaning_column import leaning_masses
 from edesign.building.loads import beam_loads, node_loads
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.loads import Combination
+from edesign.project.actions.loads import Combination
+from edesign.project.notation import names
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.project.units import STANDARD_GRAVITY
 
 
 def node_masses(project: Project) -> dict[str, float]:

@@ -7,8 +7,8 @@ from edesign.building.hollow_section import hollow_section
 from edesign.building.profiles import profile
 from edesign.building.section import CrossSection, plate_section, rectangle_section, rolled_section
 from edesign.errors import InputError
+from edesign.project.frame.sections import ElasticSection, PlateSection, RectangleSection, SectionAxis
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection, PlateSection, RectangleSection, SectionAxis
 
 
 def cross_section(project: Project, name: str, axis: SectionAxis = "strong") -> CrossSection | ElasticSection:

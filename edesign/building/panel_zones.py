@@ -14,8 +14,8 @@ from typing import TYPE_CHECKING
 from edesign.building.hinges import TURN
 from edesign.building.i_shape import IShape, i_shape
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.materials import ElasticMaterial
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.notation import names
 from edesign.project.project import Project
 
 if TYPE_CHECKING:

@@ -5,9 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.building.building_sections import BuildingSections
-from edesign.project import loader, study_loader
+from edesign.project import loader
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study import study_loader
+from edesign.project.study.study import Study
 
 
 def load_project(path: Path | str) -> Project:

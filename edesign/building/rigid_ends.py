@@ -7,11 +7,11 @@ from collections.abc import Iterable
 from edesign.building.hollow_section import hollow_section
 from edesign.building.named_section import cross_section
 from edesign.errors import InputError
-from edesign.project import names
-from edesign.project.members import BeamRun, ColumnRun, SectionAxis
-from edesign.project.positions import Position
+from edesign.project.frame.members import BeamRun, ColumnRun, SectionAxis
+from edesign.project.frame.sections import ElasticSection
+from edesign.project.notation import names
+from edesign.project.notation.positions import Position
 from edesign.project.project import Project
-from edesign.project.sections import ElasticSection
 
 Ends = tuple[float, float]
 

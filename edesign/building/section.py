@@ -14,7 +14,7 @@ import numpy as np
 
 from edesign.building.profiles import Profile
 from edesign.errors import InputError
-from edesign.project.sections import Fibres, PlateSection, RectangleSection
+from edesign.project.frame.sections import Fibres, PlateSection, RectangleSection
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from fnmatch import fnmatchcase
 from functools import cache, cached_property
 from importlib import resources
 
-from edesign.project.problems import did_you_mean, listed
+from edesign.project.reading.problems import did_you_mean, listed
 
 _NEAR = 4  # names that a message offers
 _MOST_INCHES = 50.0  # depth of a W shape; the least one in mm is 100

@@ -26,11 +26,11 @@ from edesign.codes.ec3.buckling import (
     solid_curve,
     welded_i_curve,
 )
-from edesign.project.braces import CAMBER
-from edesign.project.materials import ElasticMaterial, Material
-from edesign.project.members import BraceRun
+from edesign.project.frame.braces import CAMBER
+from edesign.project.frame.materials import ElasticMaterial, Material
+from edesign.project.frame.members import BraceRun
+from edesign.project.frame.sections import PlateSection, RectangleSection, SectionAxis
 from edesign.project.project import Project
-from edesign.project.sections import PlateSection, RectangleSection, SectionAxis
 
 if TYPE_CHECKING:
     from edesign.building.frame import FrameModel

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from math import inf
 from typing import TYPE_CHECKING
 
-from edesign.project.supports import VerticalSpring, YieldingRotation, YieldingTranslation
+from edesign.project.frame.supports import VerticalSpring, YieldingRotation, YieldingTranslation
 
 if TYPE_CHECKING:
     from edesign.core import Model, SpringLaw

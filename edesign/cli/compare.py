@@ -31,7 +31,7 @@ def compare(
     from edesign.archive.files import check_csv_name, check_file
     from edesign.archive.reader import DamagedArchive, read_archive
     from edesign.errors import AnalysisError
-    from edesign.project.reference_loader import load_reference
+    from edesign.project.study.reference_loader import load_reference
     from edesign.report.comparison import compare as compare_archive
     from edesign.report.comparison_files import comparison_data, write_comparison
     from edesign.report.comparison_tables import block_tables

@@ -81,7 +81,7 @@ def extract(
 
 def _ratio(text: str) -> float:
     from edesign.errors import InputError
-    from edesign.project.units import parse_ratio
+    from edesign.project.notation.units import parse_ratio
 
     try:
         return parse_ratio(text, 0.0, 1.0, low_allowed=False)

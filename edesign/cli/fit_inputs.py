@@ -53,7 +53,7 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     """
     from edesign.damper.campaign import load_campaign
     from edesign.damper.property_table import read_property_table
-    from edesign.project.problems import did_you_mean
+    from edesign.project.reading.problems import did_you_mean
 
     if against is not None and against not in AGAINST:
         raise InputError(f"--against: `{against}` is unknown{did_you_mean(against, AGAINST)} ({', '.join(AGAINST)})")
@@ -102,7 +102,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
     """
     from edesign.cli.hazard_options import quantity
     from edesign.damper.specimen import Specimen
-    from edesign.project.units import AREA, LENGTH
+    from edesign.project.notation.units import AREA, LENGTH
 
     if layers is None and area is None and thickness is None:
         return None
@@ -212,7 +212,7 @@ def read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dic
 
 
 def _unknown(law: Law, name: str, option: str) -> None:
-    from edesign.project.problems import did_you_mean
+    from edesign.project.reading.problems import did_you_mean
 
     known = [parameter.name for parameter in law.with_branches(1 if law.branch else 0)]
     raise InputError(

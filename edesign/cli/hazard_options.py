@@ -10,9 +10,9 @@ import typer
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.project.hazard_base import Hazard
+    from edesign.project.actions.hazard_base import Hazard
+    from edesign.project.notation.units import Kind
     from edesign.project.project import Project
-    from edesign.project.units import Kind
 
 ProjectFile = Annotated[
     Path | None, typer.Option("--project", "-p", help="Take the seismic action (and T1) from this project file.")
@@ -43,7 +43,7 @@ def load(path: Path | None) -> Project | None:
 
 def fundamental_period(project: Project | None, text: str | None) -> float | None:
     """Return T1 (s) as given, else that of the project's frame under gravity, else None."""
-    from edesign.project.units import TIME
+    from edesign.project.notation.units import TIME
     from edesign.study import modal
 
     if text is not None:
@@ -85,8 +85,8 @@ def _from_options(given: dict[str, str]) -> Hazard:
     import yaml
 
     from edesign.ground_motion.hazard import elastic_spectrum
-    from edesign.project.hazard import OTHER_CODES, EC8Hazard
-    from edesign.project.yaml_file import check_model
+    from edesign.project.actions.hazard import OTHER_CODES, EC8Hazard
+    from edesign.project.reading.yaml_file import check_model
 
     data: dict[str, Any] = {"code": "ec8-2004", "spectrum": "1", **{k: v for k, v in given.items() if k != "gamma"}}
     if data["code"] in OTHER_CODES:
@@ -129,7 +129,7 @@ def quantity(text: str, kind: Kind, option: str) -> float:
 
     Args:
         text: such as `0.05s`.
-        kind: of `edesign.project.units`.
+        kind: of `edesign.project.notation.units`.
         option: its name, for messages.
 
     Raises:
@@ -137,7 +137,7 @@ def quantity(text: str, kind: Kind, option: str) -> float:
     """
     from pydantic_core import PydanticCustomError
 
-    from edesign.project.units import parse_quantity
+    from edesign.project.notation.units import parse_quantity
 
     try:
         return parse_quantity(text, kind, "positive")

@@ -73,7 +73,7 @@ def match(
     from edesign.ground_motion.matching import MatchOptions
     from edesign.ground_motion.write import write_csv
     from edesign.input_files import spare_inputs
-    from edesign.project.units import TIME
+    from edesign.project.notation.units import TIME
     from edesign.report.archive_figures import draw_figures
     from edesign.report.figures import check_format
     from edesign.report.record_tables import choice_table, record_tables

@@ -59,7 +59,7 @@ class Reading:
             InputError: the time step is none.
         """
         from edesign.cli.hazard_options import quantity
-        from edesign.project.units import TIME
+        from edesign.project.notation.units import TIME
 
         return cls(unit, quantity(time_step, TIME, "--time-step") if time_step else None, layout, component)
 
@@ -75,8 +75,8 @@ def read_inputs(
     """
     from edesign.ground_motion.sources import find_suite
     from edesign.ground_motion.suite import load_suite
-    from edesign.project.problems import unknown_name
-    from edesign.project.suite_names import is_suite_name, suite_file, suite_names
+    from edesign.project.reading.problems import unknown_name
+    from edesign.project.records.suite_names import is_suite_name, suite_file, suite_names
 
     inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
     for path in inputs:

@@ -32,7 +32,7 @@ def test(
     from edesign.damper.property_table import from_properties, usable
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
-    from edesign.project.file_bytes import is_there
+    from edesign.project.reading.file_bytes import is_there
     from edesign.report.damper_figures import draw_tests
     from edesign.report.damper_tables import properties_table
     from edesign.report.figures import check_format

@@ -9,7 +9,7 @@ from typing import ClassVar
 
 from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean, listed
+from edesign.project.reading.problems import did_you_mean, listed
 
 _PAYNE = "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; Kraus (1984), J. Appl. Polym. Sci. Symp. 39, 75-92"
 _MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"

@@ -27,12 +27,12 @@ from edesign.damper.test_files import (
 from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import ArchiveError, InputError
 from edesign.input_files import spare_inputs
-from edesign.project.base import Model
-from edesign.project.file_bytes import is_there
-from edesign.project.problems import FileProblems, Problems
-from edesign.project.temperature import Temperature
-from edesign.project.units import PositiveTime
-from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.notation.temperature import Temperature
+from edesign.project.notation.units import PositiveTime
+from edesign.project.reading.base import Model
+from edesign.project.reading.file_bytes import is_there
+from edesign.project.reading.problems import FileProblems, Problems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 CAMPAIGN_FILE = "campaign.yaml"
 _WHAT, _BEGINS = "campaign file", "specimen:"

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.damper.csv_table import CsvTable
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 Units = Mapping[str, tuple[float, float]]  # factor and zero: SI = factor * value + zero
 

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.project.file_bytes import read_file
+from edesign.project.reading.file_bytes import read_file
 
 
 @dataclass(frozen=True)

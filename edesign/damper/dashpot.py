@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.core import LawValues
 from edesign.errors import InputError
-from edesign.project.designs import VISCOUS_LAWS
+from edesign.project.dampers.designs import VISCOUS_LAWS
 
 LEAST_EXPONENT, LARGEST_EXPONENT = 0.15, 1.0
 """Of fluid dampers for buildings. Below, the force hardly depends on the velocity, as of a friction damper."""

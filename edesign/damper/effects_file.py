@@ -8,8 +8,8 @@ from typing import Any
 from edesign.damper.amendments import AMENDMENTS, Amendment, amendment_kind
 from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
 from edesign.errors import InputError
-from edesign.project.dampers import Effect
-from edesign.project.problems import Keys
+from edesign.project.dampers.dampers import Effect
+from edesign.project.reading.problems import Keys
 
 
 class EffectsError(InputError):

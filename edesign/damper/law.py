@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 
 @dataclass(frozen=True)

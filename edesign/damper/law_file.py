@@ -18,11 +18,11 @@ from edesign.damper.parameters import PARAMETER_SETS, ParameterError, read_param
 from edesign.damper.temperature import REFERENCE_C, FerryShift, GammaT
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
-from edesign.project.dampers import LawDescription
-from edesign.project.explain import explain
-from edesign.project.problems import Keys, Problems, ProjectError, keys_text
-from edesign.project.yaml_file import check_model, read_yaml_file, yaml_text
-from edesign.project.yaml_nodes import Node, find
+from edesign.project.dampers.dampers import LawDescription
+from edesign.project.reading.explain import explain
+from edesign.project.reading.problems import Keys, Problems, ProjectError, keys_text
+from edesign.project.reading.yaml_file import check_model, read_yaml_file, yaml_text
+from edesign.project.reading.yaml_nodes import Node, find
 
 WHAT = "law file"
 _RANGE_PERCENT = re.compile(r"\s*([0-9.]+)(?:\s*to\s*([0-9.]+))?\s*%\s*")

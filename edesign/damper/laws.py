@@ -6,7 +6,7 @@ import math
 
 from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 _K, _C, _F, _T = "N/m", "N*s/m", "N", "s"
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
-from edesign.project.yaml_nodes import parse
+from edesign.project.reading.yaml_nodes import parse
 
 
 @dataclass(frozen=True)

@@ -21,19 +21,19 @@ from edesign.damper.test_files import (
     parse_celsius,
 )
 from edesign.damper.test_record import Use
-from edesign.project.base import Model, by_key, refuse
-from edesign.project.dampers import Effect
-from edesign.project.file_bytes import is_file
-from edesign.project.problems import FileProblems, Problems
-from edesign.project.temperature import parse_temperature
-from edesign.project.units import (
+from edesign.project.dampers.dampers import Effect
+from edesign.project.notation.temperature import parse_temperature
+from edesign.project.notation.units import (
     FREQUENCY,
     LENGTH,
     PositiveTime,
     parse_quantity,
     parse_ratio,
 )
-from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.reading.base import Model, by_key, refuse
+from edesign.project.reading.file_bytes import is_file
+from edesign.project.reading.problems import FileProblems, Problems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 LARGEST_STRAIN = 10.0  # no elastomer shears so far: `50` is meant as `50 %`
 MOST_TESTS = 1000  # of one entry

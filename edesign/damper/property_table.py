@@ -17,9 +17,9 @@ from edesign.archive.csv_files import write_csv_file
 from edesign.damper.csv_table import read_csv_table
 from edesign.damper.properties import Properties
 from edesign.errors import InputError
-from edesign.project.file_bytes import read_file
-from edesign.project.problems import did_you_mean
 from edesign.project.project import Project
+from edesign.project.reading.file_bytes import read_file
+from edesign.project.reading.problems import did_you_mean
 
 COLUMNS = {  # header: attribute, and its SI unit in that of the header
     "temperature_C": ("temperature_C", 1.0),

@@ -9,9 +9,9 @@ from pydantic import BeforeValidator, Field, model_validator
 
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.errors import InputError
-from edesign.project.base import Model, refuse
-from edesign.project.temperature import Temperature
-from edesign.project.units import Factor, PositiveFactor
+from edesign.project.notation.temperature import Temperature
+from edesign.project.notation.units import Factor, PositiveFactor
+from edesign.project.reading.base import Model, refuse
 
 _NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
 _DIFFERENCE = re.compile(rf"\s*({_NUMBER})\s*(?:K|degC|°C)\s*")

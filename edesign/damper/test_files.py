@@ -15,10 +15,10 @@ from edesign.damper.parameters import ParameterError, read_parameters
 from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaOf
 from edesign.errors import InputError
-from edesign.project.base import Model, refuse
-from edesign.project.problems import Keys, Problems, did_you_mean, listed
-from edesign.project.temperature import parse_temperature
-from edesign.project.units import PositiveArea, PositiveLength
+from edesign.project.notation.temperature import parse_temperature
+from edesign.project.notation.units import PositiveArea, PositiveLength
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
 Text = Annotated[str, Field(min_length=1)]
 Positive = Annotated[float, Field(gt=0.0)]

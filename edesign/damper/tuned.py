@@ -6,8 +6,8 @@ import math
 from dataclasses import dataclass
 
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.reading.problems import did_you_mean
 
 
 @dataclass(frozen=True)

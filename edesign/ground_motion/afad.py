@@ -17,7 +17,7 @@ from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 
 FIRST = "STRONG GROUND MOTION RECORDS OF TUR"  # as the file begins; the country is written in more than one way
 COUNT, STEP, PEAKS = "NUMBER OF DATA", "SAMPLING INTERVAL", "RAW PGA VALUES"

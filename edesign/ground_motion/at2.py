@@ -10,7 +10,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 _HEADER_LINES = 4  # every form of the file has so many; the samples follow
 _VALUE = r"([^\s,=]+)"

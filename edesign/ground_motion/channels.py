@@ -8,7 +8,7 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 
 
 @dataclass(frozen=True)

@@ -12,7 +12,7 @@ from edesign.ground_motion.matching.closeness import judging_periods
 from edesign.ground_motion.matching.match import check_record
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa, rotated_spectra
-from edesign.project.records import CombinedSpectrum
+from edesign.project.records.records import CombinedSpectrum
 
 NAMES: dict[CombinedSpectrum, str] = {"geometric_mean": "geometric mean", "rotd50": "RotD50", "rotd100": "RotD100"}
 """The combined spectra, for people."""

@@ -15,7 +15,7 @@ from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import field_format, is_end_of_data, read_fields
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 TITLE = re.compile(r"\s*(.*?)\s*\(Format\s+v\s*([0-9.]+)\s+with\s+([0-9]+)\s+text\s+lines\s*\)", re.IGNORECASE)
 _SECTION = re.compile(r"\s*([0-9]+)\s+(Integer|Real)-header\s+values\s+follow\s+on\s+([0-9]+)\s+lines", re.IGNORECASE)

@@ -14,8 +14,8 @@ from edesign.ground_motion.plausibility import LONGEST_STEP
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
-from edesign.project.problems import did_you_mean, listed
-from edesign.project.record_tables import Layout
+from edesign.project.reading.problems import did_you_mean, listed
+from edesign.project.records.record_tables import Layout
 
 LAYOUTS: tuple[Layout, ...] = ("columns", "rows")
 """How samples stand in a table: each line is one instant, or the samples run on along the lines."""

@@ -16,7 +16,7 @@ from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import number, read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 
 KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*?)\s*$")
 STEP, COUNT = "SAMPLING_INTERVAL_S", "NDATA"

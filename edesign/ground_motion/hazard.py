@@ -13,8 +13,8 @@ from edesign.ground_motion.seismic_action.asce7 import AsceAction
 from edesign.ground_motion.seismic_action.ec8 import EC8Action
 from edesign.ground_motion.seismic_action.ntc2018 import NtcAction
 from edesign.ground_motion.seismic_action.user import UserAction
-from edesign.project.hazard import AsceHazard, EC8Hazard, NtcHazard, UserHazard
-from edesign.project.hazard_base import Hazard
+from edesign.project.actions.hazard import AsceHazard, EC8Hazard, NtcHazard, UserHazard
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.project import Project
 
 if TYPE_CHECKING:

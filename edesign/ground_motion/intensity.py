@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from edesign.ground_motion.arguments import checked_motion
 from edesign.ground_motion.record import Record
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,8 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
-from edesign.project.problems import did_you_mean
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.reading.problems import did_you_mean
 
 
 class PackageNotInstalled(InputError):

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.ground_motion.intensity import velocity
 from edesign.ground_motion.record import Record
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 _LARGEST_PGA = 3.0 * STANDARD_GRAVITY  # m/s2; few recordings of any earthquake exceed 2 g
 _SMALLEST_PGA = 0.001 * STANDARD_GRAVITY

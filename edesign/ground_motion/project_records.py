@@ -21,11 +21,11 @@ from edesign.ground_motion.record import Record as Motion
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found, find_suite
 from edesign.ground_motion.suite import Suite, load_suite
-from edesign.project.file_bytes import is_folder
-from edesign.project.problems import unknown_name
 from edesign.project.project import Project
-from edesign.project.record_files import HoldsRecords
-from edesign.project.records import (
+from edesign.project.reading.file_bytes import is_folder
+from edesign.project.reading.problems import unknown_name
+from edesign.project.records.record_files import HoldsRecords
+from edesign.project.records.records import (
     ChosenRecords,
     FemaP695Record,
     FileRecord,

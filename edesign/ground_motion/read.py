@@ -11,9 +11,9 @@ from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, kne
 from edesign.ground_motion.channels import Channel
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
-from edesign.project.problems import did_you_mean
-from edesign.project.record_tables import Layout
-from edesign.project.records import FileFormat
+from edesign.project.reading.problems import did_you_mean
+from edesign.project.records.record_tables import Layout
+from edesign.project.records.records import FileFormat
 
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",

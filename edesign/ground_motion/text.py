@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.project.file_bytes import read_file
+from edesign.project.reading.file_bytes import read_file
 
 
 def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:

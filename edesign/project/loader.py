@@ -6,18 +6,18 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from edesign.project.checks_actions import check_actions
-from edesign.project.checks_dampers import check_dampers
-from edesign.project.checks_frame import check_frame
-from edesign.project.checks_hazard import check_hazard
-from edesign.project.checks_hinges import check_hinges
-from edesign.project.checks_outputs import check_outputs
-from edesign.project.dampers import BraceSection
-from edesign.project.members import BeamRun, BraceRun, ColumnRun
-from edesign.project.problems import ProjectError
+from edesign.project.actions.checks_hazard import check_hazard
+from edesign.project.analysis.checks_actions import check_actions
+from edesign.project.analysis.checks_outputs import check_outputs
+from edesign.project.dampers.checks_dampers import check_dampers
+from edesign.project.dampers.dampers import BraceSection
+from edesign.project.frame.checks_frame import check_frame
+from edesign.project.frame.checks_hinges import check_hinges
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.frame.sections import Catalogue
 from edesign.project.project import Project
-from edesign.project.sections import Catalogue
-from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.reading.problems import ProjectError
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 _WHAT = "project file"
 S = TypeVar("S", ColumnRun, BeamRun, BraceRun, BraceSection)

@@ -9,25 +9,25 @@ from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Field, PrivateAttr
 
-from edesign.project.analyses import Analysis
-from edesign.project.base import FormatVersion, Model
-from edesign.project.dampers import Dampers
-from edesign.project.damping import Damping
-from edesign.project.elements import Elements
-from edesign.project.file_model import FileModel
-from edesign.project.frame import Frame
-from edesign.project.hazard import AnyHazard
-from edesign.project.hinges import Hinges, Joints, PanelZones
-from edesign.project.integration import Integration
-from edesign.project.loads import Loads
-from edesign.project.masses import Masses
-from edesign.project.materials import Material
-from edesign.project.outputs import Outputs
-from edesign.project.record_files import RecordChoice, RecordFiles
-from edesign.project.records import Record
-from edesign.project.sections import Fibres, Section
-from edesign.project.validity import Validity
-from edesign.project.values import KeyPath
+from edesign.project.actions.hazard import AnyHazard
+from edesign.project.actions.loads import Loads
+from edesign.project.actions.masses import Masses
+from edesign.project.analysis.analyses import Analysis
+from edesign.project.analysis.damping import Damping
+from edesign.project.analysis.integration import Integration
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis.validity import Validity
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.frame.elements import Elements
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.hinges import Hinges, Joints, PanelZones
+from edesign.project.frame.materials import Material
+from edesign.project.frame.sections import Fibres, Section
+from edesign.project.reading.base import FormatVersion, Model
+from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.values import KeyPath
+from edesign.project.records.record_files import RecordChoice, RecordFiles
+from edesign.project.records.records import Record
 
 Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]
 

@@ -10,12 +10,12 @@ from edesign.archive.reader import Archive
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import ArchiveError
 from edesign.ground_motion.seismic_action.files import text_name
-from edesign.project.file_model import FileModel
-from edesign.project.hazard_base import Hazard
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
-from edesign.project.study import Study
-from edesign.project.study_loader import parse_study
+from edesign.project.reading.file_model import FileModel
+from edesign.project.study.study import Study
+from edesign.project.study.study_loader import parse_study
 from edesign.study.kinds import BUILDING, STUDY, SUBSTRUCTURE
 
 if TYPE_CHECKING:

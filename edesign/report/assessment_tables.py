@@ -10,9 +10,9 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import DAMAGED, NOT_RUN, TARGET, HistorySet, history_sets
-from edesign.project.criteria import Criterion, Objectives
+from edesign.project.criteria.criteria import Criterion, Objectives
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.measure_tables import record_measures_table, statistics_tables
 from edesign.report.summary import all_results

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 from edesign.report.building_results import UNITS, BuildingResults, finite
 from edesign.report.building_tables import Worst, worst_of_groups
 from edesign.report.table import Table, number

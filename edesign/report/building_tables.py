@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive, DamagedArchive
 from edesign.errors import ArchiveError
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building_results import BuildingResults, finite
 from edesign.report.deflection_table import deflection_table
 from edesign.report.foundation_table import foundation_table, reaction_table

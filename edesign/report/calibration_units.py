@@ -11,7 +11,7 @@ from functools import cache
 from edesign.calibrate.result import Estimate, Series
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
-from edesign.project.units import Kind, parse_quantity
+from edesign.project.notation.units import Kind, parse_quantity
 from edesign.report.table import number
 
 UNKNOWN = "not determined"

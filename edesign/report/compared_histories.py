@@ -14,9 +14,9 @@ from edesign.assess.envelopes import final
 from edesign.assess.measures import located_measure
 from edesign.assess.profile import storey_profile
 from edesign.assess.sets import DAMAGED, NOT_RUN
-from edesign.project.checks_reference import PROFILES
-from edesign.project.measures import SHORT_NAMES
-from edesign.project.reference import ResponseRow
+from edesign.project.criteria.measures import SHORT_NAMES
+from edesign.project.study.checks_reference import PROFILES
+from edesign.project.study.reference import ResponseRow
 from edesign.report.summary import planned
 from edesign.study.kinds import ANALYSES
 

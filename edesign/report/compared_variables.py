@@ -8,9 +8,9 @@ from pydantic_core import PydanticCustomError
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
-from edesign.project.printed_unit import unit_factor
-from edesign.project.problems import listed, unknown_name
-from edesign.project.reference import Reference, VariableRow, VariableTable
+from edesign.project.notation.printed_unit import unit_factor
+from edesign.project.reading.problems import listed, unknown_name
+from edesign.project.study.reference import Reference, VariableRow, VariableTable
 from edesign.report.compared import ComparedCell, ComparedTable
 
 

@@ -8,10 +8,10 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.assess.statistics import STATISTICS, statistics
-from edesign.project.measures import MEASURE_KINDS, SHORT_NAMES
-from edesign.project.printed_unit import unit_factor
-from edesign.project.records import record_of
-from edesign.project.reference import Cell, Reference, ResponseRow, ResponseTable, Statistic
+from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES
+from edesign.project.notation.printed_unit import unit_factor
+from edesign.project.records.records import record_of
+from edesign.project.study.reference import Cell, Reference, ResponseRow, ResponseTable, Statistic
 from edesign.report.compared import ComparedCell, ComparedChange, ComparedTable, Comparison
 from edesign.report.compared_histories import ComparedHistory, Wanted, compared_histories, wanted
 from edesign.report.compared_variables import compare_variables

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
-from edesign.project.problems import unknown_name
-from edesign.project.reference import Reference, ResponseTable
+from edesign.project.reading.problems import unknown_name
+from edesign.project.study.reference import Reference, ResponseTable
 from edesign.report.compared import ComparedCell
 from edesign.report.comparison import compare
 from edesign.report.comparison_tables import found, per_cent, printed, with_unit

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from edesign.assess.sets import HistorySet
-from edesign.project.derived import Vary
-from edesign.project.measures import SHORT_NAMES
-from edesign.project.study import Study
+from edesign.project.criteria.measures import SHORT_NAMES
+from edesign.project.study.derived import Vary
+from edesign.project.study.study import Study
 
 USUAL = ("interstorey_drift", "roof_acceleration_m_s2", "base_shear_N", "damper_force_N")
 """Measures that are shown where the study does not choose."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.assess.sets import HistorySet, measure_statistics
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.report.derived_results import Bounded, Sweep, bounded, sweeps
 from edesign.report.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
 from edesign.report.measure_tables import missing_notes

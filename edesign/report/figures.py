@@ -125,7 +125,7 @@ def check_format(name: str) -> str:
         InputError: it is none of `FORMATS`.
     """
     if name not in FORMATS:
-        from edesign.project.problems import did_you_mean
+        from edesign.project.reading.problems import did_you_mean
 
         raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
     return name

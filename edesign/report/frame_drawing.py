@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from edesign.project import names
-from edesign.project.frame import Frame
-from edesign.project.supports import support_name
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.supports import support_name
+from edesign.project.notation import names
 from edesign.report.figures import MEAN
 
 if TYPE_CHECKING:

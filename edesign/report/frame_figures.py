@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
-from edesign.project.frame import Frame
+from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
 from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.captions import at_level, file_name, plain

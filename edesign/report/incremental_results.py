@@ -14,7 +14,7 @@ from edesign.assess.incremental import COLLAPSE, Stripes, collect_stripes
 from edesign.assess.life_cycle import Exceedance, HazardCurve, Loss, exceedance, expected_loss
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
 from edesign.errors import InputError
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.summary import all_results
 from edesign.study.kinds import INCREMENTAL
 

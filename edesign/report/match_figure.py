@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.ground_motion.intensity import displacement, husid, velocity
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.figures import AFTER, BEFORE, TARGET, logarithmic, new_figure, styled
 
 if TYPE_CHECKING:

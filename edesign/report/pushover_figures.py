@@ -13,8 +13,8 @@ from edesign.archive.reader import Archive
 from edesign.assess.sets import TARGET
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.project.analysis.pushover import METHODS
 from edesign.project.project import Project
-from edesign.project.pushover import METHODS
 from edesign.report.archived import archived_project
 from edesign.report.captions import file_name
 from edesign.report.figures import (

@@ -10,9 +10,9 @@ from edesign.assess.measures import response_measures
 from edesign.assess.members import VariantMembers
 from edesign.assess.performance import set_performance
 from edesign.assess.sets import TARGET, HistorySet, target_sets
+from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
-from edesign.project.pushover import METHODS, Method
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.report.measure_columns import FRAME_COLUMNS, ROUNDING
 from edesign.report.table import Table, number
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.project.criterion_quantities import QUANTITIES, keys_of
-from edesign.project.measures import MEASURE_KINDS, short_name
+from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
+from edesign.project.criteria.measures import MEASURE_KINDS, short_name
 from edesign.report.table import Table
 
 

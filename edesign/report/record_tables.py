@@ -12,7 +12,7 @@ from edesign.codes.ec8 import SET_RULES
 from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.table import Table, number
 from edesign.study.kinds import RECORDS
 

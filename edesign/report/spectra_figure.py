@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.figures import BEFORE, MEAN, TARGET, legend_label, new_figure, styled
 
 if TYPE_CHECKING:

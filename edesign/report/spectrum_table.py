@@ -13,7 +13,7 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.sources import Found
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.figures import check_figure_name, save
 from edesign.report.spectra_figure import spectra_figure
 from edesign.report.table import Table

@@ -10,7 +10,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import HistorySet, history_sets
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories, read_judged
 from edesign.report.derived_results import not_swept

@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import EdesignError, InputError
-from edesign.project.problems import did_you_mean, listed
+from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
 from edesign.study.kinds import ANALYSES, RECORDS
 from edesign.study.record_results import failed_criteria

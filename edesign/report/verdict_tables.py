@@ -12,8 +12,8 @@ from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import CODES
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES
-from edesign.project.checks_criteria import objective_level
-from edesign.project.criteria import Objectives
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.measure_tables import missing_notes
 from edesign.report.table import Table

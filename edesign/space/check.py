@@ -17,7 +17,7 @@ from edesign.project.building.design import DEFAULT_PRICE, KINDS
 from edesign.project.building.layout import DIRECTIONS
 from edesign.project.building.names import column_name
 from edesign.project.building.plausible import unusual
-from edesign.project.problems import did_you_mean, listed
+from edesign.project.reading.problems import did_you_mean, listed
 from edesign.space.joint_stiffness import unusual_ends
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import space_frame

@@ -17,10 +17,10 @@ from edesign.core.space import SpaceModel
 from edesign.core.space_modes import SpaceModes
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum, national_of, vertical_spectrum
+from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.building import Building, Steel
 from edesign.project.building.plausible import unusual
-from edesign.project.hazard import EC8Hazard
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.analysis.actions import action_factors_of, psi_of, with_joined_cases
 from edesign.space.analysis.bracing import bracing
 from edesign.space.analysis.buckled_diagonals import single_diagonals, with_buckled_diagonals

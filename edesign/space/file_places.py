@@ -12,7 +12,7 @@ from edesign.project.building.building import Building
 from edesign.project.building.layout import ways
 from edesign.project.building.names import ColumnLine, column_name, node_name
 from edesign.project.building.places import parse_column_lines
-from edesign.project.problems import Keys, keys_text
+from edesign.project.reading.problems import Keys, keys_text
 
 _OF_THE_FILE = ("ED_E_MECHANISM", "ED_E_DISCONNECTED", "ED_E_NOT_FINITE", "ED_E_ARGUMENT", "ED_E_SINGULAR")
 """What the core refuses because of what the file says; memory, for instance, is another matter."""

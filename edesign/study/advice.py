@@ -8,17 +8,17 @@ from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
-from edesign.project.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
-from edesign.project.checks_criteria import objective_level
-from edesign.project.checks_designs import design_warnings
-from edesign.project.chosen_records import ChosenRecords
-from edesign.project.materials import ElasticMaterial
-from edesign.project.problems import listed
+from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.sections import ElasticSection
 from edesign.project.project import Project
-from edesign.project.pushover import Pushover, pattern_name
-from edesign.project.records import record_of
-from edesign.project.sections import ElasticSection
-from edesign.project.study import Study
+from edesign.project.reading.problems import listed
+from edesign.project.records.chosen_records import ChosenRecords
+from edesign.project.records.records import record_of
+from edesign.project.study.study import Study
 from edesign.study.buckling import slender_braces
 from edesign.study.dampers import law_warnings
 from edesign.study.modal import fundamental_period

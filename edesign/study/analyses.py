@@ -6,7 +6,13 @@ from collections.abc import Callable
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError
-from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PlannedAnalysis, TargetAnalysis
+from edesign.project.analysis.analyses import (
+    GravityAnalysis,
+    HistoryAnalysis,
+    ModalAnalysis,
+    PlannedAnalysis,
+    TargetAnalysis,
+)
 from edesign.project.project import Project
 from edesign.study.gravity import run_gravity
 from edesign.study.history import run_history

@@ -15,10 +15,10 @@ from edesign.codes.fema356 import target_displacement as fema356
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
-from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
-from edesign.project.hazard import EC8Hazard
+from edesign.project.actions.hazard import EC8Hazard
+from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
-from edesign.project.pushover import METHODS, Method
 from edesign.study.lateral_patterns import by_floor, floor_masses, lateral_loads
 from edesign.study.push import Progress, Push, Stop, push
 from edesign.study.structure import make_frame, make_structure

@@ -12,7 +12,7 @@ from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.frame import FrameModel, Member
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response
-from edesign.project.materials import ElasticMaterial
+from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.collapse import collapse_reason

@@ -17,14 +17,14 @@ from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
-from edesign.project.damping import CaugheyDamping, MassDamping, StiffnessDamping
-from edesign.project.outputs import Outputs
-from edesign.project.problems import keys_text
+from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, StiffnessDamping
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis.pushover import GivenPattern, Pushover
 from edesign.project.project import Project
-from edesign.project.pushover import GivenPattern, Pushover
-from edesign.project.records import RecordSet, record_of
-from edesign.project.study import Study
+from edesign.project.reading.problems import keys_text
+from edesign.project.records.records import RecordSet, record_of
+from edesign.project.study.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.criteria import check_criteria_inputs

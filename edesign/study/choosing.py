@@ -12,8 +12,8 @@ from edesign.ground_motion.hazard import checked_hazard
 from edesign.ground_motion.record_choice import EarlierChoice, RecordChoice, choose
 from edesign.one_thread import one_thread
 from edesign.project.project import Project
-from edesign.project.records import ChosenRecords
-from edesign.project.study import Study
+from edesign.project.records.records import ChosenRecords
+from edesign.project.study.study import Study
 from edesign.study.kinds import RECORDS
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import target_spectrum

@@ -9,12 +9,12 @@ from edesign.assess.statistics import CODES
 from edesign.codes.criterion import with_standard
 from edesign.errors import InputError
 from edesign.ground_motion.sources import Found
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.criteria import QuantityCriterion
-from edesign.project.criterion_quantities import QUANTITIES
-from edesign.project.designs import AnyVerify
-from edesign.project.outputs import HistoryKind, Outputs
-from edesign.project.study import Study, warm_variant
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.outputs import HistoryKind, Outputs
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.dampers.designs import AnyVerify
+from edesign.project.study.study import Study, warm_variant
 from edesign.study.study_plan import make_study_plan
 
 

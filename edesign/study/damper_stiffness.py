@@ -9,7 +9,7 @@ from edesign.building.devices import Device
 from edesign.core import Modes
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
-from edesign.project.analyses import ModalAnalysis
+from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.recording import coordinate
 from edesign.study.structure import Structure

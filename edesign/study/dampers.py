@@ -11,9 +11,9 @@ from edesign.building.devices import Attached, Device, DeviceLaw
 from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
-from edesign.project.dampers import LawDescription, TunedMass
-from edesign.project.file_bytes import is_file
+from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.project import Project
+from edesign.project.reading.file_bytes import is_file
 from edesign.study.warnings import AnalysisWarning
 
 WATER = 1000.0  # kg/m3

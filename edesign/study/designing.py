@@ -8,12 +8,12 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
 from edesign.errors import AnalysisError, EdesignError
 from edesign.one_thread import one_thread
-from edesign.project.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
-from edesign.project.dampers import Dampers
-from edesign.project.designs import AnyVerify
-from edesign.project.outputs import Outputs
+from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import AnyVerify
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.study.backends.work import Work
 from edesign.study.check import verification_records, wanted_designs
 from edesign.study.criteria import kept_for_verification

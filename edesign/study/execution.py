@@ -12,7 +12,7 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.ground_motion.sources import Found
-from edesign.project.analyses import PlannedAnalysis
+from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study.backends import Backend
 from edesign.study.backends.work import Result, Work

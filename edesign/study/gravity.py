@@ -9,8 +9,8 @@ from edesign.building.frame import FrameModel
 from edesign.building.loads import beam_loads, gravity_load, horizontal_load
 from edesign.building.named_section import cross_section
 from edesign.core import Response
-from edesign.project.analyses import GravityAnalysis
-from edesign.project.members import BraceRun
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.project.frame.members import BraceRun
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings

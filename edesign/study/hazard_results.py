@@ -9,7 +9,7 @@ import numpy as np
 from edesign.archive.dataset import Group, Variable
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.ground_motion.hazard import action_of
-from edesign.project.hazard_base import Hazard
+from edesign.project.actions.hazard_base import Hazard
 from edesign.study.kinds import HAZARD, HAZARD_LEVELS
 
 PERIODS = np.concatenate([[0.0], np.geomspace(0.01, 10.0, 301)])  # s; 100 a decade

@@ -13,11 +13,11 @@ from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record import Record
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
-from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
+from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
 from edesign.project.project import Project
-from edesign.project.records import record_of
+from edesign.project.records.records import record_of
 from edesign.study.history_results import HistoryResults
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions

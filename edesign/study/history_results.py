@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
 from edesign.core import ENERGIES, Channel, Response
-from edesign.project.outputs import HistoryKind
+from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings

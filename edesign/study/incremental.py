@@ -9,12 +9,12 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
-from edesign.project.analyses import PlannedAnalysis
-from edesign.project.hazard_base import YEAR
-from edesign.project.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
-from edesign.project.life_cycle import CurveOfLevels
+from edesign.project.actions.hazard_base import YEAR
+from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.incremental import Incremental, LevelFactorStudy, SpectralAccelerationStudy
+from edesign.project.study.life_cycle import CurveOfLevels
+from edesign.project.study.study import Study
 from edesign.study.execution import Execution, Prepared
 from edesign.study.intensity import first_period, level_intensity, record_intensity
 from edesign.study.kinds import INCREMENTAL

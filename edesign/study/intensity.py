@@ -9,14 +9,19 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.analyses import ModalAnalysis
-from edesign.project.hazard_base import YEAR
-from edesign.project.incremental import Incremental, LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
-from edesign.project.life_cycle import CurveOfLevels
-from edesign.project.problems import keys_text
+from edesign.project.actions.hazard_base import YEAR
+from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.project.study import Study
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.reading.problems import keys_text
+from edesign.project.study.incremental import (
+    Incremental,
+    LevelFactorStudy,
+    PeakAccelerationStudy,
+    SpectralAccelerationStudy,
+)
+from edesign.project.study.life_cycle import CurveOfLevels
+from edesign.project.study.study import Study
 from edesign.study.damper_stiffness import damped_modes
 from edesign.study.history import input_motion
 from edesign.study.structure import make_structure

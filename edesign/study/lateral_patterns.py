@@ -7,8 +7,8 @@ import numpy as np
 from edesign.building.frame import FrameModel
 from edesign.errors import AnalysisError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
+from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
 from edesign.project.project import Project
-from edesign.project.pushover import GivenPattern, Pattern, pattern_name
 from edesign.study.structure import make_structure
 
 NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally

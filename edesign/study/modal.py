@@ -7,7 +7,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.core import Modes
 from edesign.errors import AnalysisError
-from edesign.project.analyses import ModalAnalysis
+from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.recording import coordinate

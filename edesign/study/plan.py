@@ -9,10 +9,10 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
-from edesign.project.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
-from edesign.project.problems import did_you_mean
+from edesign.project.analysis.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
 from edesign.project.project import Project
-from edesign.project.records import RecordSet
+from edesign.project.reading.problems import did_you_mean
+from edesign.project.records.records import RecordSet
 from edesign.study.kinds import ANALYSES
 from edesign.study.pushover_parts import pushover_parts
 

@@ -12,10 +12,10 @@ from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
-from edesign.project.analyses import GravityAnalysis
-from edesign.project.damping import NoDamping
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.project.analysis.damping import NoDamping
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.project.units import STANDARD_GRAVITY
 from edesign.study.gravity import run_gravity
 from edesign.study.warnings import warnings_of
 

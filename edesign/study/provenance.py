@@ -19,10 +19,10 @@ from edesign.archive.dataset import Group
 from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
-from edesign.project.designs import FileProperties, ViscousDesign
-from edesign.project.hazard_base import Hazard
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.dampers.designs import FileProperties, ViscousDesign
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.study.kinds import STUDY
 
 IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum", "libraries")

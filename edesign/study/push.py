@@ -10,9 +10,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
 from edesign.core import Response
-from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.pushover import pattern_name
 from edesign.project.project import Project
-from edesign.project.pushover import pattern_name
 from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings

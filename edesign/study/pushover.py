@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.project.analyses import PushoverAnalysis
+from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.project.project import Project
 from edesign.study.capacity import capacity
 from edesign.study.capacity_events import store_capacity_events

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.project.analyses import PushoverAnalysis, TargetAnalysis
-from edesign.project.pushover import pattern_name
+from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.pushover import pattern_name
 
 
 def pushover_parts(spec: PushoverAnalysis, hazard_levels: tuple[str, ...]) -> list[PushoverAnalysis | TargetAnalysis]:

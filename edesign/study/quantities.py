@@ -13,7 +13,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel, Member
 from edesign.core import Response
-from edesign.project import names
+from edesign.project.notation import names
 from edesign.study.recording import Quantity, Terms, coordinate
 
 END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the end

@@ -20,7 +20,7 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.project import Project
-from edesign.project.records import PairRecord, RecordSet, record_of
+from edesign.project.records.records import PairRecord, RecordSet, record_of
 from edesign.study.kinds import RECORDS
 from edesign.study.motions import Motion, pair_fit, target_spectrum
 

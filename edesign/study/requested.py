@@ -5,10 +5,10 @@ from __future__ import annotations
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel, Member
 from edesign.errors import InputError
-from edesign.project.beam_loads import breaks_of_members, points_of_member
-from edesign.project.outputs import FibreOutput
+from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
+from edesign.project.analysis.outputs import FibreOutput
+from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
-from edesign.project.selections import NumberSelection
 from edesign.study.brace_results import recorded_braces
 from edesign.study.quantities import member_forces, plastic_rotation
 from edesign.study.recording import Quantity, Terms, coordinate

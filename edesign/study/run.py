@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.study.advice import project_warnings, study_warnings, unjudged
 from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs

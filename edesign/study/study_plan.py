@@ -7,11 +7,11 @@ from dataclasses import replace
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
-from edesign.project.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PushoverAnalysis
-from edesign.project.incremental import Incremental, LevelFactorStudy
-from edesign.project.problems import keys_text, unknown_name
-from edesign.project.pushover import Pushover, Pushovers
-from edesign.project.study import Histories, Study
+from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PushoverAnalysis
+from edesign.project.analysis.pushover import Pushover, Pushovers
+from edesign.project.reading.problems import keys_text, unknown_name
+from edesign.project.study.incremental import Incremental, LevelFactorStudy
+from edesign.project.study.study import Histories, Study
 from edesign.study.intensity import intensity_text
 from edesign.study.plan import Stripe, Task, selected
 from edesign.study.pushover_parts import pushover_parts

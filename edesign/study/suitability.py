@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 
 from edesign.errors import EdesignError
 from edesign.ground_motion.plausibility import unusual_scales
-from edesign.project.analyses import HistoryAnalysis
+from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
-from edesign.project.records import Suite, record_of
+from edesign.project.records.records import Suite, record_of
 from edesign.study.history import scale_factor
 from edesign.study.intensity import first_period
 from edesign.study.motions import Motion

@@ -6,9 +6,9 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.codes.ec8.target_displacement import RANGE
-from edesign.project.analyses import TargetAnalysis
+from edesign.project.analysis.analyses import TargetAnalysis
+from edesign.project.analysis.pushover import METHODS
 from edesign.project.project import Project
-from edesign.project.pushover import METHODS
 from edesign.study.capacity import Capacity, Target, capacity, level_spectrum
 from edesign.study.push import Progress, Stop, push
 from edesign.study.recording import coordinate

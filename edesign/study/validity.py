@@ -11,8 +11,8 @@ from dataclasses import replace
 
 from edesign.building.frame import FrameModel
 from edesign.core import Response
+from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
-from edesign.project.validity import Validity
 from edesign.study import quantities as q
 from edesign.study.recording import Quantity
 from edesign.study.warnings import AnalysisWarning

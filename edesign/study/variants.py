@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 
 from edesign.errors import InputError
-from edesign.project.dampers import DamperBetween, Dampers
-from edesign.project.designs import Design, ViscousDesign
+from edesign.project.dampers.dampers import DamperBetween, Dampers
+from edesign.project.dampers.designs import Design, ViscousDesign
 from edesign.project.project import Project
-from edesign.project.study import Study, Variant
+from edesign.project.study.study import Study, Variant
 from edesign.study.dampers import law_warnings
 from edesign.study.design.bounds import property_factors
 from edesign.study.design.building import with_temperature

@@ -11,7 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import find_recordings
 from edesign.ground_motion.record import Record
-from edesign.project.analyses import HistoryAnalysis
+from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from edesign.archive.dataset import Group
-from edesign.project.analyses import PlannedAnalysis
+from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study import analyses
 from edesign.study.motions import Motion

@@ -13,9 +13,9 @@ from edesign.core.substructure import LinearRig, RigLimits, Sensors, ServoHydrau
 from edesign.damper.law_file import Source, read_law_file, resolve
 from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
-from edesign.project.dampers import DamperLaw, LawDescription
-from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
-from edesign.project.outputs import HistoryKind
+from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.dampers.dampers import DamperLaw, LawDescription
 from edesign.project.substructure import rig as rig_kinds
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding

@@ -14,7 +14,7 @@ from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.stopping import Stopped

@@ -21,7 +21,7 @@ from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.selection import Selection, select
 from edesign.ground_motion.simulation import simulate
 from edesign.project import load_project
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.study.choosing import with_choices
 
 CASE = HERE / "chosen_records"

@@ -16,7 +16,7 @@ from scipy.signal import lfilter
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
-from edesign.project.units import STANDARD_GRAVITY as G
+from edesign.project.notation.units import STANDARD_GRAVITY as G
 
 CASE = HERE / "user_spectrum"
 

@@ -19,7 +19,7 @@ from edesign.assess.incremental import collect_stripes
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.errors import AnalysisError, Interrupted
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.incremental_figures import incremental_figures
 from edesign.report.incremental_tables import incremental_tables
 from edesign.report.study_tables import plan_table, study_tables

@@ -16,7 +16,7 @@ from edesign.cli.main import main
 from edesign.errors import ArchiveError
 from edesign.ground_motion.csv_record import read_csv
 from edesign.ground_motion.suite import TAKEN
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 SITE = ["--a-gr", "0.2g", "--ground", "B"]
 FIT = ["--method", "frequency", "--periods", "0.1s", "2s"]

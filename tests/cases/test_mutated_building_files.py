@@ -27,7 +27,7 @@ from pydantic import BaseModel
 
 from edesign.cli.main import main
 from edesign.project.building.building import Building
-from edesign.project.yaml_nodes import parse
+from edesign.project.reading.yaml_nodes import parse
 
 PROJECTS = Path(__file__).parents[2] / "projects"
 COUNT, SEED = 500, 1

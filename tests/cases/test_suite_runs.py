@@ -16,7 +16,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.errors import Interrupted
 from edesign.ground_motion.intensity import displacement, velocity
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.study.progress import Progress
 from edesign.study.run import run_project
 

@@ -12,7 +12,7 @@ from verification.structures import channel
 
 from edesign.building.hinges import MemberBuilder, MemberEnd
 from edesign.core import Analysis, Model
-from edesign.project.hinges import HingeValues
+from edesign.project.frame.hinges import HingeValues
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")
 

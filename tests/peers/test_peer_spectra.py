@@ -18,7 +18,7 @@ import pytest
 from benchmarks.peers.scipy_spectrum import noise_motion
 from edesign.ground_motion.at2 import read_at2
 from edesign.ground_motion.response_spectrum import psa, rotated_spectra
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 pytestmark = pytest.mark.peer
 DATA = os.environ.get("EDESIGN_PYROTD_DATA")

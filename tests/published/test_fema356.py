@@ -22,8 +22,8 @@ from edesign.codes.fema356.steel import beam_limits, column_limits, column_rotat
 from edesign.codes.fema356.strength import beam_yield_rotation, column_yield_rotation, lower_bound_axial_strength
 from edesign.errors import InputError
 from edesign.project import parse_project
-from edesign.project.checks_criteria import OBJECTIVE_PROBABILITY
-from edesign.project.sections import Fibres
+from edesign.project.criteria.checks_criteria import OBJECTIVE_PROBABILITY
+from edesign.project.frame.sections import Fibres
 
 FRAME = """\
 edesign: 1

@@ -16,7 +16,7 @@ from pathlib import Path
 import pytest
 
 from edesign import load_study, open_archive, run_study
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference_loader import load_reference
 from edesign.report.compared import ComparedCell, Comparison
 from edesign.report.comparison import compare
 

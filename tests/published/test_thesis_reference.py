@@ -12,8 +12,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.project.reference import Reference, ResponseTable, VariableTable
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference import Reference, ResponseTable, VariableTable
+from edesign.project.study.reference_loader import load_reference
 
 ROOT = Path(__file__).parents[2]
 FILE = ROOT / "projects" / "thesis_10_storey" / "reference.yaml"

@@ -15,8 +15,8 @@ from edesign.ground_motion.component_pairs import combined_spectrum, fit_pair
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.records import CombinedSpectrum
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.records.records import CombinedSpectrum
 from edesign.report.record_figures import record_figures
 from edesign.report.record_tables import tables_of
 

@@ -10,7 +10,13 @@ from verification.test_verify_modes import N, shear_building
 from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.core import Bilinear, Newmark
 from edesign.errors import InputError
-from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, RayleighDamping, StiffnessDamping
+from edesign.project.analysis.damping import (
+    CaugheyDamping,
+    MassDamping,
+    ModalDamping,
+    RayleighDamping,
+    StiffnessDamping,
+)
 
 
 def test_frequency_and_logarithmic_decrement() -> None:

@@ -16,8 +16,8 @@ from edesign.codes.ec8 import SET_RULES, ElasticSpectrum, national_parameters
 from edesign.errors import InputError
 from edesign.ground_motion.record_choice import EarlierChoice, RecordChoice, choose
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.chosen_records import ChosenRecords
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.records.chosen_records import ChosenRecords
 
 T1, STEP, WEIGHT = 0.4, 0.01, 0.3
 TARGET = ElasticSpectrum(2.0, national_parameters().horizontal(1, "B"))

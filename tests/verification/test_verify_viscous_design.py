@@ -20,7 +20,7 @@ from edesign.damper.dashpot import Dashpot, added_damping, energy_factor, linear
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.project.designs import ViscousDesign
+from edesign.project.dampers.designs import ViscousDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design

@@ -17,13 +17,13 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.test_files import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
-from edesign.project.base import Model
-from edesign.project.file_bytes import is_there
-from edesign.project.problems import Problems
-from edesign.project.temperature import Temperature
-from edesign.project.units import PositiveFrequency, PositiveRatio
-from edesign.project.yaml_file import check_model, read_yaml_text
-from edesign.project.yaml_nodes import parse
+from edesign.project.notation.temperature import Temperature
+from edesign.project.notation.units import PositiveFrequency, PositiveRatio
+from edesign.project.reading.base import Model
+from edesign.project.reading.file_bytes import is_there
+from edesign.project.reading.problems import Problems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
+from edesign.project.reading.yaml_nodes import parse
 
 KEY = "properties"
 PUBLISHED = "thesis_appendix_a"

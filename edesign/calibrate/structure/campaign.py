@@ -19,10 +19,10 @@ from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
 from edesign.damper.test_files import check_law
 from edesign.errors import InputError
-from edesign.project.file_bytes import is_there
-from edesign.project.problems import did_you_mean, listed
-from edesign.project.yaml_file import check_model, read_yaml_text
-from edesign.project.yaml_nodes import parse
+from edesign.project.reading.file_bytes import is_there
+from edesign.project.reading.problems import did_you_mean, listed
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
+from edesign.project.reading.yaml_nodes import parse
 
 _WHAT, _BEGINS = "campaign file", "structure:"
 _FEWEST = 16  # samples

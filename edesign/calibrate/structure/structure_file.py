@@ -9,9 +9,7 @@ from pydantic import BeforeValidator, Field
 from edesign.calibrate.problem import Use
 from edesign.calibrate.structure.damping import DampingKind
 from edesign.damper.test_files import LawBlock, Text
-from edesign.project.base import Model
-from edesign.project.problems import Problems
-from edesign.project.units import (
+from edesign.project.notation.units import (
     ACCELERATION,
     LENGTH,
     TIME,
@@ -22,6 +20,8 @@ from edesign.project.units import (
     PositiveStiffness,
     parse_quantity,
 )
+from edesign.project.reading.base import Model
+from edesign.project.reading.problems import Problems
 
 _DASHPOT = Kind("damping coefficient", "N*s/m", "100 kN*s/m")
 Dashpot = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, _DASHPOT, "not negative"))]

@@ -11,8 +11,8 @@ from pathlib import Path
 
 from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.errors import InputError
-from edesign.project.file_bytes import read_file, read_up_to, too_large
-from edesign.project.limits import TABLE_BYTES
+from edesign.project.reading.file_bytes import read_file, read_up_to, too_large
+from edesign.project.reading.limits import TABLE_BYTES
 
 WHAT = "record file"
 EXAMPLE = "time_s,base_m_s2,floor_1_m_s2"

@@ -49,7 +49,7 @@ def export(
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace other files of the same names.")] = False,
 ) -> None:
     """Write a compensator as C99 for a signal processor, with a self test, a timing program, and matrices."""
-    from edesign.project.problems import unknown_name
+    from edesign.project.reading.problems import unknown_name
     from edesign.substructure.compensation.described import compensator_of
     from edesign.substructure.compensation.export import export as write
     from edesign.substructure.laboratory import laboratory

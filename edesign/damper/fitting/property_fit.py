@@ -26,7 +26,7 @@ from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.damper.steady_state import CYCLES, SAMPLES, predict
 from edesign.damper.temperature import REFERENCE_C
 from edesign.errors import AnalysisError, InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 if TYPE_CHECKING:
     from edesign.damper.specimen import Specimen

@@ -17,7 +17,7 @@ from edesign.damper.fitting.start import branches_of, start_values
 from edesign.damper.fitting.thermal import Thermal, ThermalKind, thermal
 from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 _FRACTION = 0.1  # of a parameter that must exceed another, where the other one starts
 

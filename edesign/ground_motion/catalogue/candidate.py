@@ -12,7 +12,7 @@ from typing import Any
 from edesign.errors import InputError
 from edesign.ground_motion.sources import Found, find_recording
 from edesign.ground_motion.suite import TAKEN, Suite, SuiteEntry
-from edesign.project.chosen_records import Limits
+from edesign.project.records.chosen_records import Limits
 
 _LONGEST = 64  # characters of a name, as in suites
 _PLAIN = re.compile(r"[^a-z0-9]+")

@@ -10,7 +10,7 @@ from edesign.ground_motion.catalogue.candidate import Facts
 from edesign.ground_motion.peer_header import read_peer_header
 from edesign.ground_motion.peer_name import PeerName
 from edesign.ground_motion.text import read_lines
-from edesign.project.records import FileFormat
+from edesign.project.records.records import FileFormat
 
 _VERTICAL_WORD = re.compile(r"(up|ud|u-d|down|dwn|dn|vert|vertical|ver|vrt|v|z)[0-9]?", re.IGNORECASE)
 _VERTICAL_NAME = re.compile(r"(UP|DWN|DOWN|VERT|VER|VRT)$|[-_.](V|Z|UD|U|D)$|HNZ$", re.IGNORECASE)

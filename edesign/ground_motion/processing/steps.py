@@ -10,7 +10,7 @@ from edesign.ground_motion.processing.baseline import correct_baseline, remove_d
 from edesign.ground_motion.processing.length import pad, taper, trim, trim_to_significant
 from edesign.ground_motion.processing.resampling import resample_band_limited
 from edesign.ground_motion.record import Record
-from edesign.project.processing import Step
+from edesign.project.records.processing import Step
 
 
 def processed(record: Record, steps: Iterable[Step]) -> Record:

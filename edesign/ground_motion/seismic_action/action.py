@@ -7,8 +7,8 @@ from typing import Protocol
 
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.errors import InputError
-from edesign.project.hazard_base import Hazard
-from edesign.project.problems import unknown_name
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.reading.problems import unknown_name
 
 Check = tuple[tuple[str, ...], Callable[[], object]]
 """A place below `hazard`, and what raises an `InputError` if something is wrong there."""

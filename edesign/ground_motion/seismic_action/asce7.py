@@ -9,8 +9,8 @@ from edesign.codes.asce7 import EARTHQUAKES, AsceDesignSpectrum, AsceSpectrum
 from edesign.codes.registry import find_code
 from edesign.errors import InputError
 from edesign.ground_motion.seismic_action.action import Check, check_level
-from edesign.project.hazard import AsceHazard
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.actions.hazard import AsceHazard
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 
 @dataclass(frozen=True)

@@ -20,10 +20,10 @@ from edesign.codes.ec8.national import parameters_of_file
 from edesign.codes.registry import find_code
 from edesign.errors import InputError
 from edesign.ground_motion.seismic_action.action import Check, check_level
-from edesign.project.hazard import EC8Hazard
-from edesign.project.hazard_base import YEAR
-from edesign.project.national_file import read_national_file
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.actions.hazard import EC8Hazard
+from edesign.project.actions.hazard_base import YEAR
+from edesign.project.actions.national_file import read_national_file
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 
 @dataclass(frozen=True)

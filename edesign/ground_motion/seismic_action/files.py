@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.project.file_bytes import read_file
-from edesign.project.hazard_base import Hazard
-from edesign.project.problems import keys_text
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.reading.file_bytes import read_file
+from edesign.project.reading.problems import keys_text
 
 
 def text_name(keys: tuple[str | int, ...]) -> str:

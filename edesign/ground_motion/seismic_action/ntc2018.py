@@ -20,9 +20,9 @@ from edesign.codes.ntc2018 import (
 from edesign.codes.ntc2018.site import TOPOGRAPHY
 from edesign.errors import InputError
 from edesign.ground_motion.seismic_action.action import Check, check_level
-from edesign.project.hazard import NtcHazard
-from edesign.project.hazard_base import YEAR, level_of
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.actions.hazard import NtcHazard
+from edesign.project.actions.hazard_base import YEAR, level_of
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 LARGEST_VERTICAL_Q = 1.5
 """Source: NTC 2018, 7.3.1."""

@@ -12,9 +12,9 @@ from edesign.codes.tabulated import TabulatedSpectrum
 from edesign.errors import InputError
 from edesign.ground_motion.seismic_action.action import Check, check_level
 from edesign.ground_motion.seismic_action.spectrum_file import read_spectrum
-from edesign.project.hazard import UserHazard
-from edesign.project.hazard_base import YEAR, level_of
-from edesign.project.spectrum_tables import SpectrumTable, SpectrumValues
+from edesign.project.actions.hazard import UserHazard
+from edesign.project.actions.hazard_base import YEAR, level_of
+from edesign.project.actions.spectrum_tables import SpectrumTable, SpectrumValues
 
 
 @dataclass(frozen=True)

@@ -10,7 +10,7 @@ from edesign.ground_motion.simulation.distance import effective_distance
 from edesign.ground_motion.simulation.parameters import Crust
 from edesign.ground_motion.simulation.site import site_factor
 from edesign.ground_motion.simulation.source import source
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 
 def spreading(distance: float, crust: Crust) -> float:

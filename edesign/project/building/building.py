@@ -11,7 +11,7 @@ from typing import Annotated, Any, ClassVar, Literal, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
-from edesign.project.base import FormatVersion, Model, by_shape
+from edesign.project.actions.hazard import BuildingHazard
 from edesign.project.building.design import Design
 from edesign.project.building.layout import Layout
 from edesign.project.building.loads import Loads, Masses
@@ -19,11 +19,11 @@ from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missi
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.supports import Springs, Support, springs_of
-from edesign.project.file_model import FileModel
-from edesign.project.hazard import BuildingHazard
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
+from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
 from edesign.project.project import Identifier
-from edesign.project.selections import ALL_NUMBERS, Numbers, NumbersOrNone
-from edesign.project.units import PositiveDensity, PositiveLength, PositiveStress
+from edesign.project.reading.base import FormatVersion, Model, by_shape
+from edesign.project.reading.file_model import FileModel
 
 MOST_BAYS = 100
 """In one direction, so that letters of lines and names of frames (`XA`, `YA`) are told apart."""

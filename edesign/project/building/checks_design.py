@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
+from edesign.project.actions.checks_hazard import check_hazard
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS, Select
 from edesign.project.building.members import CHEVRONS
-from edesign.project.checks_hazard import check_hazard
-from edesign.project.problems import Keys, Problems, listed, unknown_name
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 
 def check_design(building: Building, problems: Problems, files: bool = True) -> None:

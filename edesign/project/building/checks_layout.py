@@ -10,8 +10,8 @@ from edesign.project.building.layout import DIRECTIONS, Panel, met_beam, ways
 from edesign.project.building.members import CHEVRONS, BeamRun, BraceRun, ColumnRun
 from edesign.project.building.names import BeamPlace, column_name, frame_name, node_name
 from edesign.project.building.places import parse_column_lines
-from edesign.project.problems import Keys, Problems, listed, unknown_name
-from edesign.project.sections import Catalogue, no_section
+from edesign.project.frame.sections import Catalogue, no_section
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
 MOST_COLUMNS = 50_000
 """Of a building: twenty times those of 200 storeys with 12 column lines."""

@@ -8,7 +8,7 @@ from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.places import Panels, panels_in
-from edesign.project.problems import Keys, Problems, listed
+from edesign.project.reading.problems import Keys, Problems, listed
 
 
 def check_loads(building: Building, problems: Problems) -> None:

@@ -8,9 +8,9 @@ from edesign.project.building.building import Building
 from edesign.project.building.members import BeamPlaces, ColumnPlaces
 from edesign.project.building.names import Direction, line_label, node_name
 from edesign.project.building.places import ColumnLineSelection, FrameSelection, Panels
-from edesign.project.names import line_name
-from edesign.project.problems import Keys, Problems, listed
-from edesign.project.selections import NumberSelection
+from edesign.project.notation.names import line_name
+from edesign.project.notation.selections import NumberSelection
+from edesign.project.reading.problems import Keys, Problems, listed
 
 
 class Selections:

@@ -8,8 +8,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Field
 
-from edesign.project.base import Model, refuse
-from edesign.project.units import Factor, PositiveFactor, PositiveLength, PositiveRatio, UnitRatio, parse_ratio
+from edesign.project.notation.units import Factor, PositiveFactor, PositiveLength, PositiveRatio, UnitRatio, parse_ratio
+from edesign.project.reading.base import Model, refuse
 
 SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
 """Structural types of EN 1998-1, 6.3.1 and Table 6.2."""

@@ -12,9 +12,9 @@ from edesign.project.building.checks_layout import check_layout
 from edesign.project.building.checks_loads import check_loads
 from edesign.project.building.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.building.plausible import check_given_masses, check_plausible
-from edesign.project.problems import FileProblems
-from edesign.project.sections import Catalogue
-from edesign.project.yaml_file import check_model, read_yaml_text
+from edesign.project.frame.sections import Catalogue
+from edesign.project.reading.problems import FileProblems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 _WHAT, _BEGINS = "building file", "edesign_building: 1"
 R = TypeVar("R", ColumnRun, BeamRun, BraceRun)

@@ -6,12 +6,12 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_shape
 from edesign.project.building.members import BeamPlaces
 from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, ColumnLines
-from edesign.project.selections import ALL_NUMBERS, Numbers
-from edesign.project.units import AreaLoad as ForcePerArea
-from edesign.project.units import Factor, Force, LineLoad, PositiveMass, PositiveRatio
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.units import AreaLoad as ForcePerArea
+from edesign.project.notation.units import Factor, Force, LineLoad, PositiveMass, PositiveRatio
+from edesign.project.reading.base import Model, by_shape
 
 Category = Literal["A", "B", "C", "D", "E", "F", "G", "H", "snow"]
 """Of the use of a floor or roof, EN 1991-1-1, 6.3; snow by EN 1991-1-3."""

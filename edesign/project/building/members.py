@@ -7,12 +7,12 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator
 
-from edesign.project.base import Model
 from edesign.project.building.names import Direction
 from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
-from edesign.project.selections import ALL_NUMBERS, Numbers
-from edesign.project.several import ShortName
-from edesign.project.units import ROTATIONAL_STIFFNESS, held
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.several import ShortName
+from edesign.project.notation.units import ROTATIONAL_STIFFNESS, held
+from edesign.project.reading.base import Model
 
 BraceKind = Literal["rising", "falling", "alternating", "cross", "chevron", "v"]
 CHEVRONS = ("chevron", "v")

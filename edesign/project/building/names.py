@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from typing import Literal, NamedTuple
 
-from edesign.project.names import line_name
+from edesign.project.notation.names import line_name
 
 Direction = Literal["x", "y"]
 

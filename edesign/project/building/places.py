@@ -9,10 +9,10 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator
 
-from edesign.project.base import Model, refuse
 from edesign.project.building.names import ColumnLine, Direction
-from edesign.project.names import line_index
-from edesign.project.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.names import line_index
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.reading.base import Model, refuse
 
 _END = r"([A-Z]{0,2})([0-9]{0,3})"
 _LINES = re.compile(rf"\s*{_END}\s*(?:-\s*{_END}\s*)?")

@@ -13,8 +13,7 @@ from dataclasses import dataclass
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS
 from edesign.project.building.layout import Panel
-from edesign.project.problems import Keys, Problems, keys_text
-from edesign.project.units import (
+from edesign.project.notation.units import (
     ACCELERATION,
     AREA_LOAD,
     DENSITY,
@@ -28,6 +27,7 @@ from edesign.project.units import (
     Kind,
     units_of,
 )
+from edesign.project.reading.problems import Keys, Problems, keys_text
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.project.problems import Keys, Problems
+from edesign.project.reading.problems import Keys, Problems
 from edesign.project.substructure.checks_rig import corner, nyquist
 from edesign.project.substructure.compensators import (
     AtsCompensator,

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from edesign.project.problems import Keys, Problems
+from edesign.project.reading.problems import Keys, Problems
 from edesign.project.substructure.rig import RigFile, RigInFile, RigModel, ServoHydraulicRig, TransferFunctionRig
 from edesign.project.substructure.rts_file import RtsFile
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.project.checks_dampers import check_law
-from edesign.project.checks_files import check_file
-from edesign.project.dampers import DamperLaw
-from edesign.project.problems import Keys, Problems, unknown_name
+from edesign.project.dampers.checks_dampers import check_law
+from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.reading.checks_files import check_file
+from edesign.project.reading.problems import Keys, Problems, unknown_name
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
 

@@ -6,9 +6,9 @@ import math
 
 import numpy as np
 
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.problems import Keys, Problems, did_you_mean, listed, unknown_name
+from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 from edesign.project.substructure.checks_rig import nyquist
 from edesign.project.substructure.devices import devices_of
 from edesign.project.substructure.rts_file import RtsFile

@@ -6,7 +6,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key
+from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio, PositiveStiffness, PositiveTime
+from edesign.project.reading.base import Model, by_key
 from edesign.project.substructure.quantities import (
     Alpha,
     AlphaList,
@@ -22,7 +23,6 @@ from edesign.project.substructure.quantities import (
     TimeSquaredRange,
     TimeSquaredRate,
 )
-from edesign.project.units import Duration, PositiveFactor, PositiveRatio, PositiveStiffness, PositiveTime
 
 PolynomialOrder = Annotated[int, Field(ge=0, le=4)]
 Spacing = Literal["delay", "step"]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from edesign.project import names
-from edesign.project.dampers import DamperBetween, Device
+from edesign.project.dampers.dampers import DamperBetween, Device
+from edesign.project.notation import names
 from edesign.project.project import Project
 
 

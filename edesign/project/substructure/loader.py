@@ -6,11 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from edesign.project.checks_files import check_file
+from edesign.project.frame.sections import Catalogue
 from edesign.project.loader import load_project
-from edesign.project.problems import FileProblems, Problems
 from edesign.project.project import Project
-from edesign.project.sections import Catalogue
+from edesign.project.reading.checks_files import check_file
+from edesign.project.reading.problems import FileProblems, Problems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.substructure.checks_compensators import check_compensators
 from edesign.project.substructure.checks_rig import (
     check_covariance,
@@ -26,7 +27,6 @@ from edesign.project.substructure.checks_tests import check_tests
 from edesign.project.substructure.rig import RigFile, RigInFile
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
-from edesign.project.yaml_file import check_model, read_yaml_text
 
 WHAT = "substructure test file"
 _BEGINS = "edesign_rts: 1"

@@ -6,9 +6,9 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from edesign.project.base import Model
+from edesign.project.notation.units import PositiveForce, PositiveLength, PositiveTime, UnitRatio
+from edesign.project.reading.base import Model
 from edesign.project.substructure.quantities import Delay, NoNegativeForce, NoNegativeLength, Steps
-from edesign.project.units import PositiveForce, PositiveLength, PositiveTime, UnitRatio
 
 Method = Literal[
     "exact",

@@ -7,17 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key
-from edesign.project.substructure.quantities import (
-    Band,
-    Hertz,
-    Hertzes,
-    NoNegativeRate,
-    PositiveVelocityPerForce,
-    Rate,
-    SweepBand,
-)
-from edesign.project.units import (
+from edesign.project.notation.units import (
     Duration,
     PositiveFactor,
     PositiveLength,
@@ -26,6 +16,16 @@ from edesign.project.units import (
     PositiveStiffness,
     PositiveTime,
     UnitRatio,
+)
+from edesign.project.reading.base import Model, by_key
+from edesign.project.substructure.quantities import (
+    Band,
+    Hertz,
+    Hertzes,
+    NoNegativeRate,
+    PositiveVelocityPerForce,
+    Rate,
+    SweepBand,
 )
 
 TestName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_length=64)]

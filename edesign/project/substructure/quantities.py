@@ -9,8 +9,8 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
-from edesign.project.base import refuse
-from edesign.project.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity
+from edesign.project.notation.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity
+from edesign.project.reading.base import refuse
 
 MOST_DELAY = 1.0
 """Longest delay that is taken for one, s; actuators are late by 5 to 30 ms."""

@@ -7,15 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, FiniteFloat, Tag
 
-from edesign.project.base import Model, by_key
-from edesign.project.substructure.quantities import (
-    Alpha,
-    Delay,
-    Hertz,
-    NoNegativeLength,
-    Rate,
-)
-from edesign.project.units import (
+from edesign.project.notation.units import (
     Duration,
     PositiveFactor,
     PositiveForce,
@@ -23,6 +15,14 @@ from edesign.project.units import (
     PositiveStiffness,
     PositiveTime,
     PositiveVelocity,
+)
+from edesign.project.reading.base import Model, by_key
+from edesign.project.substructure.quantities import (
+    Alpha,
+    Delay,
+    Hertz,
+    NoNegativeLength,
+    Rate,
 )
 
 MOST_STATES = 12

@@ -9,13 +9,15 @@ from typing import Annotated, ClassVar, Literal
 
 from pydantic import Field, PrivateAttr
 
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.base import FormatVersion, Model
-from edesign.project.dampers import DamperLaw
-from edesign.project.file_model import FileModel
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.notation.units import PositiveFactor, PositiveRatio
 from edesign.project.project import Identifier, Project
-from edesign.project.record_files import RecordFiles
-from edesign.project.records import Record
+from edesign.project.reading.base import FormatVersion, Model
+from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.yaml_file import read_yaml_text, yaml_text
+from edesign.project.records.record_files import RecordFiles
+from edesign.project.records.records import Record
 from edesign.project.substructure.compensators import Compensator
 from edesign.project.substructure.devices import law_of
 from edesign.project.substructure.loop import Integration, Loop, Sensors
@@ -23,8 +25,6 @@ from edesign.project.substructure.programme import AnyTest, RecordTest
 from edesign.project.substructure.rig import AnyRig, RigFile, RigInFile, RigModel
 from edesign.project.substructure.specimen import PlacedLaw, Specimen
 from edesign.project.substructure.structure import ProjectStructure, Structure
-from edesign.project.units import PositiveFactor, PositiveRatio
-from edesign.project.yaml_file import read_yaml_text, yaml_text
 
 Channel = Literal["target", "measured", "command", "force", "alpha", "energy", "building"]
 CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alpha", "energy", "building")

@@ -8,12 +8,12 @@ from typing import Annotated
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_shape
-from edesign.project.dampers import Count, DamperLaw, Effect, Layers
-from edesign.project.problems import Keys
-from edesign.project.temperature import Temperature
-from edesign.project.units import PositiveArea, PositiveLength
-from edesign.project.yaml_nodes import Node
+from edesign.project.dampers.dampers import Count, DamperLaw, Effect, Layers
+from edesign.project.notation.temperature import Temperature
+from edesign.project.notation.units import PositiveArea, PositiveLength
+from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.problems import Keys
+from edesign.project.reading.yaml_nodes import Node
 
 LawChoice = Annotated[
     Annotated[Annotated[str, Field(min_length=1)], Tag("?plain")] | Annotated[DamperLaw, Tag("?mapping")],

@@ -6,10 +6,10 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.base import Model, by_key, keys_in
-from edesign.project.damping import ModeNumber, NoDamping
-from edesign.project.several import Names
-from edesign.project.units import PositiveMass, PositiveRatio, PositiveStiffness
+from edesign.project.analysis.damping import ModeNumber, NoDamping
+from edesign.project.notation.several import Names
+from edesign.project.notation.units import PositiveMass, PositiveRatio, PositiveStiffness
+from edesign.project.reading.base import Model, by_key, keys_in
 
 Text = Annotated[str, Field(min_length=1)]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 from edesign.project.substructure.checks_structure import frequencies
 from edesign.project.substructure.programme import RecordTest
 from edesign.project.substructure.rig import RigInFile

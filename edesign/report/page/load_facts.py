@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.project.leaning_column import LeaningColumn
-from edesign.project.loads import BeamLoad, ColumnLoad, FloorLoad
+from edesign.project.actions.loads import BeamLoad, ColumnLoad, FloorLoad
+from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.project import Project
 from edesign.report.captions import plain
 

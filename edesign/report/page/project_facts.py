@@ -10,13 +10,13 @@ from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError
 from edesign.ground_motion.hazard import action_of
-from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
-from edesign.project.hazard_base import Hazard
-from edesign.project.integration import HHTIntegration, Integration, NewmarkIntegration
-from edesign.project.materials import ElasticMaterial
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
+from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.supports import support_name
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.project.supports import support_name
-from edesign.project.units import STANDARD_GRAVITY
 from edesign.report.captions import plain
 from edesign.report.page.load_facts import load_rows
 

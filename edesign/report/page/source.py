@@ -15,7 +15,7 @@ from edesign.assess.statistics import Statistics
 from edesign.errors import EdesignError
 from edesign.project.building.building import Building
 from edesign.project.project import Project
-from edesign.project.study import Study
+from edesign.project.study.study import Study
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.captions import UniqueNames, file_name

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.project.dampers import DamperLaw
+from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ShearBuilding
 from edesign.report.captions import plain

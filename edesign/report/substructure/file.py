@@ -8,12 +8,12 @@ from pathlib import Path
 from edesign.archive.reader import Archive
 from edesign.errors import EdesignError
 from edesign.project.project import Project
+from edesign.project.reading.yaml_file import check_model
 from edesign.project.substructure.loader import read_rig_file
 from edesign.project.substructure.rig import IdealRig, RigFile, RigInFile, RigModel
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure
 from edesign.project.substructure.summary import summary
-from edesign.project.yaml_file import check_model
 from edesign.report.archived import archived_texts, project_of_texts, take_text
 from edesign.substructure.laboratory import Laboratory, rig_transfer
 from edesign.substructure.rig.rigs import RigTransfer

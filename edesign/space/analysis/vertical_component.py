@@ -16,7 +16,7 @@ from edesign.codes.ec8 import VerticalSpectrum
 from edesign.codes.ec8.design import vertical_design_spectrum
 from edesign.codes.ec8.directions import vertical_component_counts
 from edesign.codes.en1990.combinations import Combination
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.analysis.bracing import joined_beams
 from edesign.space.analysis.effects import Effects
 from edesign.space.structure.frame import SpaceFrame

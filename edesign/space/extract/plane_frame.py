@@ -21,7 +21,7 @@ from edesign.project.building.names import (
     frame_name,
     node_name,
 )
-from edesign.project.problems import listed
+from edesign.project.reading.problems import listed
 from edesign.space.file_places import keys_of_member, keys_of_support
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.geometry import half_names

@@ -8,8 +8,8 @@ from edesign.building.steel_section import steel_section
 from edesign.project.building.layout import ways
 from edesign.project.building.members import BraceRun
 from edesign.project.building.names import BracePlace
-from edesign.project.names import line_name
-from edesign.project.yaml_edit import yaml_text
+from edesign.project.notation.names import line_name
+from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.leaning import leaning, leaning_shares
 from edesign.space.extract.plane_frame import AtNodes, PlaneFrame, parallel_frames

@@ -13,11 +13,11 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.simulation.simulate import simulate
 from edesign.ground_motion.simulation.site import V_S30_RANGE
+from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.design import Drift
 from edesign.project.building.names import BeamPlace
-from edesign.project.checks_criteria import objective_level
-from edesign.project.hazard import EC8Hazard
-from edesign.project.yaml_edit import yaml_text
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value
 

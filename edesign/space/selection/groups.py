@@ -11,7 +11,7 @@ from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
 from edesign.errors import InputError
 from edesign.project.building.design import DEFAULT_PRICE
-from edesign.project.problems import keys_text, listed
+from edesign.project.reading.problems import keys_text, listed
 from edesign.space.checks.criteria import allowed_class, dissipative_class, pattern_of, slenderness_of_one_metre
 from edesign.space.checks.member_checks import LARGEST_CLASS
 from edesign.space.elastic_design import ElasticAnalysis

@@ -12,7 +12,7 @@ from edesign.codes.criterion import Criterion
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.building.building import Building
-from edesign.project.values import KeyPath
+from edesign.project.reading.values import KeyPath
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Choice, Evaluator
 from edesign.space.selection.groups import Group, groups_of

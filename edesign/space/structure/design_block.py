@@ -8,9 +8,9 @@ from typing import TypeVar
 
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
-from edesign.project.base import Model
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design, System
+from edesign.project.reading.base import Model
 from edesign.space.structure.frame import Axis
 
 M = TypeVar("M", bound=Model)

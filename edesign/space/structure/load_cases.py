@@ -13,7 +13,7 @@ from edesign.project.building.layout import edges
 from edesign.project.building.loads import Areas, BeamLoad, NodeLoad, PerimeterLoad
 from edesign.project.building.names import BeamPlace, node_name
 from edesign.project.building.places import panels_in
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.area_loads import BeamShare, bay_shares
 from edesign.space.structure.frame import LoadCase, SpaceFrame
 

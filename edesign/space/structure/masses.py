@@ -11,7 +11,7 @@ from edesign.errors import InputError
 from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
 from edesign.project.building.names import node_name
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.structure.frame import SpaceFrame
 from edesign.space.structure.load_cases import on_nodes
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean
+from edesign.project.reading.problems import did_you_mean
 from edesign.study.backends.serial import SerialBackend
 from edesign.study.backends.threads import ThreadsBackend
 from edesign.study.backends.work import Backend, Control, Result, Work

@@ -9,7 +9,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
-from edesign.project.designs import Bounds
+from edesign.project.dampers.designs import Bounds
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer import Elastomer, Moduli

@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.building.devices import DeviceLaw
 from edesign.errors import AnalysisError, InputError
-from edesign.project.dampers import BraceStiffness, DamperRun, Dampers
-from edesign.project.designs import Design
+from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.designs import Design
 from edesign.project.project import Project
 from edesign.study.dampers import device_laws
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense

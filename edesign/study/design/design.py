@@ -9,8 +9,8 @@ from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
-from edesign.project.dampers import Dampers
-from edesign.project.designs import Design, ViscousDesign
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import Design, ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer_designer import ElastomerDesigner

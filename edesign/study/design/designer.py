@@ -9,8 +9,8 @@ from typing import Any, ClassVar, Generic
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.dampers import Dampers
-from edesign.project.designs import Design
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import Design
 from edesign.project.project import Project
 from edesign.study.design.building import Building, make_building
 from edesign.study.design.estimate import Action, make_action

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import yaml
 
-from edesign.project.dampers import BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 
 
 def devices_text(dampers: Dampers) -> str:

@@ -9,7 +9,7 @@ import scipy
 
 from edesign.damper.sizing import stiffness_ratio
 from edesign.errors import AnalysisError, InputError
-from edesign.project.designs import BraceRatio, StrainEnergyDesign
+from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer import Moduli

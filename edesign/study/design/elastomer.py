@@ -12,9 +12,9 @@ from edesign.damper.property_table import PropertyTable, property_table_content,
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
-from edesign.project.designs import ElastomerDesign, FileProperties, FixedProperties
-from edesign.project.file_bytes import is_file
+from edesign.project.dampers.designs import ElastomerDesign, FileProperties, FixedProperties
 from edesign.project.project import Project
+from edesign.project.reading.file_bytes import is_file
 from edesign.study.design.building import law_at
 
 

@@ -12,8 +12,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
-from edesign.project.dampers import Dampers
-from edesign.project.designs import BraceRatio, ElastomerDesign, SimplifiedDesign
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import analyse_bounds
 from edesign.study.design.building import law_at, per_storey, sized_dampers

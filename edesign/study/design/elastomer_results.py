@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.designs import ElastomerDesign
+from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.bounds import Bound, governing
 from edesign.study.design.building import Building
 from edesign.study.design.damping import modal_damping

@@ -9,8 +9,8 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
-from edesign.project.damping import first_ratio
-from edesign.project.designs import Design, SimplifiedDesign
+from edesign.project.analysis.damping import first_ratio
+from edesign.project.dampers.designs import Design, SimplifiedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes

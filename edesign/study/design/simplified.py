@@ -8,8 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
-from edesign.project.checks_designs import design_warnings
-from edesign.project.designs import SimplifiedDesign
+from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping

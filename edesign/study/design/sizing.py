@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.damper import sizing
-from edesign.project.designs import ElastomerDesign
+from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.building import Building
 from edesign.study.design.elastomer import Moduli
 

@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from edesign.project.designs import BraceRatio, StrainEnergyDesign
+from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.distribution import distribute

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict
-from edesign.project.dampers import Dampers
+from edesign.project.dampers.dampers import Dampers
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 
 Respond = Callable[[Dampers, int], Mapping[str, Group]]

@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 
 from edesign.errors import InputError
-from edesign.project.designs import BraceRatio
+from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.least_coefficient import least_coefficient
 from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
 from edesign.study.design.pattern import pattern_of

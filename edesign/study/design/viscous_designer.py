@@ -11,8 +11,8 @@ from edesign.archive.dataset import Group
 from edesign.damper.dashpot import dashpot
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
-from edesign.project.dampers import Dampers
-from edesign.project.designs import ViscousDesign
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import NAMES, Bound, property_factors
 from edesign.study.design.building import per_storey, sized_dampers

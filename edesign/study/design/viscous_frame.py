@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.damper.dashpot import Dashpot, added_damping, linear_dashpot
 from edesign.errors import AnalysisError
-from edesign.project.designs import BraceRatio, DriftAmplitude, RoofAmplitude, ViscousDesign
+from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, RoofAmplitude, ViscousDesign
 from edesign.study.design.building import Building
 from edesign.study.design.dashpot_modes import DashpotModes, dashpot_modes
 from edesign.study.design.estimate import Action

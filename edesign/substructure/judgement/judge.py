@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibrate.noise import smooth
 from edesign.core.errors import CoreError
 from edesign.errors import InputError
-from edesign.project.problems import unknown_name
+from edesign.project.reading.problems import unknown_name
 from edesign.project.substructure.programme import CommandTest, RtsTest
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.project.substructure.rts_file import RtsFile

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.damper.column_units import DISPLACEMENT, FORCE, TIME, Units
 from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.errors import InputError
-from edesign.project.problems import did_you_mean, listed
+from edesign.project.reading.problems import did_you_mean, listed
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
 """As virtual tests are written."""

@@ -12,7 +12,7 @@ from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.test_files import LawChoice
 from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import InputError
-from edesign.project.dampers import LawDescription
+from edesign.project.dampers.dampers import LawDescription
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.judgement.judge import Judgement

@@ -11,7 +11,7 @@ import scipy
 
 from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.errors import InputError
-from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
+from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
 
 InherentDamping = NoDamping | RayleighDamping | ModalDamping
 

@@ -14,7 +14,7 @@ from edesign.core import Channel, LawValues, Response
 from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.response import EnergyBalance
 from edesign.errors import AnalysisError, InputError
-from edesign.project.outputs import HistoryKind
+from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
 from edesign.study.history import integrator, load_and_damp
 from edesign.study.history_results import HistoryResults

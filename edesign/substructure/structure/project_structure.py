@@ -10,10 +10,10 @@ import scipy
 from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
 from edesign.building.devices import Device
 from edesign.errors import InputError
-from edesign.project.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
-from edesign.project.materials import ElasticMaterial
-from edesign.project.problems import unknown_name
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
+from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
+from edesign.project.reading.problems import unknown_name
 from edesign.study.damper_stiffness import device_stiffness
 from edesign.study.dampers import attachments
 from edesign.study.structure import Structure, make_structure

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.core.substructure import Recursion
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.project.problems import unknown_name
+from edesign.project.reading.problems import unknown_name
 from edesign.substructure.structure import integrators
 from edesign.substructure.structure.equation import Advance, Equation, ForceBetween, Instant, Known, Motion
 from edesign.substructure.structure.numerical import LinearPart

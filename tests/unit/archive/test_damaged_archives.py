@@ -36,7 +36,7 @@ from edesign.archive.reader import DamagedArchive, open_archive, read_archive
 from edesign.archive.tree import EXPANSION
 from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.errors import ArchiveError, EdesignError
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference_loader import load_reference
 from edesign.report.comparison import compare
 from edesign.report.comparison_tables import block_tables
 from edesign.report.tables import overview

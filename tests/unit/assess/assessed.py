@@ -6,9 +6,9 @@ from unit.assess.known_history import known_history
 
 from edesign.archive.dataset import Group
 from edesign.project import Project, parse_project
-from edesign.project.base import Model
-from edesign.project.criteria import Criteria, Objectives
-from edesign.project.yaml_file import check_model
+from edesign.project.criteria.criteria import Criteria, Objectives
+from edesign.project.reading.base import Model
+from edesign.project.reading.yaml_file import check_model
 
 FRAME = """\
 edesign: 1

@@ -14,8 +14,8 @@ from edesign.assess.judgement import within
 from edesign.assess.members import VariantMembers, frame_members
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
 from edesign.assess.sets import HistorySet, history_sets
-from edesign.project.study import Study
-from edesign.project.yaml_file import check_model
+from edesign.project.reading.yaml_file import check_model
+from edesign.project.study.study import Study
 from edesign.report.text import print_tables
 from edesign.report.verdict_tables import performance_tables
 

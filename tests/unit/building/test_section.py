@@ -14,7 +14,7 @@ from edesign.building.profiles import profile, profile_names
 from edesign.building.section import CrossSection, Strip, fillets, i_section, rectangle_section, rolled_section
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
-from edesign.project.sections import Fibres, RectangleSection
+from edesign.project.frame.sections import Fibres, RectangleSection
 
 DEFAULT = Fibres()
 SIZES = st.tuples(st.floats(0.1, 1.2), st.floats(0.05, 0.5), st.floats(0.02, 0.3), st.floats(0.05, 0.9))

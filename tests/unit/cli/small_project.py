@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.errors import AnalysisError
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.outputs import Outputs
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.outputs import Outputs
 from edesign.project.project import Project
 from edesign.study.motions import Motion
 

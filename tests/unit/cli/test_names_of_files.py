@@ -16,7 +16,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.project import loader
-from edesign.project.file_bytes import read_file
+from edesign.project.reading.file_bytes import read_file
 from edesign.study import analyses, run
 
 LONG = "n" * 253  # and .h5 is 256; a file system takes 255

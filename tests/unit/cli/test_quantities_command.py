@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from edesign.cli.main import main
-from edesign.project.criterion_quantities import QUANTITIES, keys_of
-from edesign.project.measures import SHORT_NAMES
+from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
+from edesign.project.criteria.measures import SHORT_NAMES
 
 PAGE = Path(__file__).parents[3] / "docs" / "assessment.md"
 

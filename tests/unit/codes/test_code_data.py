@@ -12,7 +12,7 @@ from edesign.codes.ec8.ground import ground_type, ground_type_of_velocity, groun
 from edesign.codes.ec8.importance import factor_of_probability, factor_of_return_period, return_period_of
 from edesign.codes.ec8.national import Parameter
 from edesign.errors import InputError
-from edesign.project.hazard import OTHER_CODES, AsceHazard, EC8Hazard, Level, NtcHazard, UserHazard
+from edesign.project.actions.hazard import OTHER_CODES, AsceHazard, EC8Hazard, Level, NtcHazard, UserHazard
 
 G = 9.80665
 

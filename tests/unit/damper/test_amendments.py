@@ -23,7 +23,7 @@ from edesign.damper.programme_file import load_programme
 from edesign.damper.steady_state import predict
 from edesign.damper.thesis_tables import PROTOTYPE
 from edesign.errors import InputError
-from edesign.project.dampers import Effect
+from edesign.project.dampers.dampers import Effect
 from edesign.study.dampers import device_laws
 from edesign.study.structure import make_frame
 

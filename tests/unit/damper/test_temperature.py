@@ -14,7 +14,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.temperature import FerryShift, GammaT, at
 from edesign.damper.temperature_file import TemperatureLaw
 from edesign.errors import InputError
-from edesign.project.temperature import parse_temperature
+from edesign.project.notation.temperature import parse_temperature
 
 MGMM = LAWS["mgmm"]
 

@@ -16,8 +16,8 @@ from edesign.ground_motion.catalogue.flatfile import read_flatfile
 from edesign.ground_motion.catalogue.gather import Catalogue, gather
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.chosen_records import ChosenRecords
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.records.chosen_records import ChosenRecords
 
 T = np.geomspace(0.1, 1.0, 30)
 BAND = MatchOptions(method="scale", periods=(0.1, 1.0))

@@ -9,9 +9,9 @@ from building_examples import building as changed
 from edesign.codes.ec8.national import national_parameters
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, factor_of_level, national_of, vertical_spectrum
+from edesign.project.actions.hazard import EC8Hazard, Level
 from edesign.project.building import parse_building
-from edesign.project.hazard import EC8Hazard, Level
-from edesign.project.problems import FileProblems
+from edesign.project.reading.problems import FileProblems
 from edesign.space.structure.design_block import design_of
 
 GREECE = {"code": "ec8-2004", "country": "greece", "zone": "3", "ground": "B", "spectrum": 1}

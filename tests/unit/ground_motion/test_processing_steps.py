@@ -8,7 +8,7 @@ import pytest
 from edesign.errors import InputError
 from edesign.ground_motion.processing.steps import processed
 from edesign.ground_motion.record import Record
-from edesign.project.processing import Step
+from edesign.project.records.processing import Step
 
 STEP = 0.01
 MOTION = Record("motion", np.sin(np.arange(2001) * STEP), STEP, "sine of 20 s")

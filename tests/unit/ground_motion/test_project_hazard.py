@@ -17,7 +17,7 @@ from edesign.ground_motion.hazard import (
     vertical_spectrum,
 )
 from edesign.project import Project, new_project, parse_project
-from edesign.project.hazard import EC8Hazard
+from edesign.project.actions.hazard import EC8Hazard
 
 LEVELS = """
   levels:

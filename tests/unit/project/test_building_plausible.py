@@ -11,7 +11,7 @@ from edesign.building.profiles import profile_names
 from edesign.building.steel_section import steel_section
 from edesign.project.building import BuildingError
 from edesign.project.building.plausible import HEIGHT, POINT, WIDTH, unusual
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 
 GIVEN = SMALL.replace("{from_loads: {}}", "{given: [{floors: 1-2, mass: 9 t}]}")
 

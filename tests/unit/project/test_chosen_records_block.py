@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from edesign.project import Problem, ProjectError, parse_project
-from edesign.project.chosen_records import ChosenRecords, FolderSource, Period
+from edesign.project.records.chosen_records import ChosenRecords, FolderSource, Period
 
 Broken = Callable[..., list[Problem]]
 

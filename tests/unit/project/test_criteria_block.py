@@ -6,10 +6,10 @@ import pytest
 from unit.assess.assessed import FRAME, Part, part
 
 from edesign.project import parse_project
-from edesign.project.checks_criteria import check_criteria, objective_level
-from edesign.project.criteria import HingeCriterion, MeasureCriterion, PerformanceCriterion
-from edesign.project.outputs import HistoryKind
-from edesign.project.yaml_file import check_model
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.criteria.checks_criteria import check_criteria, objective_level
+from edesign.project.criteria.criteria import HingeCriterion, MeasureCriterion, PerformanceCriterion
+from edesign.project.reading.yaml_file import check_model
 
 THESIS = """\
 criteria:

@@ -8,9 +8,9 @@ import pytest
 
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
-from edesign.project.derived import Derived
-from edesign.project.study import Study
-from edesign.project.study_loader import StudyError, parse_study
+from edesign.project.study.derived import Derived
+from edesign.project.study.study import Study
+from edesign.project.study.study_loader import StudyError, parse_study
 from edesign.study.check import check_study_inputs
 from edesign.study.study_plan import make_study_plan
 

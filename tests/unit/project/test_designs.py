@@ -7,9 +7,8 @@ import re
 import pytest
 from design_examples import THESIS, design, refusal, shear_project, thesis_project
 
-from edesign.project.base import Model
-from edesign.project.checks_designs import design_warnings
-from edesign.project.designs import (
+from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.dampers.designs import (
     Bounds,
     BraceRatio,
     Extremes,
@@ -18,6 +17,7 @@ from edesign.project.designs import (
     StrainEnergyDesign,
     Verify,
 )
+from edesign.project.reading.base import Model
 
 GOOD = "method: strain_energy, law: rubber, kind: chevron, bays: 1, strain: 20 %, layer_thickness: 20 mm, damping: 5 %"
 SIMPLE = (

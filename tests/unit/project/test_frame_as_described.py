@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from edesign.project import Problem, ProjectError, parse_project
-from edesign.project.positions import Position, parse_position
+from edesign.project.notation.positions import Position, parse_position
 
 Broken = Callable[..., list[Problem]]
 LOADS = "loads:\n  beams:\n"

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from edesign.project import Problem, parse_project
-from edesign.project.hazard import EC8Hazard
-from edesign.project.hazard_base import YEAR
+from edesign.project.actions.hazard import EC8Hazard
+from edesign.project.actions.hazard_base import YEAR
 
 Broken = Callable[..., list[Problem]]
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 import pytest
 
 from edesign.project import parse_project
-from edesign.project.base import Model
-from edesign.project.checks_incremental import check_incremental
-from edesign.project.incremental import Incremental, SpectralAccelerationStudy
-from edesign.project.units import STANDARD_GRAVITY
-from edesign.project.yaml_file import check_model
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.reading.base import Model
+from edesign.project.reading.yaml_file import check_model
+from edesign.project.study.checks_incremental import check_incremental
+from edesign.project.study.incremental import Incremental, SpectralAccelerationStudy
 
 TEXT = """\
 study: test

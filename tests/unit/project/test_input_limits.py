@@ -22,10 +22,11 @@ from edesign.damper.read_test import read_test
 from edesign.errors import InputError
 from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.suite import load_suite
-from edesign.project import limits, load_project
-from edesign.project.reference_loader import load_reference
-from edesign.project.study_loader import load_study
-from edesign.project.yaml_nodes import parse
+from edesign.project import load_project
+from edesign.project.reading import limits
+from edesign.project.reading.yaml_nodes import parse
+from edesign.project.study.reference_loader import load_reference
+from edesign.project.study.study_loader import load_study
 
 REFUSAL = 2.0
 """s, for a refusal. It reads the size of a file, or counts signs in 4 MB, which takes some milliseconds. To parse
@@ -122,7 +123,9 @@ def test_a_device_without_end_is_refused() -> None:
 
 def test_the_limits_are_a_hundred_times_what_there_is() -> None:
     folder = Path(__file__).parents[3]
-    files = [path for name in ("projects", "edesign/project/suites") for path in (folder / name).rglob("*.yaml")]
+    files = [
+        path for name in ("projects", "edesign/project/records/suites") for path in (folder / name).rglob("*.yaml")
+    ]
     texts = [path.read_text(encoding="utf-8") for path in files]
     assert files and 100 * max(map(len, texts)) < limits.YAML_BYTES
 

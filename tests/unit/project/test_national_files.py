@@ -10,8 +10,8 @@ from edesign.codes.ec8.national import countries, data_text, national_parameters
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, design_spectrum, elastic_spectrum, factor_of_level, national_of
 from edesign.project import parse_project
-from edesign.project.hazard import EC8Hazard
-from edesign.project.national_file import NationalFileError, parse_national
+from edesign.project.actions.hazard import EC8Hazard
+from edesign.project.actions.national_file import NationalFileError, parse_national
 
 ANNEX = """\
 zones:

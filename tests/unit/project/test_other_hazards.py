@@ -10,7 +10,7 @@ import pytest
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, design_spectrum, elastic_spectrum, factor_of_level
 from edesign.project import Problem, parse_project
-from edesign.project.hazard_base import Hazard
+from edesign.project.actions.hazard_base import Hazard
 
 Broken = Callable[..., list[Problem]]
 

@@ -7,7 +7,7 @@ import math
 import pytest
 from pydantic_core import PydanticCustomError
 
-from edesign.project.printed_unit import unit_factor
+from edesign.project.notation.printed_unit import unit_factor
 
 
 @pytest.mark.parametrize(

@@ -9,12 +9,12 @@ import pytest
 
 from edesign.errors import InputError
 from edesign.project import load_project, new_project
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.base import Model
-from edesign.project.damping import RayleighDamping
-from edesign.project.integration import NewmarkIntegration
-from edesign.project.materials import BilinearMaterial
-from edesign.project.records import StructdynRecord
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.damping import RayleighDamping
+from edesign.project.analysis.integration import NewmarkIntegration
+from edesign.project.frame.materials import BilinearMaterial
+from edesign.project.reading.base import Model
+from edesign.project.records.records import StructdynRecord
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_10_storey" / "project.yaml"
 
@@ -89,8 +89,8 @@ def test_a_name_is_one_line(tmp_path: Path, name: str) -> None:
 
 def test_every_key_is_documented() -> None:
     import edesign.project.building.building
-    import edesign.project.reference
-    import edesign.project.study
+    import edesign.project.study.reference
+    import edesign.project.study.study
     import edesign.project.substructure.rts_file  # noqa: F401 - so that what is asked does not depend on the other tests
 
     pages = (

@@ -8,7 +8,7 @@ import pytest
 
 from edesign.errors import InputError
 from edesign.project import Problem, ProjectError, parse_project
-from edesign.project.supports import SupportSprings
+from edesign.project.frame.supports import SupportSprings
 
 Broken = Callable[..., list[Problem]]
 

@@ -7,9 +7,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic_core import PydanticCustomError
 
-from edesign.project.names import line_index, line_name
-from edesign.project.selections import parse_lines, parse_numbers, parse_numbers_or_none
-from edesign.project.yaml_nodes import parse
+from edesign.project.notation.names import line_index, line_name
+from edesign.project.notation.selections import parse_lines, parse_numbers, parse_numbers_or_none
+from edesign.project.reading.yaml_nodes import parse
 
 LINES = tuple(line_name(i) for i in range(60))
 

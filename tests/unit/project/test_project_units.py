@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from pydantic_core import PydanticCustomError
 
-from edesign.project import units
-from edesign.project.units import Kind, parse_quantity, parse_ratio
+from edesign.project.notation import units
+from edesign.project.notation.units import Kind, parse_quantity, parse_ratio
 
 # reference: definitions of the SI; 1 lbf = 0.45359237 kg x 9.80665 m/s2 and 1 in = 25.4 mm exactly
 REFERENCE = [
@@ -93,7 +93,7 @@ def test_every_float_keeps_its_value(value: float) -> None:
 
 def test_pint_is_not_loaded_for_the_units_of_most_projects() -> None:
     read = "units.parse_quantity('3.5 m', units.LENGTH); units.parse_quantity('275 N/mm2', units.STRESS)"
-    code = f"import sys; from edesign.project import units; {read}; sys.exit('pint' in sys.modules)"
+    code = f"import sys; from edesign.project.notation import units; {read}; sys.exit('pint' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 

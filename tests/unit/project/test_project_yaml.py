@@ -10,8 +10,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edesign import yaml_parser
-from edesign.project import yaml_nodes
-from edesign.project.yaml_nodes import Mark, find, parse
+from edesign.project.reading import yaml_nodes
+from edesign.project.reading.yaml_nodes import Mark, find, parse
 
 
 def read(text: str) -> Any:

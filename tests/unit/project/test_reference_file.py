@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.project.reference import ResponseTable, VariableTable
-from edesign.project.reference_loader import ReferenceFileError, load_reference
+from edesign.project.study.reference import ResponseTable, VariableTable
+from edesign.project.study.reference_loader import ReferenceFileError, load_reference
 
 HEAD = "edesign_reference: 1\ntitle: Trial\ntables:\n"
 TABLE = HEAD + "  - title: T\n    kind: responses\n    statistic: mean\n"  # the next line is 7

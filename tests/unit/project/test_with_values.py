@@ -15,10 +15,10 @@ from unit.project.conftest import PROFILES, SMALL
 from edesign.building.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Project, ProjectError, parse_project
-from edesign.project.problems import FileProblems
-from edesign.project.study_loader import StudyError, parse_study
-from edesign.project.yaml_edit import set_value, yaml_text
-from edesign.project.yaml_nodes import parse
+from edesign.project.reading.problems import FileProblems
+from edesign.project.reading.yaml_edit import set_value, yaml_text
+from edesign.project.reading.yaml_nodes import parse
+from edesign.project.study.study_loader import StudyError, parse_study
 
 STUDY = """\
 edesign_study: 1

@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference_loader import load_reference
 from edesign.report.compared import ComparedCell, Comparison
 from edesign.report.comparison import compare
 from edesign.report.comparison_files import comparison_data, write_comparison

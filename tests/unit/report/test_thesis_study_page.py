@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from edesign.errors import InputError
-from edesign.project.reference_loader import load_reference
+from edesign.project.study.reference_loader import load_reference
 from edesign.report.table import Table
 from tools.thesis_study_page import BLOCK, markdown, replaced
 

@@ -13,10 +13,10 @@ from edesign.building.loads import beam_loads, gravity_load, node_loads
 from edesign.building.masses import node_masses
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
+from edesign.project.actions.loads import Combination
 from edesign.project.building import Building
-from edesign.project.loads import Combination
-from edesign.project.names import node_name
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.names import node_name
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.extract import frame_row, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame

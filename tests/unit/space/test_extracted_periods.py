@@ -21,7 +21,7 @@ from edesign.codes.ec3 import buckling
 from edesign.core.space import PROPERTIES
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
-from edesign.project.analyses import GravityAnalysis, PushoverAnalysis
+from edesign.project.analysis.analyses import GravityAnalysis, PushoverAnalysis
 from edesign.project.building import Building
 from edesign.space.extract import frame_row, project_text
 from edesign.space.structure import model

@@ -13,8 +13,8 @@ from edesign.cli.main import app
 from edesign.codes.ec8.ground import ground_type
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
-from edesign.project.designs import StrainEnergyDesign
-from edesign.project.study import Study
+from edesign.project.dampers.designs import StrainEnergyDesign
+from edesign.project.study.study import Study
 
 
 def extract(folder: Path, text: str, *more: str, frame: str = "X2") -> str:

@@ -17,7 +17,7 @@ from edesign.building.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.project.problems import FileProblems
+from edesign.project.reading.problems import FileProblems
 from edesign.report.building_basis_tables import selection_table
 from edesign.report.building_results import BuildingResults
 from edesign.space.checks.criteria import brace_slenderness

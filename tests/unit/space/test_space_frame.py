@@ -11,7 +11,7 @@ from building_examples import IRREGULAR, SMALL, building
 from edesign.building.building_file import load_building
 from edesign.errors import InputError
 from edesign.project.building import Building
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.check import check_building, floor_loads
 from edesign.space.structure.frame import NO_DIAPHRAGM, RIGID, Member, SpaceFrame
 from edesign.space.structure.geometry import space_frame

@@ -9,7 +9,7 @@ import pytest
 from unit.study.frames import project
 
 from edesign import check_project
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.study.modal import fundamental_period
 from edesign.study.plausibility import implausible
 

@@ -13,11 +13,11 @@ from edesign.assess.incremental import collect_stripes
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.incremental import LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
-from edesign.project.study_loader import StudyError
-from edesign.project.units import STANDARD_GRAVITY
-from edesign.project.validity import Validity
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.validity import Validity
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.study.incremental import LevelFactorStudy, PeakAccelerationStudy, SpectralAccelerationStudy
+from edesign.project.study.study_loader import StudyError
 from edesign.study.analyses import run_analysis
 from edesign.study.incremental import incremental_group
 from edesign.study.intensity import check_hazard_curves, first_period, level_intensity, record_intensity

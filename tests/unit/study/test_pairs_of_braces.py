@@ -8,7 +8,7 @@ import pytest
 from edesign.building.building_sections import BuildingSections
 from edesign.building.steel_section import steel_section
 from edesign.project import parse_project
-from edesign.project.analyses import PushoverAnalysis
+from edesign.project.analysis.analyses import PushoverAnalysis
 from edesign.study.pushover import run_pushover
 
 TEXT = """\

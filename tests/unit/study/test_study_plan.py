@@ -10,8 +10,8 @@ from cases.small_study import HISTORIES, PLANNED, write
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
-from edesign.project.analyses import HistoryAnalysis, ModalAnalysis
-from edesign.project.study import Study
+from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis
+from edesign.project.study.study import Study
 from edesign.study.check import wanted_designs
 from edesign.study.run import run_study
 from edesign.study.study_plan import make_study_plan

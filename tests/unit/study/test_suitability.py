@@ -10,7 +10,7 @@ from cases import suite_project
 
 from edesign import load_project
 from edesign.ground_motion.project_records import find_recordings, references
-from edesign.project.analyses import HistoryAnalysis
+from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.study.check import check_project
 from edesign.study.motions import Motion

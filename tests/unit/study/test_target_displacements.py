@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project import Project
-from edesign.project.pushover import GivenPattern
+from edesign.project.analysis.pushover import GivenPattern
 from edesign.study.analyses import run_analysis
 from edesign.study.lateral_patterns import lateral_loads
 from edesign.study.plan import make_plan

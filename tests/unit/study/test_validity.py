@@ -21,9 +21,9 @@ from edesign.assess.sets import history_sets
 from edesign.cli.main import main
 from edesign.core.response import EnergyBalance
 from edesign.project import ProjectError
+from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
-from edesign.project.study_loader import StudyError
-from edesign.project.validity import Validity
+from edesign.project.study.study_loader import StudyError
 from edesign.report.summary import all_results
 from edesign.study.analyses import run_analysis
 from edesign.study.run import run_study

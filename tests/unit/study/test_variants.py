@@ -10,10 +10,10 @@ from cases.small_study import write
 
 from edesign.archive.dataset import Group
 from edesign.building.project_file import load_study
-from edesign.project.analyses import HistoryAnalysis
-from edesign.project.dampers import DamperRun, Dampers
-from edesign.project.selections import ALL_NUMBERS
-from edesign.project.study import Study
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.dampers.dampers import DamperRun, Dampers
+from edesign.project.notation.selections import ALL_NUMBERS
+from edesign.project.study.study import Study
 from edesign.study.dampers import device_laws
 from edesign.study.history import run_history
 from edesign.study.study_plan import make_study_plan

@@ -14,7 +14,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError
-from edesign.project.analyses import Analysis
+from edesign.project.analysis.analyses import Analysis
 from edesign.project.project import Project
 from edesign.study.analyses import run_analysis
 from edesign.study.backends import Backend, Result, Work

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edesign.cli.main import main
-from edesign.project.damping import ModalDamping
+from edesign.project.analysis.damping import ModalDamping
 from edesign.substructure.structure.numerical import shear_building
 from edesign.substructure.structure.recursion import growth, recursion
 

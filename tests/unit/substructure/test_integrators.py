@@ -14,7 +14,7 @@ import pytest
 import scipy
 
 from edesign.errors import InputError
-from edesign.project.damping import RayleighDamping
+from edesign.project.analysis.damping import RayleighDamping
 from edesign.substructure.structure.numerical import LinearPart, shear_building
 from edesign.substructure.structure.recursion import (
     METHODS,

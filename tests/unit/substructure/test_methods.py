@@ -13,8 +13,8 @@ import scipy
 
 from edesign.core.damper import CoreDamper, LawValues
 from edesign.errors import InputError
-from edesign.project.dampers import DamperLaw
-from edesign.project.damping import RayleighDamping
+from edesign.project.analysis.damping import RayleighDamping
+from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.substructure.programme import PseudoDynamicTest, Undershoot
 from edesign.substructure.indicators.response_error import response_error
 from edesign.substructure.laboratory import Laboratory, TestedDamper, TestedStructure

@@ -12,7 +12,7 @@ from unit.study.frames import ANALYSED, PULSE, project, shear_frame
 
 from edesign.errors import InputError
 from edesign.project import load_project
-from edesign.project.damping import ModalDamping, NoDamping, RayleighDamping
+from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.project import Project
 from edesign.study.analyses import run_analysis
 from edesign.study.structure import make_structure

@@ -15,7 +15,7 @@ from edesign.core.compensator import run_compensator
 from edesign.errors import InputError
 from edesign.file_kinds import SUBSTRUCTURE_TESTS, kind_of
 from edesign.ground_motion.project_records import find_recordings
-from edesign.project.problems import ProjectError
+from edesign.project.reading.problems import ProjectError
 from edesign.project.substructure import RtsFileError, load_rts_file, parse_rts_file, read_rig_file
 from edesign.project.substructure.checks_structure import frequencies
 from edesign.project.substructure.compensators import AtsCompensator, ModifiedAtsCompensator

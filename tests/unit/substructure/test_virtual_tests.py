@@ -18,7 +18,7 @@ from edesign.cli.main import main
 from edesign.damper.read_test import read_test
 from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
-from edesign.project.problems import FileProblems
+from edesign.project.reading.problems import FileProblems
 from edesign.project.substructure import load_rts_file
 from edesign.project.substructure.checks_compensators import TAKEN
 from edesign.stopping import Stopped

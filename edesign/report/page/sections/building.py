@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable
 from functools import partial
 
 from edesign.archive.dataset import Group
-from edesign.project.units import STANDARD_GRAVITY
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
 from edesign.report.building_basis_tables import (
     floors_table,

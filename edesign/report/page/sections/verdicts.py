@@ -5,8 +5,8 @@ from __future__ import annotations
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.quantities import HISTORY_OF
-from edesign.project.criteria import QuantityCriterion
-from edesign.project.study import Study, own_variant
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment_tables import read_judged
 from edesign.report.page.section import Headline, Section
 from edesign.report.page.source import Source

@@ -15,7 +15,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
-from edesign.project.dampers import DamperRun, Dampers
+from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.loop import Round, RoundOutcome, RoundVerdict, Search, search

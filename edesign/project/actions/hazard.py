@@ -1,0 +1,234 @@
+"""The seismic action at the site: by a code, or as spectra of the user."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+
+from edesign.project.actions.hazard_base import YEAR, Hazard, LevelName, Probability, Years
+from edesign.project.actions.national import NationalValues
+from edesign.project.actions.spectrum_tables import SpectrumFile, SpectrumTable
+from edesign.project.notation.units import (
+    PositiveAcceleration,
+    PositiveFactor,
+    PositiveRatio,
+    PositiveTime,
+    parse_ratio,
+)
+from edesign.project.reading.base import Model, by_key, refuse
+from edesign.project.reading.problems import Keys
+
+
+def _zone(value: Any) -> str:
+    if isinstance(value, bool) or not isinstance(value, (int, str)) or not str(value).strip():
+        raise refuse("a zone of the country is needed: its number or name, for example `3` or `Z3`")
+    return str(value).strip()
+
+
+def _spectrum_type(value: Any) -> int:
+    if type(value) is not int or value not in (1, 2):  # `true` is equal to 1
+        raise refuse("the type of spectrum is 1 or 2")
+    return value
+
+
+def _behaviour_factor(value: Any) -> float:
+    return parse_ratio(value, 1.0, math.inf)
+
+
+BehaviourFactor = Annotated[float, BeforeValidator(_behaviour_factor)]
+
+
+class SpectrumParameters(Model):
+    """Values of the site that replace those of the table: soil factor, corner periods in s, largest amplification."""
+
+    S: PositiveFactor | None = None
+    F_0: PositiveFactor | None = None
+    T_B: PositiveTime | None = None
+    T_C: PositiveTime | None = None
+    T_D: PositiveTime | None = None
+
+
+class Level(Model):
+    """A hazard level, by exactly one of: probability of exceedance in 50 years, return period (s), class, factor."""
+
+    probability: Probability | None = None
+    return_period: Years | None = None
+    importance_class: Literal["I", "II", "III", "IV"] | None = None
+    gamma_I: PositiveFactor | None = None
+
+
+class EC8Hazard(Hazard):
+    """The reference action (`zone` of a `country`, or `a_gR` in m/s2), the shape of its spectrum, and the levels.
+
+    `country` is a name or the path of a file with the parameters of a country, `national` states parameters in place of
+    those of the country. `damping` is that of the elastic spectrum, `behaviour_factor` belongs to the design spectrum,
+    `k` is the exponent of the hazard curve that levels given by probability or return period need.
+    """
+
+    code: Literal["ec8-2004"]
+    country: Annotated[str, Field(min_length=1)] | None = None
+    zone: Annotated[str, BeforeValidator(_zone)] | None = None
+    a_gR: PositiveAcceleration | None = None
+    ground: Literal["A", "B", "C", "D", "E"]
+    spectrum: Annotated[Literal[1, 2], BeforeValidator(_spectrum_type)]
+    parameters: SpectrumParameters = SpectrumParameters()
+    national: NationalValues = NationalValues()
+    behaviour_factor: BehaviourFactor | None = None
+    k: PositiveFactor | None = None
+    levels: dict[LevelName, Level] = {}
+
+    @property
+    def q(self) -> float | None:
+        """Behaviour factor of the design spectrum."""
+        return self.behaviour_factor
+
+    @property
+    def country_file(self) -> str | None:
+        """The file with the parameters of the country; None where it is a name."""
+        return self.country if self.country is not None and self.country.endswith((".yaml", ".yml")) else None
+
+    def probability(self, level: str) -> float | None:
+        """Return the probability of exceedance in 50 years; None of a level by class or factor."""
+        return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
+
+    def files(self) -> Iterator[tuple[Keys, str]]:
+        """Yield the file of the country."""
+        if self.country_file is not None:
+            yield ("country",), self.country_file
+
+
+class NtcLevel(Model):
+    """A limit state: a_g (m/s2), F_0 and T_C* (s) of the site on rock, from the tables of the decree."""
+
+    limit_state: Literal["SLO", "SLD", "SLV", "SLC"]
+    a_g: PositiveAcceleration
+    F_0: Annotated[float, Field(ge=2.2)]
+    T_C_star: PositiveTime
+
+
+class NtcHazard(Hazard):
+    """The action of NTC 2018: `nominal_life` V_N (s) and `class_of_use` give the return period of each limit state.
+
+    `topography` is the category; `S_T` a factor in its place, as between the foot and the top of a slope.
+    """
+
+    code: Literal["ntc-2018"]
+    nominal_life: Years
+    class_of_use: Literal["I", "II", "III", "IV"]
+    ground: Literal["A", "B", "C", "D", "E"]
+    topography: Literal["T1", "T2", "T3", "T4"] = "T1"
+    S_T: Annotated[float, Field(ge=1.0, le=1.4)] | None = None
+    behaviour_factor: BehaviourFactor | None = None
+    levels: Annotated[dict[LevelName, NtcLevel], Field(min_length=1)]
+
+    @property
+    def own_shapes(self) -> bool:
+        """True: each limit state has a_g, F_0 and T_C* of its own."""
+        return True
+
+    @property
+    def q(self) -> float | None:
+        """Behaviour factor of the design spectrum."""
+        return self.behaviour_factor
+
+
+class AsceLevel(Model):
+    """An earthquake of ASCE/SEI 7: the design earthquake, or the risk-targeted maximum considered one."""
+
+    earthquake: Literal["DE", "MCE_R"]
+
+
+class AsceHazard(Hazard):
+    """The action of ASCE/SEI 7: S_DS and S_D1 (m/s2), T_L (s); `R` and `I_e` belong to the reduced spectrum."""
+
+    code: Literal["asce7-16", "asce7-22"]
+    S_DS: PositiveAcceleration
+    S_D1: PositiveAcceleration
+    T_L: PositiveTime
+    R: BehaviourFactor | None = None
+    I_e: BehaviourFactor = 1.0
+    levels: dict[LevelName, AsceLevel] = {}
+
+
+class UserLevel(Model):
+    """A level by a factor on the spectrum of the action, or by a table of its own; how rare it is, if known."""
+
+    factor: PositiveFactor | None = None
+    spectrum: SpectrumTable | None = None
+    probability: Probability | None = None
+    return_period: Years | None = None
+
+
+class UserHazard(Hazard):
+    """Spectra as tables: their `damping`, the law of `interpolation`, and whose `criteria` a set of motions meets."""
+
+    code: Literal["user"]
+    damping: PositiveRatio
+    interpolation: Literal["log-log", "linear"] = "log-log"
+    criteria: Literal["ec8-2004", "ntc-2018", "asce7-16", "asce7-22"] = "ec8-2004"
+    spectrum: SpectrumTable | None = None
+    levels: dict[LevelName, UserLevel] = {}
+
+    @property
+    def at_5_percent(self) -> bool:
+        """Whether the tables hold for 5 % damping, at which codes compare sets of motions."""
+        return math.isclose(self.damping, 0.05, rel_tol=1e-9)
+
+    @property
+    def own_shapes(self) -> bool:
+        """Whether the levels have tables of their own."""
+        return self.spectrum is None
+
+    def probability(self, level: str) -> float | None:
+        """Return the probability of exceedance in 50 years, if the file states it."""
+        return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
+
+    def tables(self) -> Iterator[tuple[Keys, SpectrumTable]]:
+        """Yield key path below `hazard` and table of each spectrum."""
+        if self.spectrum is not None:
+            yield ("spectrum",), self.spectrum
+        for name, level in self.levels.items():
+            if level.spectrum is not None:
+                yield ("levels", name, "spectrum"), level.spectrum
+
+    def files(self) -> Iterator[tuple[Keys, str]]:
+        """Yield the files of tables."""
+        for keys, table in self.tables():
+            if isinstance(table, SpectrumFile):
+                yield (*keys, "file"), table.file
+
+
+AnyHazard = Annotated[
+    Annotated[EC8Hazard, Tag("?code=ec8-2004")]
+    | Annotated[NtcHazard, Tag("?code=ntc-2018")]
+    | Annotated[AsceHazard, Tag("?code=asce7-16")]
+    | Annotated[AsceHazard, Tag("?code=asce7-22")]
+    | Annotated[UserHazard, Tag("?code=user")],
+    Discriminator(by_key("code")),
+]
+OTHER_CODES = ("ntc-2018", "asce7-16", "asce7-22", "user")
+"""Codes of the seismic action that the checks of a steel building by EN 1998-1 do not know."""
+
+
+def _building_code(value: Any) -> Any:
+    """Buildings are checked by EN 1993-1-1 and EN 1998-1."""
+    if isinstance(value, Mapping) and value.get("code") in OTHER_CODES:
+        message = (
+            f"a building is checked by EN 1993-1-1 and EN 1998-1, whose behaviour factors, importance classes and "
+            f"limits of drift belong to the action of `ec8-2004`, not of `{value['code']}`; a project file takes it"
+        )
+        raise refuse(message, "code")
+    return value
+
+
+BuildingHazard = Annotated[EC8Hazard, BeforeValidator(_building_code)]
+
+
+def _in_50_years(probability: float | None, return_period: float | None) -> float | None:
+    """A probability, or that of a return period T, 1 - exp(-50 years / T)."""
+    if probability is not None:
+        return probability
+    return None if return_period is None else -math.expm1(-50.0 * YEAR / return_period)

@@ -1,0 +1,124 @@
+"""Permanent (G) and variable (Q) loads, positive downwards, and the combination that acts during earthquakes."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator
+from pydantic_core import PydanticCustomError
+
+from edesign.project.frame.members import BeamPlaces, ColumnPlaces
+from edesign.project.notation.positions import Place, Places
+from edesign.project.notation.selections import ALL_LINES, Lines, Numbers
+from edesign.project.notation.units import AREA_LOAD, LINE_LOAD, AreaLoad, Factor, Force, PositiveLength, parse_quantity
+from edesign.project.reading.base import Model, refuse
+
+
+def _line_load(value: Any) -> float:
+    """Read a force per length; a force per area is told where it belongs."""
+    try:
+        return parse_quantity(value, LINE_LOAD)
+    except PydanticCustomError:
+        try:
+            parse_quantity(value, AREA_LOAD)
+        except PydanticCustomError:
+            pass
+        else:
+            raise refuse(
+                f"`{value}` is an area load, which needs a tributary width: give it under `loads.floors` with its "
+                f"`width`; a force per length is written like `{LINE_LOAD.example}`"
+            ) from None
+        raise
+
+
+def _line_loads(value: Any) -> tuple[float, float]:
+    """Read a force per length, or two of them: at the start and at the end."""
+    if not isinstance(value, (list, tuple)):
+        load = _line_load(value)
+        return load, load
+    if len(value) != 2:
+        raise refuse(f"{len(value)} values, but two are needed: at the start and at the end")
+    found = []
+    for i, item in enumerate(value):
+        try:
+            found.append(_line_load(item))
+        except PydanticCustomError as error:
+            raise refuse((error.context or {})["message"], i) from None
+    return found[0], found[1]
+
+
+LineLoad = Annotated[float, BeforeValidator(_line_load)]
+LineLoads = Annotated[tuple[float, float], BeforeValidator(_line_loads)]
+"""N/m at the start and at the end."""
+
+
+class Combination(Model):
+    """Factors of G and Q in a sum."""
+
+    G: Factor = 1.0
+    Q: Factor = 0.3
+
+
+class PointLoad(Model):
+    """Loads of one size at places along a beam, N downwards."""
+
+    at: Places
+    G: Force = 0.0
+    Q: Force = 0.0
+
+
+class PartialLoad(Model):
+    """Load on a part of a beam, N/m downwards, linear from its start to its end."""
+
+    start: Place
+    end: Place
+    G: LineLoads = (0.0, 0.0)
+    Q: LineLoads = (0.0, 0.0)
+
+
+class BeamLoad(BeamPlaces):
+    """Loads on beams: uniform, N/m downwards, at points and on parts; loads on one beam add up."""
+
+    G: LineLoad = 0.0
+    Q: LineLoad = 0.0
+    points: tuple[PointLoad, ...] = ()
+    partial: tuple[PartialLoad, ...] = ()
+
+
+class FloorLoad(BeamPlaces):
+    """Area load on floors, N/m2 downwards, of which the beams of the frame carry a strip of the tributary `width`."""
+
+    width: PositiveLength
+    G: AreaLoad = 0.0
+    Q: AreaLoad = 0.0
+
+
+class ColumnLoad(ColumnPlaces):
+    """Uniform horizontal load on columns, N/m to the right; loads on one column add up."""
+
+    G: LineLoad = 0.0
+    Q: LineLoad = 0.0
+
+
+class NodeLoad(Model):
+    """Load on nodes, N downwards; loads on one node add up."""
+
+    lines: Lines = ALL_LINES
+    floors: Numbers
+    G: Force = 0.0
+    Q: Force = 0.0
+
+
+class Loads(Model):
+    """All loads; `gravity` acts before and during earthquakes and pushovers."""
+
+    floors: tuple[FloorLoad, ...] = ()
+    beams: tuple[BeamLoad, ...] = ()
+    columns: tuple[ColumnLoad, ...] = ()
+    nodes: tuple[NodeLoad, ...] = ()
+    gravity: Combination = Combination()
+
+    @property
+    def are_vertical(self) -> bool:
+        """Whether there are any that act downwards, of which masses can come."""
+        return bool(self.floors or self.beams or self.nodes)

@@ -1,0 +1,143 @@
+"""Files with the nationally determined parameters of a country, those of the package and those of users."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from pathlib import Path
+from typing import Annotated, Any, Generic, Literal, TypeVar, get_args
+
+from pydantic import BeforeValidator, Field
+
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.actions.national import (
+    ActionFactors,
+    Category,
+    ImportanceClass,
+    Occupancy,
+    Psi,
+    ResistanceFactors,
+    by_importance,
+)
+from edesign.project.notation.units import PositiveFactor, PositiveRatio, UnitRatio
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import FileProblems, unknown_name
+from edesign.project.reading.yaml_file import check_model, read_yaml_file, yaml_text
+
+V = TypeVar("V")
+_WHAT = "national data file"
+_BEGINS = "zones:"
+Zone = Annotated[str, Field(min_length=1)]
+Ground = Literal["A", "B", "C", "D", "E"]
+FewYears = Annotated[float, Field(gt=0.0)]
+
+
+def _types(value: Any) -> Any:
+    return _keys(value, ("1", "2"), "type of spectrum")
+
+
+def _grounds(value: Any) -> Any:
+    return _keys(value, get_args(Ground), "ground type")
+
+
+def _keys(value: Any, allowed: Collection[str], what: str) -> Any:
+    for key in value if isinstance(value, Mapping) else ():
+        if key not in allowed:
+            raise refuse(unknown_name(what, key, allowed), key)
+    return value
+
+
+class Entry(Model, Generic[V]):
+    """A parameter: its value, the clause that leaves it to the countries, where the value stands, and its unit."""
+
+    value: V
+    clause: Annotated[str, Field(min_length=1)]
+    source: Annotated[str, Field(min_length=1)]
+    unit: str = ""
+
+
+class Accelerations(Entry[dict[Zone, PositiveFactor]]):
+    """Reference peak ground acceleration by zone, in its unit."""
+
+    unit: Literal["g", "m/s2"]
+
+
+class Corners(Model):
+    """Corner periods of a spectrum, s, and its largest amplification (None: 2.5, vertical 3.0)."""
+
+    T_B: PositiveFactor
+    T_C: PositiveFactor
+    T_D: PositiveFactor
+    F_0: PositiveFactor | None = None
+
+
+class HorizontalRow(Corners):
+    """A row of Table 3.2 or 3.3."""
+
+    S: PositiveFactor
+
+
+class VerticalRow(Corners):
+    """A row of Table 3.4."""
+
+    ratio: PositiveFactor
+
+
+Horizontal = Annotated[
+    dict[str, Annotated[dict[Ground, HorizontalRow], BeforeValidator(_grounds)]], BeforeValidator(_types)
+]
+Vertical = Annotated[dict[str, VerticalRow], BeforeValidator(_types)]
+
+
+class NationalFile(Model):
+    """The parameters of a country; what it does not state is as recommended."""
+
+    zones: Accelerations | None = None
+    zone_spectra: Entry[dict[Zone, Annotated[int, Field(ge=1, le=2)]]] | None = None
+    reference_probability: Entry[PositiveRatio] | None = None
+    reference_return_period: Entry[FewYears] | None = None
+    hazard_exponent: Entry[PositiveFactor] | None = None
+    horizontal: Entry[Horizontal] | None = None
+    vertical: Entry[Vertical] | None = None
+    lower_bound_factor: Entry[UnitRatio] | None = None
+    importance_factors: (
+        Entry[Annotated[dict[ImportanceClass, PositiveFactor], BeforeValidator(by_importance)]] | None
+    ) = None
+    phi: Entry[dict[Occupancy, UnitRatio]] | None = None
+    displacement_reduction: Entry[dict[ImportanceClass, PositiveRatio]] | None = None
+    low_ductility_q: Entry[Annotated[float, Field(ge=1.0, le=2.0)]] | None = None
+    material_overstrength: Entry[Annotated[float, Field(ge=1.0)]] | None = None
+    post_buckling: Entry[UnitRatio] | None = None
+    psi: Entry[dict[Category, Psi]] | None = None
+    action_factors: Entry[ActionFactors] | None = None
+    resistance_factors: Entry[ResistanceFactors] | None = None
+
+
+class NationalFileError(FileProblems):
+    """A national data file is wrong."""
+
+
+def read_national_file(hazard: Hazard, file: str) -> dict[str, dict[str, Any]]:
+    """Read the parameters of a country from a file that a hazard names.
+
+    Returns:
+        Value, unit, clause and source by name of the parameter.
+
+    Raises:
+        InputError: the file cannot be read.
+        NationalFileError: the file is wrong; the message lists all problems with file, line and column.
+    """
+    path = hazard.path_of(file)
+    return parse_national(yaml_text(hazard.content(file, lambda path: read_yaml_file(path, _WHAT)), path), path)
+
+
+def parse_national(text: str, path: Path) -> dict[str, dict[str, Any]]:
+    """Check the text of a national data file; result and errors as `read_national_file`."""
+    found, problems = check_model(text, NationalFile, _WHAT, _BEGINS)
+    if found is None or problems.found:
+        raise NationalFileError(path, problems.found)
+    entries = {name: getattr(found, name) for name in NationalFile.model_fields}
+    plain = {name: entry.model_dump(exclude_none=True) for name, entry in entries.items() if entry is not None}
+    for name in ("horizontal", "vertical"):
+        if name in plain:  # keys of a file are text; types of spectra are numbers
+            plain[name]["value"] = {int(key): of for key, of in plain[name]["value"].items()}
+    return plain

@@ -1,0 +1,1 @@
+"""What is analysed in a project file, with which damping and integration, and what is kept."""

@@ -1,0 +1,77 @@
+"""Cross checks of outputs: every member, point and layer that is asked for exists in this frame."""
+
+from __future__ import annotations
+
+from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
+from edesign.project.analysis.outputs import FibreOutput, SectionOutput
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.frame.sections import ElasticSection, RectangleSection, is_hollow
+from edesign.project.notation.selections import NumberSelection
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, did_you_mean
+
+
+def check_outputs(project: Project, problems: Problems) -> None:
+    """Check what is to be kept; `project` has no schema problems."""
+    outputs = project.outputs
+    for i, kind in enumerate(outputs.histories):
+        if kind in outputs.histories[:i]:
+            problems.at_value(("outputs", "histories", i), f"`{kind}` comes twice")
+    for i, member in enumerate(outputs.members):
+        keys: Keys = ("outputs", "members", i)
+        if check_member(project, problems, keys, member) and member in outputs.members[:i]:
+            problems.at_value(keys, f"`{member}` comes twice")
+    for i, section in enumerate(outputs.sections):
+        _points(project, problems, ("outputs", "sections", i), section)
+    for i, fibre in enumerate(outputs.fibres):
+        keys = ("outputs", "fibres", i)
+        if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
+            last = layers_at_most(project, project.frame.members[fibre.member])
+            if last is not None:
+                Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
+    if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+
+
+def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
+    """How many layers of fibres an I section has; None where the building decides.
+
+    It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.
+    """
+    fibres = project.fibres
+    weak = not isinstance(run, BraceRun) and run.axis == "weak"
+    stack = isinstance(project.sections.get(run.section), RectangleSection)
+    hollow = run.section not in project.sections and is_hollow(run.section)
+    if fibres.fillets or weak or stack or hollow:
+        return None
+    return 2 * fibres.flange_thickness + fibres.web_height
+
+
+def check_member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
+    """Check that a member exists; returns whether it does."""
+    known = project.frame.members
+    if member in known:
+        return True
+    hint = did_you_mean(member, known)
+    kinds = "columns are named C_line_storey, beams B_bay_floor, braces D_bay_storey_r or _f"
+    problems.at_value(keys, f"there is no member `{member}` in this frame{hint} ({kinds})")
+    return False
+
+
+def _points(project: Project, problems: Problems, keys: Keys, asked: SectionOutput | FibreOutput) -> bool:
+    """The member exists, has integration points, and has those that are asked for."""
+    if not check_member(project, problems, (*keys, "member"), asked.member):
+        return False
+    run = project.frame.members[asked.member]
+    if isinstance(run, BraceRun):
+        message = f"`{asked.member}` is a brace; a brace has no section points, only an axial force"
+        problems.at_value((*keys, "member"), message)
+        return False
+    if isinstance(project.sections.get(run.section), ElasticSection):
+        message = f"`{asked.member}` has the elastic section `{run.section}`, which has no integration points"
+        problems.at_value((*keys, "member"), message)
+        return False
+    breaks = breaks_of_members(project.frame, project.loads).get(asked.member, ())
+    last = points_of_member(project.elements, breaks)
+    return Selections(project.frame, problems).numbers((*keys, "points"), asked.points, "point", last)

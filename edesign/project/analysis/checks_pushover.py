@@ -1,0 +1,86 @@
+"""Cross checks of pushovers: patterns that fit the frame, and what target displacements need."""
+
+from __future__ import annotations
+
+from edesign.project.actions.hazard import EC8Hazard, UserHazard
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis.pushover import METHODS, GivenPattern, Pushover, pattern_name
+from edesign.project.project import Project
+from edesign.project.reading.checks_names import check_names
+from edesign.project.reading.problems import Keys, Problems, listed
+
+OF_TARGETS = ("levels", "damping", "site_class")
+
+
+def check_pushover(project: Project, problems: Problems, keys: Keys, pushover: Pushover) -> None:
+    """Check pushovers against their project, but for their drift; they have no schema problems.
+
+    Args:
+        project: of the frame and the hazard.
+        problems: collects what is wrong.
+        keys: where they stand.
+        pushover: an analysis of a project, or an item of a study.
+    """
+    names = [pattern_name(pattern) for pattern in pushover.pattern]
+    for i, pattern in enumerate(pushover.pattern):
+        if names[i] in names[:i]:
+            problems.at_item((*keys, "pattern"), i, f"`{names[i]}` comes twice; give it in an analysis of its own")
+        elif isinstance(pattern, GivenPattern):
+            _given(project, problems, (*keys, "pattern"), i, pattern, bool(pushover.targets))
+    for i, method in enumerate(pushover.targets):
+        if method in pushover.targets[:i]:
+            problems.at_item((*keys, "targets"), i, f"`{method}` comes twice")
+    if not pushover.targets:
+        if pushover.roof_drift is None:
+            problems.under(keys, "roof_drift", f"this key is missing; or give `targets` ({listed(METHODS)}) to reach")
+        for key in OF_TARGETS:
+            if getattr(pushover, key) is not None:
+                problems.at_key((*keys, key), f"this is of target displacements; give `targets` ({listed(METHODS)})")
+        return
+    if not project.hazard_levels:
+        message = "target displacements need `hazard` with `levels`, and the project has none"
+        problems.at_key((*keys, "targets"), message)
+    elif pushover.levels is not None:
+        check_names(problems, (*keys, "levels"), "level", pushover.levels, project.hazard_levels)
+    if project.hazard is not None:
+        _other_codes(project.hazard, problems, keys, pushover)
+    if pushover.site_class is not None and "asce41" not in pushover.targets:
+        problems.at_key((*keys, "site_class"), "this is of the method `asce41`, which is not among the `targets`")
+
+
+def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pushover) -> None:
+    """What target displacements need of a spectrum, and EN 1998-1 has."""
+    for i, method in enumerate(pushover.targets):
+        if method != "asce41" and isinstance(hazard, UserHazard):
+            message = f"`{method}` needs the corner period T_C or T_S, and the spectra of the hazard are tables"
+            problems.at_item((*keys, "targets"), i, f"{message}; `asce41` needs none")
+    if "asce41" in pushover.targets and pushover.site_class is None and not isinstance(hazard, EC8Hazard):
+        message = f"this key is missing; only a ground type of EN 1998-1 has one, and the hazard is of `{hazard.code}`"
+        problems.under(keys, "site_class", message)
+    if isinstance(hazard, UserHazard) and pushover.damping not in (None, hazard.damping):
+        message = f"the spectra of the hazard are tables for {100 * hazard.damping:g} % damping; leave this key out"
+        problems.at_value((*keys, "damping"), message)
+
+
+def _given(project: Project, problems: Problems, keys: Keys, i: int, pattern: GivenPattern, targets: bool) -> None:
+    if len(pattern.given) != 1:
+        message = f"a pattern has one of the keys {listed(GivenPattern.model_fields)}, not {listed(pattern.given)}"
+        problems.at_item(keys, i, message if pattern.given else message.partition(", not")[0])
+        return
+    if pattern.floors is not None:
+        storeys = project.frame.n_storeys
+        if len(pattern.floors) != storeys:
+            problems.at_item(keys, i, f"{len(pattern.floors)} shares for {storeys} floors; give one for each")
+        elif not any(pattern.floors):
+            problems.at_item(keys, i, "all shares are zero")
+        elif targets and not pattern.floors[-1]:
+            problems.at_item(keys, i, "target displacements are of the roof, which has no share here")
+    if pattern.modes is not None and project.hazard is None:
+        problems.at_item(keys, i, "storey shears of modes need the spectrum of a `hazard`, and the project has none")
+    if pattern.modes is not None and project.hazard is not None:
+        if project.hazard.own_shapes and len(project.hazard.levels) > 1:
+            message = "storey shears of modes need one shape of spectrum, and each level of the hazard has its own"
+            problems.at_item(keys, i, message)
+    if pattern.mode is not None and pattern.mode > 1 and targets:
+        message = f"target displacements are of the first mode; give mode {pattern.mode} without `targets`"
+        problems.at_item(keys, i, message)

@@ -1,0 +1,108 @@
+"""Inherent damping of the frame."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.notation.units import PositiveRatio, PositiveTime, UnitRatio
+from edesign.project.reading.base import Model, by_key
+
+ModeNumber = Annotated[int, Field(ge=1)]
+State = Literal["gravity", "initial"]
+"""The state whose frequencies count: under the gravity combination, or unloaded."""
+DampingStiffness = Literal["initial", "committed", "current"]
+
+
+def _shape(value: Any) -> str:
+    return "?list" if isinstance(value, (list, tuple)) else "?plain"
+
+
+Ratios = Annotated[
+    Annotated[PositiveRatio, Tag("?plain")]
+    | Annotated[Annotated[tuple[UnitRatio, ...], Field(min_length=1)], Tag("?list")],
+    Discriminator(_shape),
+]
+"""One ratio for all modes, or one for each."""
+
+
+class NoDamping(Model):
+    """No inherent damping."""
+
+    kind: Literal["none"]
+
+
+class RayleighDamping(Model):
+    """Damping proportional to mass and stiffness, with `ratio` of critical in both `modes`, or at both `periods`."""
+
+    kind: Literal["rayleigh"]
+    ratio: PositiveRatio
+    modes: tuple[ModeNumber, ModeNumber] = (1, 2)
+    periods: tuple[PositiveTime, PositiveTime] | None = None
+    stiffness: DampingStiffness = "current"
+    state: State = "gravity"
+
+
+class MassDamping(Model):
+    """Damping proportional to mass alone, with `ratio` of critical in one mode, or at one period."""
+
+    kind: Literal["mass_proportional"]
+    ratio: PositiveRatio
+    mode: ModeNumber = 1
+    period: PositiveTime | None = None
+    state: State = "gravity"
+
+
+class StiffnessDamping(Model):
+    """Damping proportional to stiffness alone, with `ratio` of critical in one mode, or at one period."""
+
+    kind: Literal["stiffness_proportional"]
+    ratio: PositiveRatio
+    mode: ModeNumber = 1
+    period: PositiveTime | None = None
+    stiffness: DampingStiffness = "current"
+    state: State = "gravity"
+
+
+class ModalDamping(Model):
+    """`ratio` of critical in each of the first `modes` modes, or a list of their ratios; nothing in the others."""
+
+    kind: Literal["modal"]
+    ratio: Ratios
+    modes: ModeNumber | None = None
+    state: State = "gravity"
+
+    @property
+    def count(self) -> int:
+        """How many modes are damped."""
+        return len(self.ratio) if isinstance(self.ratio, tuple) else self.modes or 0
+
+
+class CaugheyDamping(Model):
+    """Damping of Caughey's series, with `ratio` of critical in each of several `modes`, or at several `periods`."""
+
+    kind: Literal["caughey"]
+    ratio: Ratios
+    modes: tuple[ModeNumber, ...] | None = None
+    periods: tuple[PositiveTime, ...] | None = None
+    state: State = "gravity"
+
+
+ProportionalDamping = RayleighDamping | MassDamping | StiffnessDamping
+Damping = Annotated[
+    Annotated[NoDamping, Tag("?kind=none")]
+    | Annotated[RayleighDamping, Tag("?kind=rayleigh")]
+    | Annotated[MassDamping, Tag("?kind=mass_proportional")]
+    | Annotated[StiffnessDamping, Tag("?kind=stiffness_proportional")]
+    | Annotated[ModalDamping, Tag("?kind=modal")]
+    | Annotated[CaugheyDamping, Tag("?kind=caughey")],
+    Discriminator(by_key("kind")),
+]
+
+
+def first_ratio(damping: Damping | None) -> float:
+    """Return the ratio of critical that is given, of several the first: that of the lowest mode; 0 without damping."""
+    if damping is None or isinstance(damping, NoDamping):
+        return 0.0
+    return damping.ratio[0] if isinstance(damping.ratio, tuple) else damping.ratio

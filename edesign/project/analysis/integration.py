@@ -1,0 +1,49 @@
+"""Time integration of histories."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.notation.units import PositiveTime, UnitRatio
+from edesign.project.reading.base import Model, by_key
+
+Tolerance = Annotated[float, Field(gt=0, lt=1)]
+
+
+class _Integration(Model):
+    """What all methods share: step in s (None: the step of the record) and the dimensionless tolerance."""
+
+    time_step: PositiveTime | None = None
+    tolerance: Tolerance = 1e-7
+
+
+class NewmarkIntegration(_Integration):
+    """Newmark (1959); the defaults are the constant average acceleration."""
+
+    method: Literal["newmark"]
+    gamma: Annotated[float, Field(ge=0.5, le=1)] = 0.5
+    beta: Annotated[float, Field(gt=0, le=0.5)] = 0.25
+
+
+class HHTIntegration(_Integration):
+    """Hilber, Hughes & Taylor (1977): alpha between -1/3 and 0; 0 is Newmark's average acceleration."""
+
+    method: Literal["hht"]
+    alpha: Annotated[float, Field(ge=-1 / 3, le=0)] = -0.05
+
+
+class GeneralisedAlphaIntegration(_Integration):
+    """Chung & Hulbert (1993): spectral radius at infinite frequency between 0 and 1 (no numerical damping)."""
+
+    method: Literal["generalised_alpha"]
+    rho_inf: UnitRatio = 0.9
+
+
+Integration = Annotated[
+    Annotated[NewmarkIntegration, Tag("?method=newmark")]
+    | Annotated[HHTIntegration, Tag("?method=hht")]
+    | Annotated[GeneralisedAlphaIntegration, Tag("?method=generalised_alpha")],
+    Discriminator(by_key("method")),
+]

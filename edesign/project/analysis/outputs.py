@@ -1,0 +1,50 @@
+"""What is kept beside the envelopes, and where."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import BeforeValidator, Field
+
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection, parse_numbers
+from edesign.project.reading.base import Model, refuse
+
+HistoryKind = Literal["floors", "storeys", "energy", "dampers", "supports"]
+Edge = Literal["top", "bottom"]
+
+
+def _layers(value: object) -> object:
+    if value in ("top", "bottom"):
+        return value
+    if isinstance(value, str) and value.isalpha() and value != "all":
+        raise refuse(f"`{value}` is no selection of layers; write `top`, `bottom`, `all`, `3`, `1-4` or `[1, 24]`")
+    return parse_numbers(value)
+
+
+class SectionOutput(Model):
+    """Forces and deformations of a member's sections; points count from 1 at the start of the member."""
+
+    member: str
+    points: Numbers = ALL_NUMBERS
+
+
+class FibreOutput(Model):
+    """Stress and strain of layers of fibres; layers count from 1 at the bottom of the section."""
+
+    member: str
+    points: Numbers = ALL_NUMBERS
+    layers: Annotated[NumberSelection | Edge, BeforeValidator(_layers)] = ALL_NUMBERS
+
+
+class Outputs(Model):
+    """The archive and the histories in it; envelopes, energies' ends and statistics are always kept.
+
+    `archive` is relative to the project file (None: its name with .h5); `every` keeps one step in so many.
+    """
+
+    archive: Annotated[str, Field(min_length=1)] | None = None
+    histories: tuple[HistoryKind, ...] = ("floors", "storeys", "energy")
+    every: Annotated[int, Field(ge=1)] = 1
+    members: tuple[str, ...] = ()
+    sections: tuple[SectionOutput, ...] = ()
+    fibres: tuple[FibreOutput, ...] = ()

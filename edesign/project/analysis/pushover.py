@@ -1,0 +1,92 @@
+"""What a pushover pushes with, how far, and which target displacements are found from it."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+
+from edesign.project.analysis.damping import ModeNumber
+from edesign.project.notation.several import Names, ShortName, several
+from edesign.project.notation.units import Factor, PositiveRatio, PushedDrift
+from edesign.project.reading.base import Model, by_shape
+
+Steps = Annotated[int, Field(ge=1, le=1_000_000)]
+PUSHOVER_STEPS = 200
+
+NamedPattern = Literal["first_mode", "uniform", "triangular"]
+Direction = Literal["right", "left"]
+Method = Literal["n2", "fema356", "asce41"]
+SiteClass = Literal["A", "B", "C", "D", "E", "F"]
+
+METHODS: dict[Method, str] = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE 41"}
+"""Methods for target displacements, as people read them."""
+
+
+class GivenPattern(Model):
+    """Lateral forces by exactly one of the keys.
+
+    `mode`: mass times this mode. `modes`: the storey shears of the first so many modes under the spectrum of the
+    hazard, combined by the square root of the sum of squares. `floors`: shares of the floors from the lowest.
+    """
+
+    mode: ModeNumber | None = None
+    modes: Annotated[int, Field(ge=2)] | None = None
+    floors: Annotated[tuple[Factor, ...], Field(min_length=1)] | None = None
+
+    @property
+    def given(self) -> tuple[str, ...]:
+        """The keys that are given."""
+        return tuple(name for name in type(self).model_fields if getattr(self, name) is not None)
+
+    @property
+    def name(self) -> str:
+        """In names of analyses."""
+        if self.floors is not None:
+            return "floors"
+        return f"mode_{self.mode}" if self.mode is not None else f"modes_{self.modes}"
+
+
+Pattern = NamedPattern | GivenPattern
+_Choice = Annotated[
+    Annotated[NamedPattern, Tag("?plain")] | Annotated[GivenPattern, Tag("?mapping")], Discriminator(by_shape)
+]
+
+
+def _one_or_more(value: Any) -> Any:
+    return value if isinstance(value, (list, tuple)) else (value,)
+
+
+class Pushover(Model):
+    """Lateral loads of fixed patterns under gravity, each up to a roof drift (roof displacement / height).
+
+    Without `roof_drift` each goes as far as its `targets` ask: 150 % of the largest target displacement. `levels` are
+    those of the hazard that target displacements are found for, by default all. `damping` is of the spectrum that they
+    are taken from, by default that of the hazard. `site_class` is of ASCE/SEI 41, by default by the ground type.
+    """
+
+    pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), BeforeValidator(_one_or_more)]
+    direction: Literal["right", "left", "both"] = "right"
+    roof_drift: PushedDrift | None = None
+    steps: Steps = PUSHOVER_STEPS
+    targets: Annotated[tuple[Method, ...], BeforeValidator(several)] = ()
+    levels: Names | None = None
+    damping: PositiveRatio | None = None
+    site_class: SiteClass | None = None
+
+    @property
+    def directions(self) -> tuple[Direction, ...]:
+        """The directions in which the frame is pushed."""
+        return ("right", "left") if self.direction == "both" else (self.direction,)
+
+
+class Pushovers(Pushover):
+    """Pushovers of variants of a study, named VARIANT.NAME."""
+
+    name: ShortName = "push"
+    variants: Names = ("all",)
+
+
+def pattern_name(pattern: Pattern) -> str:
+    """Return the name of a pattern, as it stands in names of analyses."""
+    return pattern.name if isinstance(pattern, GivenPattern) else pattern

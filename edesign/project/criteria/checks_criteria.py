@@ -1,0 +1,178 @@
+"""Cross checks of criteria and objectives: what they name exists, and no two of them contradict each other."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Mapping, Sequence
+from types import MappingProxyType
+
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.criteria.checks_quantities import check_members, check_quantity
+from edesign.project.criteria.criteria import (
+    Criterion,
+    HingeCriterion,
+    MeasureCriterion,
+    Objectives,
+    QuantityCriterion,
+)
+from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
+from edesign.project.criteria.measures import MEASURE_KINDS
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.project import Project
+from edesign.project.reading.checks_names import check_names
+from edesign.project.reading.problems import Keys, Problems, keys_text
+
+OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 0.02) for _ in range(3)), strict=True))
+"""Probability of exceedance in 50 years of each rehabilitation objective (thesis Table 5.4)."""
+
+_SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
+_PREFIXES = {"beam": "B_", "column": "C_", "brace": "D_"}
+
+
+def check_criteria(
+    keys: Keys,
+    criteria: Sequence[Criterion],
+    objectives: Objectives,
+    project: Project,
+    variants: Collection[str],
+    problems: Problems,
+    kept: Collection[HistoryKind] | None = None,
+    dampers: Mapping[str, Sequence[str]] = MappingProxyType({}),
+) -> None:
+    """Check criteria and objectives against the project and against each other.
+
+    Args:
+        keys: path of the mapping that has `criteria` and `objectives`; () for the root of a study file.
+        criteria: as read; they have no schema problems.
+        objectives: letters.
+        project: whose frame and hazard levels they mean.
+        variants: names of the variants of the study.
+        problems: collects what is wrong.
+        kept: histories that the study keeps of every record; None: not known.
+        dampers: names of the dampers of each variant.
+    """
+    levels = project.hazard_levels
+    for i, criterion in enumerate(criteria):
+        at: Keys = (*keys, "criteria", i)
+        if criterion.name in (earlier.name for earlier in criteria[:i]):
+            problems.at_value((*at, "name"), f"the name `{criterion.name}` is used already")
+        check_names(problems, (*at, "variants"), "variant", criterion.variants, variants)
+        check_names(problems, (*at, "levels"), "level", criterion.levels, levels)
+        Selections(project.frame, problems).numbers(
+            (*at, "storeys"), criterion.storeys, "storey", project.frame.n_storeys
+        )
+        if criterion.share is not None and "statistic" in criterion.model_fields_set:
+            problems.at_key((*at, "share"), "a criterion has a `statistic` or a `share` of the motions, not both")
+        if isinstance(criterion, (MeasureCriterion, QuantityCriterion)):
+            _limits(problems, at, criterion)
+        if isinstance(criterion, QuantityCriterion):
+            check_quantity(at, criterion, project, problems, kept, dampers)
+        if isinstance(criterion, (MeasureCriterion, HingeCriterion)):
+            _members(problems, at, criterion, project)
+    _contradictions(problems, keys, criteria, tuple(variants), tuple(levels))
+    for i, letter in enumerate(objectives):
+        at = (*keys, "objectives", i)
+        if letter in objectives[:i]:
+            problems.at_value(at, f"`{letter}` comes twice")
+        elif objective_level(letter, project.hazard) is None:
+            probability = OBJECTIVE_PROBABILITY[letter]
+            message = (
+                f"objective {letter} needs a hazard level of {100 * probability:g} % in 50 years, and the project has "
+                f"none (add to `hazard: levels` one with `probability: {100 * probability:g} %`)"
+            )
+            problems.at_value(at, message)
+
+
+def objective_level(letter: str, hazard: Hazard | None) -> str | None:
+    """Return the name of the hazard level of an objective, None if the project has none.
+
+    A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
+    by a factor or an importance class have none.
+    """
+    wanted = OBJECTIVE_PROBABILITY[letter]
+    for name in hazard.levels if hazard is not None else ():
+        probability = hazard.probability(name) if hazard is not None else None
+        if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
+            return name
+    return None
+
+
+def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion | QuantityCriterion) -> None:
+    if criterion.most is None and criterion.least is None:
+        problems.under(at, "most", "this key is missing (or `least`); a criterion needs a limit")
+    elif criterion.most is not None and criterion.least is not None and criterion.least > criterion.most:
+        message = f"`least` ({criterion.least:g}) is greater than `most` ({criterion.most:g}); nothing is in between"
+        problems.at_value((*at, "least"), message)
+
+
+def _members(problems: Problems, at: Keys, criterion: MeasureCriterion | HingeCriterion, project: Project) -> None:
+    """Selections that mean nothing for a measure, and members that the frame has not."""
+    if isinstance(criterion, MeasureCriterion):
+        kind = criterion.measure.partition("_")[0]
+        whole = "drift" in criterion.measure and criterion.measure != "roof_drift"
+        if kind not in ("beam", "column", "brace", "damper") or criterion.measure == "column_base_shear_N":
+            if criterion.members:
+                problems.at_key((*at, "members"), f"`{criterion.measure}` has no members to choose from")
+            if not criterion.storeys.is_all and not whole:
+                problems.at_key((*at, "storeys"), f"`{criterion.measure}` is one of the whole frame")
+            return
+    else:
+        kind = {"columns": "column", "beams": "beam", "all": ""}[criterion.of]
+    buckling = any(run.buckling is not None for run in project.frame.braces)
+    if isinstance(criterion, MeasureCriterion) and kind == "brace" and not buckling:
+        message = f"`{criterion.measure}` is one of braces with `buckling`, and this frame has none"
+        problems.at_value((*at, "measure"), message)
+        return
+    if kind == "damper":
+        return  # its names are given when the variant is built
+    allowed = [name for name in project.frame.members if name.startswith(_PREFIXES.get(kind, ("B_", "C_")))]
+    check_members((*at, "members"), criterion.members, allowed, kind or "column or beam", problems)
+
+
+def _contradictions(
+    problems: Problems, keys: Keys, criteria: Sequence[Criterion], variants: tuple[str, ...], levels: tuple[str, ...]
+) -> None:
+    """Two ranges of one statistic of one measure, over the same place, that have nothing in common."""
+    measured = [(i, c) for i, c in enumerate(criteria) if isinstance(c, (MeasureCriterion, QuantityCriterion))]
+    for position, (i, later) in enumerate(measured):
+        for j, earlier in measured[:position]:
+            if not _same(earlier, later):
+                continue
+            both = [
+                f"{variant} at {level}"
+                for variant in (later.variants or variants)
+                for level in (later.levels or levels)
+                if variant in (earlier.variants or variants) and level in (earlier.levels or levels)
+            ]
+            low = max(earlier.least or 0.0, later.least or 0.0)
+            high = min(_most(earlier), _most(later))
+            alone = max((earlier.least or 0.0) - _most(earlier), (later.least or 0.0) - _most(later))
+            if both and low > high and alone <= 0.0:
+                line = problems.node((*keys, "criteria", j)).mark.line
+                place = keys_text((*keys, "criteria", j))
+                what, unit = _subject(later)
+                message = (
+                    f"`{later.name}` contradicts `{earlier.name}` ({place}, line {line}): for {both[0]} "
+                    f"the {later.statistic} of `{what}` cannot be at least {low:g} and at most "
+                    f"{high:g} {unit.replace('1', '')}".rstrip()
+                )
+                problems.at_value((*keys, "criteria", i), message)
+
+
+def _subject(criterion: MeasureCriterion | QuantityCriterion) -> tuple[str, str]:
+    """What is limited, and its SI unit."""
+    if isinstance(criterion, MeasureCriterion):
+        return criterion.measure, MEASURE_KINDS[criterion.measure].unit
+    return criterion.quantity, QUANTITIES[criterion.quantity].kind.unit
+
+
+def _same(one: MeasureCriterion | QuantityCriterion, other: MeasureCriterion | QuantityCriterion) -> bool:
+    if _subject(one) != _subject(other) or type(one) is not type(other):
+        return False
+    keys = ("storeys", "members") if isinstance(one, MeasureCriterion) else keys_of(one.quantity)
+    return all(getattr(one, key) == getattr(other, key) for key in ("statistic", "share", *keys))
+
+
+def _most(criterion: MeasureCriterion | QuantityCriterion) -> float:
+    return math.inf if criterion.most is None else criterion.most

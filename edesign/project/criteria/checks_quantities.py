@@ -1,0 +1,118 @@
+"""Cross checks of criteria on archived quantities: places that they have, and histories that are kept for them."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
+from edesign.project.dampers.dampers import DamperBetween, Dampers
+from edesign.project.dampers.designs import Design
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
+from edesign.project.notation import names
+from edesign.project.project import Project
+from edesign.project.reading.checks_names import check_names
+from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
+
+_CHOOSING = ("floors", "storeys", "members", "dampers", "lines", "side", "frequency", "damping", "term")
+_RUNS: dict[Place, tuple[type, ...]] = {
+    "column": (ColumnRun,),
+    "beam": (BeamRun,),
+    "brace": (BraceRun,),
+    "member": (ColumnRun, BeamRun),
+}
+
+
+def check_quantity(
+    keys: Keys,
+    criterion: QuantityCriterion,
+    project: Project,
+    problems: Problems,
+    kept: Collection[HistoryKind] | None,
+    dampers: Mapping[str, Sequence[str]],
+) -> None:
+    """Check where a quantity is taken, and that the archive will have what it needs.
+
+    Args:
+        keys: of the criterion.
+        criterion: as read; it has no schema problems.
+        project: whose frame it means.
+        problems: collects what is wrong.
+        kept: histories that the study keeps of every record; None: not known.
+        dampers: names of the dampers of each variant.
+    """
+    name = criterion.quantity
+    quantity, own = QUANTITIES[name], keys_of(name)
+    for key in _CHOOSING:
+        if key in criterion.model_fields_set and key not in own:
+            problems.at_key((*keys, key), f"`{name}` has no `{key}`; {_allowed(own)}")
+    for key in quantity.own:
+        if getattr(criterion, key) is None:
+            problems.under(keys, key, f"this key is missing; `{name}` is not known without it")
+    if quantity.kept is not None and kept is not None and quantity.kept not in kept:
+        message = (
+            f"`{name}` is computed from the histories of {quantity.kept}, which are not kept; "
+            f"add `{quantity.kept}` to `outputs: histories`"
+        )
+        problems.at_value((*keys, "quantity"), message)
+    check = Selections(project.frame, problems)
+    if "floors" in own:
+        check.numbers((*keys, "floors"), criterion.floors, "floor", project.frame.n_storeys)
+    if "lines" in own:
+        check.lines((*keys, "lines"), criterion.lines)
+    if "members" in own:
+        _members(keys, criterion, project.frame, problems)
+    if "dampers" in own and criterion.dampers:
+        chosen = criterion.variants or tuple(dampers)
+        known = dict.fromkeys(damper for variant in chosen for damper in dampers.get(variant, ()))
+        if known:
+            check_names(problems, (*keys, "dampers"), "damper", criterion.dampers, known)
+
+
+def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
+    """Return the names of the dampers of a project, as its frame has them."""
+    found: list[str] = []
+    for run in dampers.devices if dampers is not None else ():
+        if isinstance(run, DamperBetween):
+            found.append(names.free_name(names.damper_between_name(*run.nodes), found))
+            continue
+        for storey in run.storeys.numbers(1, frame.n_storeys):
+            for bay in run.bays.numbers(1, frame.n_bays):
+                found.append(names.free_name(names.damper_name(run.kind, bay, storey), found))
+    return tuple(found)
+
+
+def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
+    """Return the names of the dampers that a design places."""
+    return tuple(
+        names.damper_name(design.kind, bay, storey)
+        for storey in design.storeys.numbers(1, frame.n_storeys)
+        for bay in design.bays.numbers(1, frame.n_bays)
+    )
+
+
+def _allowed(own: Sequence[str]) -> str:
+    return f"allowed here: {listed(own)}" if own else "it is one of the whole frame"
+
+
+def _members(keys: Keys, criterion: QuantityCriterion, frame: Frame, problems: Problems) -> None:
+    place = QUANTITIES[criterion.quantity].place
+    allowed = [name for name, run in frame.members.items() if isinstance(run, _RUNS[place])]
+    if not allowed:
+        return  # does not apply, which is told with the verdict
+    what = "column or beam" if place == "member" else place
+    check_members((*keys, "members"), criterion.members, allowed, what, problems)
+
+
+def check_members(keys: Keys, given: Sequence[str], allowed: Sequence[str], what: str, problems: Problems) -> None:
+    """Check that members are some of those allowed (at least one), and come once; `what` they are, for messages."""
+    for i, name in enumerate(given):
+        if name not in allowed:
+            hint = did_you_mean(name, allowed)
+            named = f"they are named `{allowed[0]}` to `{allowed[-1]}`"
+            problems.at_item(keys, i, f"there is no {what} `{name}` in this frame{hint} ({named})")
+        elif name in given[:i]:
+            problems.at_item(keys, i, f"`{name}` comes twice")

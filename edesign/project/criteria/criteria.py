@@ -1,0 +1,163 @@
+"""What a study is judged by: limits of measures and quantities, plastic hinges, performance levels, objectives."""
+
+from __future__ import annotations
+
+import re
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
+
+from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
+from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
+from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
+from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
+from edesign.project.reading.base import Model, keys_in, refuse
+from edesign.project.reading.problems import unknown_name
+
+PerformanceLevel = Literal["IO", "LS", "CP"]
+MemberKinds = Literal["columns", "beams", "all"]
+Objective = Literal["a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"]
+CriterionName = Annotated[str, Field(min_length=1, max_length=120)]
+
+
+def _some_names(value: Any) -> Any:
+    """One name, a list of names, or `all` (an empty tuple)."""
+    if value == "all":
+        return ()
+    if isinstance(value, str):
+        return (value,)
+    if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
+        raise refuse("a name, a list of names, or `all` is needed")
+    if not value:
+        raise refuse("the list is empty; write `all`, or at least one name")
+    return tuple(value)
+
+
+def _measure(value: Any) -> Any:
+    if isinstance(value, str) and value in MEASURE_KINDS:
+        return value
+    if isinstance(value, str) and value in SHORT_NAMES:
+        return SHORT_NAMES[value]
+    raise refuse(unknown_name("measure", str(value), SHORT_NAMES))
+
+
+def _quantity(value: Any) -> Any:
+    if isinstance(value, str) and value in QUANTITIES:
+        return value
+    known = "; `edesign quantities` lists them (the stroke of a damper is `damper_deformation`)"
+    raise refuse(unknown_name("quantity", str(value), QUANTITIES) + known)
+
+
+PLAIN_STATISTICS = ("mean", "maximum", "median", "ec8", "asce7")
+"""Statistics that need no number; `ec8` and `asce7` are what these codes take of so many motions."""
+_PERCENTILE = re.compile(r"(?:percentile )?([0-9]+(?:\.[0-9]+)?) ?%")
+
+
+def _statistic(value: Any) -> Any:
+    """The name of a statistic; a percentile as `84%`."""
+    if isinstance(value, str) and value in PLAIN_STATISTICS:
+        return value
+    match = _PERCENTILE.fullmatch(value) if isinstance(value, str) else None
+    if match is None:
+        names = ", ".join(f"`{name}`" for name in PLAIN_STATISTICS)
+        raise refuse(f"`{value}` is no statistic; allowed: {names}, and percentiles such as `84 %`")
+    if not 0.0 < float(match[1]) < 100.0:
+        raise refuse(f"`{value}`: a percentile is more than 0 % and less than 100 %; of all it is the `maximum`")
+    return f"{float(match[1]):g}%"
+
+
+Names = Annotated[tuple[str, ...], BeforeValidator(_some_names)]
+
+
+class _Criterion(Model):
+    """What all criteria share: a name, the histories they look at, and the statistic over the records.
+
+    `variants` and `levels` are names, or all if empty; each variant at each level is judged on its own. With a `share`
+    in place of a statistic, so many of the motions have to meet it.
+    """
+
+    name: CriterionName
+    variants: Names = ()
+    levels: Names = ()
+    statistic: Annotated[str, BeforeValidator(_statistic)] = "mean"
+    share: PositiveRatio | None = None
+    storeys: Numbers = ALL_NUMBERS
+
+
+class MeasureCriterion(_Criterion):
+    """Limits of a response measure, in SI.
+
+    `most` decides. `least` beside it is the lower end of a target range: what is below is better than required.
+    `least` alone is a requirement.
+    """
+
+    measure: Annotated[str, BeforeValidator(_measure)]
+    most: float | None = None
+    least: float | None = None
+    members: Names = ()
+
+    @field_validator("most", "least", mode="before")
+    @classmethod
+    def _value(cls, value: Any, info: ValidationInfo) -> Any:
+        measure = info.data.get("measure")
+        return None if measure is None else parse_limit(MEASURE_KINDS[measure], value)
+
+
+class QuantityCriterion(_Criterion):
+    """Limits of an archived quantity at some of its places, in SI; `most` and `least` as of a measure.
+
+    The largest absolute value over time counts, or with `side` that in tension or compression, over the places that
+    are chosen. `frequency` (Hz) and `damping` are of an oscillator on a floor, `term` is one of the energy balance.
+    """
+
+    quantity: Annotated[str, BeforeValidator(_quantity)]
+    most: float | None = None
+    least: float | None = None
+    floors: Numbers = ALL_NUMBERS
+    members: Names = ()
+    dampers: Names = ()
+    lines: Lines = ALL_LINES
+    side: Side | None = None
+    frequency: PositiveFrequency | None = None
+    damping: PositiveRatio | None = None
+    term: EnergyTerm | None = None
+
+    @field_validator("most", "least", mode="before")
+    @classmethod
+    def _value(cls, value: Any, info: ValidationInfo) -> Any:
+        quantity = info.data.get("quantity")
+        return None if quantity is None else parse_limit(QUANTITIES[quantity].kind, value)
+
+
+class HingeCriterion(_Criterion):
+    """No plastic hinges: the plastic rotation of the ends of members is at most `rotation` (rad)."""
+
+    plastic_hinges: Literal["none"]
+    of: MemberKinds = "all"
+    members: Names = ()
+    rotation: Rotation = 0.001
+
+
+class PerformanceCriterion(_Criterion):
+    """A structural performance level of FEMA 356, by drifts, by plastic rotations of members, or by both."""
+
+    performance: PerformanceLevel
+    by: Literal["drift", "members", "both"] = "both"
+    of: MemberKinds = "all"
+
+
+def _which(value: Any) -> str:
+    given = keys_in(value)
+    kinds = ("performance", "plastic_hinges", "quantity")
+    return next((f"?{key}" for key in kinds if key in given), "?measure")
+
+
+Criterion = Annotated[
+    Annotated[MeasureCriterion, Tag("?measure")]
+    | Annotated[QuantityCriterion, Tag("?quantity")]
+    | Annotated[HingeCriterion, Tag("?plastic_hinges")]
+    | Annotated[PerformanceCriterion, Tag("?performance")],
+    Discriminator(_which),
+]
+Criteria = tuple[Criterion, ...]
+Objectives = tuple[Objective, ...]

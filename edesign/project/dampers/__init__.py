@@ -1,0 +1,1 @@
+"""Dampers in a project file, and their designs in a study file."""

@@ -1,0 +1,129 @@
+"""Cross checks of dampers: places inside the grid, laws and nodes that exist, one value for each storey."""
+
+from __future__ import annotations
+
+from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.dampers.dampers import (
+    PROTOTYPE_SCALE,
+    BraceSection,
+    BraceStiffness,
+    DamperBetween,
+    DamperLaw,
+    DamperRun,
+    Device,
+)
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
+
+
+def check_dampers(project: Project, problems: Problems) -> None:
+    """Check dampers and attachments; `project` has no schema problems."""
+    for i, analysis in enumerate(project.analyses):
+        if isinstance(analysis, ModalAnalysis):
+            _amplitude(project, problems, ("analyses", i), analysis)
+    if project.dampers is None:
+        return
+    for name, law in project.dampers.laws.items():
+        if law.temperature_law is not None and law.temperature is None:
+            message = "a temperature law needs the `temperature` of the dampers"
+            problems.at_key(("dampers", "laws", name, "temperature_law"), message)
+    for name, law in project.dampers.laws.items():
+        check_law(problems, ("dampers", "laws", name), law)
+    for i, device in enumerate(project.dampers.devices):
+        _device(project, problems, ("dampers", "devices", i), device)
+    for i, item in enumerate(project.dampers.attachments):
+        last = project.frame.n_storeys
+        if item.floor > last:
+            message = f"there is no floor {item.floor}; floors are numbered 1 to {last}"
+            problems.at_value(("dampers", "attachments", i, "floor"), message)
+
+
+def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: ModalAnalysis) -> None:
+    """An amplitude of the dampers is one that they can have."""
+    given = [key for key in ("damper_strain", "damper_deformation") if getattr(analysis, key) is not None]
+    if len(given) == 2:
+        problems.at_key((*keys, given[1]), f"give either `{given[0]}` or `{given[1]}`, one of them")
+        return
+    devices = project.dampers.devices if project.dampers is not None and analysis.dampers else ()
+    if given and not devices:
+        problems.at_key((*keys, given[0]), "this analysis has no dampers")
+    elif given == ["damper_strain"] and project.dampers is not None:
+        laws = project.dampers.laws
+        bare = sorted({d.law for d in devices if d.law in laws and laws[d.law].prototype is None})
+        if bare:
+            subject = f"the law {listed(bare)} has" if len(bare) == 1 else f"the laws {listed(bare)} have"
+            message = f"{subject} no `prototype`, so no layers; give `damper_deformation`"
+            problems.at_key((*keys, "damper_strain"), message)
+
+
+def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
+    """Check that a law stands in the file itself or in a law file, one of them."""
+    if law.file is None:
+        for key in ("type", "parameters"):
+            if getattr(law, key) is None:
+                problems.under(keys, key, "this key is missing (or `file`, a law file)")
+        return
+    for key in ("type", "parameters", "temperature_law", "effects", "standard_errors", "tested"):
+        if getattr(law, key) not in (None, ()):
+            problems.at_key((*keys, key), f"the law file `{law.file}` says this; leave one of them out")
+
+
+def _device(project: Project, problems: Problems, keys: Keys, device: Device) -> None:
+    assert project.dampers is not None
+    laws = project.dampers.laws
+    if device.law not in laws:
+        problems.at_value((*keys, "law"), unknown_name("damper law", device.law, laws))
+    elif laws[device.law].prototype is None and laws[device.law].file is None:
+        for key in ("layers", "layer_area", "layer_thickness"):
+            if getattr(device, key) is not None:
+                message = f"the law `{device.law}` has no `prototype` whose size could be changed"
+                problems.at_key((*keys, key), message)
+    elif laws[device.law].prototype is not None and device.scale is not None:
+        problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
+    if isinstance(device.brace, BraceSection):
+        if device.kind == "storey":
+            message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
+            problems.at_value((*keys, "brace"), message)
+        if device.brace.material not in project.materials:
+            message = unknown_name("material", device.brace.material, project.materials)
+            problems.at_value((*keys, "brace", "material"), message)
+    if isinstance(device, DamperBetween):
+        _nodes(project, problems, keys, device)
+    else:
+        _places(project, problems, keys, device)
+
+
+def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetween) -> None:
+    known = project.frame.nodes
+    for i, name in enumerate(device.nodes):
+        if name not in known:
+            every = list(known)
+            hint = f"{did_you_mean(name, known)} (nodes are named by line and floor: `{every[0]}` to `{every[-1]}`)"
+            message = f"there is no node `{name}` in this frame{hint}"
+            problems.at_value((*keys, "nodes", i), message)
+    if device.nodes[0] == device.nodes[1]:
+        problems.at_value((*keys, "nodes"), f"a damper from `{device.nodes[0]}` to itself")
+    _lists(problems, keys, device, 1)
+
+
+def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun) -> None:
+    check = Selections(project.frame, problems)
+    inside = check.numbers((*keys, "bays"), device.bays, "bay", project.frame.n_bays)
+    if check.numbers((*keys, "storeys"), device.storeys, "storey", project.frame.n_storeys) and inside:
+        _lists(problems, keys, device, len(device.storeys.numbers(1, project.frame.n_storeys)))
+
+
+def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:
+    """Lists have one value for each storey."""
+    stiffness = device.brace.stiffness if isinstance(device.brace, BraceStiffness) else None
+    given: dict[Keys, object] = {(key,): getattr(device, key) for key in ("layer_area", "scale", "design_deformation")}
+    given[("brace", "stiffness")] = stiffness
+    for at, values in given.items():
+        if isinstance(values, tuple) and len(values) != storeys:
+            message = f"{_count(len(values), 'value')} for {_count(storeys, 'storey')}; one for each is needed"
+            problems.at_value((*keys, *at), message)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

@@ -1,0 +1,167 @@
+"""Cross checks of a design: its law, places, levels and records exist, and its keys go together."""
+
+from __future__ import annotations
+
+from edesign.project.dampers.checks_viscous_designs import check_viscous_design
+from edesign.project.dampers.designs import (
+    Bounds,
+    Design,
+    ElastomerDesign,
+    FixedProperties,
+    SimplifiedDesign,
+    StrainEnergyDesign,
+    ViscousDesign,
+)
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.project import Project
+from edesign.project.reading.checks_names import check_names, check_records
+from edesign.project.reading.problems import Keys, Problems, unknown_name
+
+_RECOMMENDED_ALPHA = (10.0, 30.0)
+
+
+def check_design(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+    """Check a design of a study file.
+
+    Args:
+        keys: of the design in the study file, e.g. ("designs", "thesis").
+        spec: without schema problems.
+        project: that is studied.
+        problems: of the study file; collects what is wrong.
+    """
+    _law(keys, spec, project, problems)
+    _places(keys, spec, project, problems)
+    _hazard(keys, spec, project, problems)
+    if project.masses is None:
+        problems.at_key(keys, "the project has no `masses`: its frame has no periods to design dampers for")
+    if spec.bounds is not None:
+        _bounds((*keys, "bounds"), spec, spec.bounds, problems)
+    if isinstance(spec, ViscousDesign):
+        check_viscous_design(keys, spec, project, problems)
+    else:
+        _elastomer(keys, spec, project, problems)
+
+
+def design_warnings(spec: Design) -> list[str]:
+    """What is allowed but unusual."""
+    low, high = _RECOMMENDED_ALPHA
+    if isinstance(spec, SimplifiedDesign) and not low <= spec.alpha <= high:
+        return [f"alpha = {spec.alpha:g} is outside the recommended {low:g} to {high:g} (thesis 5.3.4)"]
+    return []
+
+
+def _law(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+    laws = project.dampers.laws if project.dampers is not None else {}
+    if spec.law not in laws:
+        problems.at_value((*keys, "law"), unknown_name("damper law", spec.law, laws))
+
+
+def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Problems) -> None:
+    laws = project.dampers.laws if project.dampers is not None else {}
+    if spec.law in laws and laws[spec.law].prototype is None and laws[spec.law].file is None:
+        message = f"the law `{spec.law}` of the project has no `prototype`: it has no layers that could be sized"
+        problems.at_value((*keys, "law"), message)
+    _thickness(keys, spec, problems)
+    if isinstance(spec, StrainEnergyDesign):
+        _strain_energy(keys, spec, problems)
+    else:
+        _simplified(keys, spec, problems)
+    if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
+        problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
+    temperatures = spec.bounds is not None and spec.bounds.temperatures is not None
+    if temperatures and isinstance(spec.properties, FixedProperties):
+        message = "fixed properties do not change with temperature; give a table or `law`"
+        problems.at_key((*keys, "bounds", "temperatures"), message)
+
+
+def _places(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+    check = Selections(project.frame, problems)
+    check.numbers((*keys, "bays"), spec.bays, "bay", project.frame.n_bays)
+    check.numbers((*keys, "storeys"), spec.storeys, "storey", project.frame.n_storeys)
+    given = spec.storey_stiffness
+    if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
+        message = f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
+        problems.at_value((*keys, "storey_stiffness"), message)
+
+
+def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
+    if spec.layer_thickness is None and (spec.drift is None or spec.strain_limit is None):
+        problems.under(keys, "layer_thickness", "this key is missing (or both `drift` and `strain_limit`)")
+    if spec.layer_thickness is not None and spec.strain_limit is not None:
+        message = "`layer_thickness` is given; a thickness from drift and strain limit needs it left out"
+        problems.at_key((*keys, "strain_limit"), message)
+
+
+def _hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+    levels = project.hazard_levels
+    if spec.level is not None and spec.level not in levels:
+        problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))
+    if spec.verify is not None:
+        check_names(problems, (*keys, "verify", "levels"), "level", spec.verify.levels or (), levels)
+        check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
+
+
+def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> None:
+    if spec.distribution == "least_area":
+        for key in ("level", "drift"):
+            if getattr(spec, key) is None:
+                problems.under(keys, key, "this key is missing; `distribution: least_area` needs it")
+        for key in ("target_in", "damping"):
+            if getattr(spec, key) is not None:
+                message = "`distribution: least_area` meets a drift with the least area, whatever the damping"
+                problems.at_key((*keys, key), message)
+        if spec.verify is not None and spec.verify.change == "target":
+            _unchangeable(keys, problems)
+        return
+    if spec.damping is None:
+        problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `10 %`")
+    if spec.target_in == "storeys" and spec.distribution != "storey_stiffness":
+        message = "Eq. 5.9 storey by storey goes with `distribution: storey_stiffness` alone"
+        problems.at_value((*keys, "target_in"), message)
+    if spec.braces_in_target and spec.brace == "rigid":
+        problems.at_value((*keys, "braces_in_target"), "the braces are rigid; give `brace: {ratio: ...}`")
+
+
+def _unchangeable(keys: Keys, problems: Problems) -> None:
+    message = "this distribution has no target damping to change; choose `area` or `thickness`"
+    problems.at_value((*keys, "verify", "change"), message)
+
+
+def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
+    for key in ("level", "drift"):
+        if getattr(spec, key) is None:
+            problems.under(keys, key, "this key is missing; the simplified method needs it")
+    if spec.beta[0] > spec.beta[1]:
+        problems.at_value((*keys, "beta"), "the range runs backwards; write the lower value first")
+    if spec.low_temperature is not None:
+        if isinstance(spec.properties, FixedProperties):
+            message = "fixed properties do not change with temperature; give a table or `law`"
+            problems.at_key((*keys, "low_temperature"), message)
+        if spec.temperature is None:
+            problems.under(keys, "temperature", "this key is missing; a low end needs a design temperature")
+        elif spec.low_temperature > spec.temperature:
+            problems.at_value((*keys, "low_temperature"), "it is above the design `temperature`")
+
+
+def _bounds(keys: Keys, spec: Design, bounds: Bounds, problems: Problems) -> None:
+    if spec.level is None:
+        problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
+    check_factors(keys, bounds, problems)
+
+
+def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
+    """Check the factors and temperatures of bounds against each other."""
+    for side in ("upper", "lower"):
+        if getattr(bounds, side) is not None and getattr(bounds, f"{side}_factors") is not None:
+            problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them")
+    for side, wrong in (("upper", lambda value: value < 1.0), ("lower", lambda value: value > 1.0)):
+        values: dict[Keys, float | None] = {(side,): getattr(bounds, side)}
+        factors = getattr(bounds, f"{side}_factors")
+        if factors is not None:
+            values |= {(f"{side}_factors", name): getattr(factors, name) for name in type(factors).model_fields}
+        for at, value in values.items():
+            if value is not None and wrong(value):
+                allowed = "at least" if side == "upper" else "at most"
+                problems.at_value((*keys, *at), f"a factor of the {side} bound must be {allowed} 1, not {value:g}")
+    if bounds.temperatures is not None and bounds.temperatures[0] > bounds.temperatures[1]:
+        problems.at_value((*keys, "temperatures"), "the range runs backwards; write the lower temperature first")

@@ -1,0 +1,51 @@
+"""Cross checks of a design of viscous dampers: its law is a dashpot, and its keys go together."""
+
+from __future__ import annotations
+
+from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.dampers.designs import VISCOUS_LAWS, ViscousDesign
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, listed
+
+
+def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, problems: Problems) -> None:
+    """Check what only a design of viscous dampers has.
+
+    Args:
+        keys: of the design in the study file, e.g. ("designs", "dampers").
+        spec: without schema problems.
+        project: that is studied.
+        problems: of the study file; collects what is wrong.
+    """
+    laws = project.dampers.laws if project.dampers is not None else {}
+    if spec.law in laws:
+        _law((*keys, "law"), spec.law, laws[spec.law], problems)
+    if spec.amplitude == "spectrum" and spec.level is None:
+        problems.under(keys, "level", "this key is missing; `amplitude: spectrum` needs the spectrum of a hazard level")
+    if spec.bounds is not None and spec.bounds.temperatures is not None:
+        message = "a viscous law changes with its coefficient alone; give factors that hold for the temperatures"
+        problems.at_key((*keys, "bounds", "temperatures"), message)
+    if spec.distribution == "least_coefficient":
+        _least_coefficient(keys, spec, problems)
+    elif spec.damping is None:
+        problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `15 %`")
+
+
+def _law(keys: Keys, name: str, law: DamperLaw, problems: Problems) -> None:
+    if law.prototype is not None:
+        problems.at_value(keys, f"the law `{name}` of the project has a `prototype`; viscous dampers have no layers")
+    if law.file is None and law.type is not None and law.type not in VISCOUS_LAWS:
+        message = f"the law `{name}` is of type `{law.type}`; viscous dampers are of type {listed(VISCOUS_LAWS)}"
+        problems.at_value(keys, message)
+
+
+def _least_coefficient(keys: Keys, spec: ViscousDesign, problems: Problems) -> None:
+    for key in ("level", "drift"):
+        if getattr(spec, key) is None:
+            problems.under(keys, key, "this key is missing; `distribution: least_coefficient` needs it")
+    if spec.damping is not None:
+        message = "`distribution: least_coefficient` meets a drift with the least coefficients, whatever the damping"
+        problems.at_key((*keys, "damping"), message)
+    if spec.verify is not None and spec.verify.change == "target":
+        message = "this distribution has no target damping to change; choose `coefficient`"
+        problems.at_value((*keys, "verify", "change"), message)

@@ -1,0 +1,1 @@
+"""The frame in a project file: grid, members, sections, materials, supports, hinges."""

@@ -1,0 +1,272 @@
+"""Cross checks of the frame: selections inside the grid, every place covered, names that exist."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
+from edesign.project.frame.sections import Catalogue, ElasticSection, PlateSection, no_section
+from edesign.project.notation import names
+from edesign.project.notation.selections import LineSelection, NumberSelection
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
+
+Run = ColumnRun | BeamRun | BraceRun
+
+
+def check_frame(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
+    """Check the frame and its sections and materials.
+
+    Args:
+        project: read without schema problems.
+        problems: collects what is wrong.
+        profiles: names of the catalogue; None leaves section names that the project does not define unchecked.
+    """
+    frame = project.frame
+    check = Selections(frame, problems)
+    _supports(frame, problems)
+    check.numbers(("frame", "diaphragms"), frame.diaphragms, "floor", frame.n_storeys)
+    for i, column in enumerate(frame.columns):
+        check.column_places(("frame", "columns", i), column)
+    for i, beam in enumerate(frame.beams):
+        check.beam_places(("frame", "beams", i), beam)
+    for i, brace in enumerate(frame.braces):
+        check.numbers(("frame", "braces", i, "bays"), brace.bays, "bay", frame.n_bays)
+        check.numbers(("frame", "braces", i, "storeys"), brace.storeys, "storey", frame.n_storeys)
+        _buckling(project, problems, ("frame", "braces", i), brace)
+    for i, gap in enumerate(frame.missing.columns):
+        check.column_places(("frame", "missing", "columns", i), gap)
+    for i, hole in enumerate(frame.missing.beams):
+        check.beam_places(("frame", "missing", "beams", i), hole)
+    if _covered(frame, problems):
+        _floors(frame, problems)
+        _met_beams(frame, problems)
+    _releases(frame, problems, check)
+    _leaning_column(project, problems)
+    _sections(project, problems, profiles)
+    for keys, run in _runs(frame):
+        _section_of(project, problems, keys, run, profiles)
+        if run.material not in project.materials:
+            problems.at_value((*keys, "material"), unknown_name("material", run.material, project.materials))
+
+
+class Selections:
+    """Checks that selections stay inside the grid of a frame and, unless they say `all`, that what they name stands."""
+
+    def __init__(self, frame: Frame, problems: Problems) -> None:
+        self.frame = frame
+        self.problems = problems
+
+    def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int) -> bool:
+        """Every number from 1 to `last`; returns whether it is so."""
+        good = True
+        for i, (low, high) in enumerate(chosen.ranges):
+            if low < 1 or high > last:
+                outside = low if low < 1 else high
+                message = f"there is no {what} {outside}; {what}s are numbered 1 to {last}"
+                self.problems.at_value(self._item(keys, i), message)
+                good = False
+        return good
+
+    def lines(self, keys: Keys, chosen: LineSelection) -> bool:
+        """Every line exists; returns whether it is so."""
+        good = True
+        for i, span in enumerate(chosen.ranges):
+            outside = next((line for line in reversed(span) if line not in self.frame.lines), None)
+            if outside is not None:
+                last = self.frame.lines[-1]
+                self.problems.at_value(self._item(keys, i), f"there is no line {outside}; lines are named A to {last}")
+                good = False
+        return good
+
+    def column_places(self, keys: Keys, chosen: ColumnPlaces) -> bool:
+        """Lines and storeys inside the grid; returns whether it is so."""
+        lines = self.lines((*keys, "lines"), chosen.lines)
+        return self.numbers((*keys, "storeys"), chosen.storeys, "storey", self.frame.n_storeys) and lines
+
+    def beam_places(self, keys: Keys, chosen: BeamPlaces) -> bool:
+        """Bays and floors inside the grid; returns whether it is so."""
+        bays = self.numbers((*keys, "bays"), chosen.bays, "bay", self.frame.n_bays)
+        return self.numbers((*keys, "floors"), chosen.floors, "floor", self.frame.n_storeys) and bays
+
+    def standing_columns(self, keys: Keys, chosen: ColumnPlaces) -> None:
+        """Columns that are named one by one stand."""
+        if self.column_places(keys, chosen) and not (chosen.lines.is_all or chosen.storeys.is_all):
+            absent = [p for p in self.frame.column_places(chosen) if p not in self.frame.column_at]
+            self._absent(keys, "column", [names.column_name(*p) for p in absent])
+
+    def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> None:
+        """Beams that are named one by one stand."""
+        if self.beam_places(keys, chosen) and not (chosen.bays.is_all or chosen.floors.is_all):
+            absent = [p for p in self.frame.beam_places(chosen) if p not in self.frame.beam_at]
+            self._absent(keys, "beam", [names.beam_name(*p) for p in absent])
+
+    def nodes(self, keys: Keys, lines: LineSelection, floors: NumberSelection) -> bool:
+        """Lines and floors inside the grid; nodes that are named one by one exist. Returns whether it is so."""
+        inside = self.lines((*keys, "lines"), lines)
+        if not (self.numbers((*keys, "floors"), floors, "floor", self.frame.n_storeys) and inside):
+            return False
+        if not (lines.is_all or floors.is_all):
+            rows = floors.numbers(1, self.frame.n_storeys)
+            picked = [names.node_name(line, floor) for floor in rows for line in lines.names(self.frame.lines)]
+            absent = [name for name in picked if name not in self.frame.nodes]
+            self._absent(keys, "node", absent)
+            return not absent
+        return True
+
+    def _absent(self, keys: Keys, what: str, absent: list[str]) -> None:
+        if absent:
+            message = f"{_count(absent, what)} missing in this frame: {listed(absent)} (`all` takes those that exist)"
+            self.problems.at_value(keys, message)
+
+    def _item(self, keys: Keys, i: int) -> Keys:
+        """The i-th item if the selection is written as a list, else the whole."""
+        return (*keys, i) if self.problems.node((*keys, i)).mark != self.problems.node(keys).mark else keys
+
+
+def _supports(frame: Frame, problems: Problems) -> None:
+    if isinstance(frame.supports, dict):
+        for line in frame.supports:
+            if line != "default" and line not in frame.lines:
+                allowed = ["default", *frame.lines]
+                message = f"there is no line `{line}`{did_you_mean(line, allowed)} (allowed here: {listed(allowed)})"
+                problems.at_key(("frame", "supports", line), message)
+
+
+def _buckling(project: Project, problems: Problems, keys: Keys, brace: BraceRun) -> None:
+    """A brace that buckles is compressed, made of fibres, and has points enough; one that breaks yields."""
+    if brace.buckling is None:
+        return
+    where = (*keys, "buckling")
+    if not brace.compression:
+        problems.at_value(
+            (*keys, "compression"), "a brace with `buckling` counts in compression; leave one of them out"
+        )
+    if isinstance(project.sections.get(brace.section), ElasticSection):
+        message = (
+            f"the section `{brace.section}` is elastic; a brace that buckles needs plates, `rectangles` or a profile"
+        )
+        problems.at_value((*keys, "section"), message)
+    if project.elements.integration_points < 3:
+        message = "a brace that buckles needs at least 3 `integration_points`, `elements` has "
+        problems.at_key(where, f"{message}{project.elements.integration_points}")
+    if brace.buckling.fracture is not None and isinstance(project.materials.get(brace.material), ElasticMaterial):
+        message = f"the material `{brace.material}` is elastic; only a steel that yields breaks by low-cycle fatigue"
+        problems.at_key((*where, "fracture"), message)
+
+
+def _covered(frame: Frame, problems: Problems) -> bool:
+    """Every place of the grid has a run or is listed as missing; returns whether it is so."""
+    runs = {p for run in frame.columns for p in frame.column_places(run)}
+    gaps = {p for gap in frame.missing.columns for p in frame.column_places(gap)}
+    grid = [(line, s) for s in range(1, frame.n_storeys + 1) for line in frame.lines]
+    bare = [names.column_name(*p) for p in grid if p not in runs | gaps]
+    if bare:
+        _uncovered("column", bare, problems)
+    spans = {p for run in frame.beams for p in frame.beam_places(run)}
+    holes = {p for hole in frame.missing.beams for p in frame.beam_places(hole)}
+    bays = [(b, f) for f in range(1, frame.n_storeys + 1) for b in range(1, frame.n_bays + 1)]
+    open_bays = [names.beam_name(*p) for p in bays if p not in spans | holes]
+    if open_bays:
+        _uncovered("beam", open_bays, problems)
+    return not (bare or open_bays)
+
+
+def _floors(frame: Frame, problems: Problems) -> None:
+    """Every floor has a node."""
+    for floor in range(1, frame.n_storeys + 1):
+        if not any(names.node_name(line, floor) in frame.nodes for line in frame.lines):
+            message = f"floor {floor} has no node: all columns and beams that end there are missing"
+            problems.at_key(("frame", "missing"), message)
+
+
+def _met_beams(frame: Frame, problems: Problems) -> None:
+    """Every beam that braces meet in the middle is there."""
+    for (bay, floor), run in frame.met_beams.items():
+        if (bay, floor) not in frame.beam_at:
+            beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
+            message = f"a `{run.kind}` meets a beam in the middle, and {beam}"
+            problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)
+
+
+def _uncovered(what: str, members: list[str], problems: Problems) -> None:
+    message = f"{_count(members, what)} without a section: {listed(members)}; add an entry, or list under `missing`"
+    problems.at_key(("frame", f"{what}s"), message)
+
+
+def _releases(frame: Frame, problems: Problems, check: Selections) -> None:
+    for i, release in enumerate(frame.releases):
+        keys: Keys = ("frame", "releases", i)
+        if (release.beams is None) == (release.columns is None):
+            problems.at_value(keys, "give either `beams` or `columns`, one of them")
+        if release.beams is not None:
+            check.standing_beams((*keys, "beams"), release.beams)
+        if release.columns is not None:
+            check.standing_columns((*keys, "columns"), release.columns)
+
+
+def _leaning_column(project: Project, problems: Problems) -> None:
+    """It has a load, and columns whose geometry knows of its second-order forces."""
+    column, floors = project.frame.leaning_column, project.frame.n_storeys
+    if column is None:
+        return
+    keys: Keys = ("frame", "leaning_column")
+    for key in ("G", "Q", "mass"):
+        values = getattr(column, key)
+        if isinstance(values, tuple) and len(values) != floors:
+            message = f"{len(values)} values, but the frame has {floors} floors; give one value, or one for each floor"
+            problems.at_value((*keys, key), message)
+    loads = [value for values in (column.G, column.Q) for value in (values if isinstance(values, tuple) else (values,))]
+    if not any(loads):
+        problems.at_key(keys, "the leaning column has no load; give `G` or `Q`, a force at each floor")
+    if project.elements.geometry.columns == "linear":
+        message = (
+            "the second-order forces of a leaning column need the geometry `p_delta` or `corotational` of "
+            "`elements.geometry.columns`, and they are `linear`"
+        )
+        problems.at_key(keys, message)
+    if column.mass is not None and project.masses is None:
+        problems.at_key((*keys, "mass"), "the frame itself has no `masses`, which analyses with masses need")
+
+
+def _sections(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
+    for name, section in project.sections.items():
+        if profiles is not None and name in profiles:
+            problems.at_key(("sections", name), "this is the name of a catalogue profile; choose another name")
+        if isinstance(section, PlateSection):
+            if 2 * section.flange >= section.height:
+                message = f"two flanges of {section.flange:g} m leave no web in a height of {section.height:g} m"
+                problems.at_value(("sections", name, "flange"), message)
+            if section.web > section.width:
+                message = f"the web ({section.web:g} m) is thicker than the flange is wide ({section.width:g} m)"
+                problems.at_value(("sections", name, "web"), message)
+
+
+def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, profiles: Catalogue | None) -> None:
+    own = project.sections.get(run.section)
+    weak = not isinstance(run, BraceRun) and run.axis == "weak"
+    if weak and own is not None and not isinstance(own, PlateSection):
+        message = f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one"
+        problems.at_value((*keys, "axis"), message)
+    if own is None and profiles is not None and run.section not in profiles:
+        problems.at_value((*keys, "section"), no_section(run.section, project.sections, profiles))
+    if isinstance(own, ElasticSection) and own.inertia is None and not isinstance(run, BraceRun):
+        message = f"the section `{run.section}` has no `inertia`; only a brace can do without"
+        problems.at_value((*keys, "section"), message)
+
+
+def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
+    kinds: tuple[tuple[str, Sequence[Run]], ...] = (
+        ("columns", frame.columns),
+        ("beams", frame.beams),
+        ("braces", frame.braces),
+    )
+    for what, runs in kinds:
+        for i, run in enumerate(runs):
+            yield ("frame", what, i), run
+
+
+def _count(items: list[str], what: str) -> str:
+    return f"1 {what} is" if len(items) == 1 else f"{len(items)} {what}s are"

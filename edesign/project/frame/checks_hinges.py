@@ -1,0 +1,139 @@
+"""Cross checks of hinges, joints, panel zones and springs of supports."""
+
+from __future__ import annotations
+
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.frame.hinges import Hinges, HingeSide, HingeValues, Joints
+from edesign.project.frame.supports import SupportSprings, VerticalSpring
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems
+
+
+def check_hinges(project: Project, problems: Problems) -> None:
+    """Check where hinges, joints and panel zones stand, and that their values fit together.
+
+    Args:
+        project: read without schema problems.
+        problems: collects what is wrong.
+    """
+    check = Selections(project.frame, problems)
+    for i, hinges in enumerate(project.hinges):
+        keys: Keys = ("hinges", i)
+        if _places(project, problems, check, keys, hinges):
+            _released(project, problems, keys, hinges, "hinge")
+            _rigid(project, problems, keys, hinges, "hinges")
+        if isinstance(hinges.parameters, HingeValues):
+            _values(problems, keys, hinges, hinges.parameters)
+        else:
+            _regression(problems, keys, hinges)
+        if hinges.reduced_section is not None and hinges.columns is not None:
+            problems.at_key((*keys, "reduced_section"), "only beams have a reduced section")
+    for i, joints in enumerate(project.joints):
+        keys = ("joints", i)
+        if _places(project, problems, check, keys, joints):
+            _released(project, problems, keys, joints, "joint")
+            _rigid(project, problems, keys, joints, "joints")
+        if joints.hardening and joints.resistance is None:
+            problems.at_key((*keys, "hardening"), "a joint without `resistance` stays elastic and has no hardening")
+    for i, zones in enumerate(project.panel_zones):
+        check.nodes(("panel_zones", i), zones.lines, zones.floors)
+        rigid = project.elements.rigid_ends
+        if rigid.beams.value or rigid.columns.value:
+            message = (
+                "members begin to bend at the edges of panel zones and have no rigid ends beside them; leave out "
+                "`elements: rigid_ends`"
+            )
+            problems.at_value(("panel_zones", i), message)
+    _supports(project, problems)
+
+
+def _places(project: Project, problems: Problems, check: Selections, keys: Keys, chosen: Hinges | Joints) -> bool:
+    """Whether beams or columns are named, one of them; those named one by one stand."""
+    if (chosen.beams is None) == (chosen.columns is None):
+        problems.at_value(keys, "give either `beams` or `columns`, one of them")
+        return False
+    before = len(problems.found)
+    if chosen.beams is not None:
+        check.standing_beams((*keys, "beams"), chosen.beams)
+    if chosen.columns is not None:
+        check.standing_columns((*keys, "columns"), chosen.columns)
+    return len(problems.found) == before
+
+
+def _released(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
+    frame = project.frame
+    for first, last in frame.members_in(chosen.beams, chosen.columns):
+        for name, end, word in ((first, 0, "start"), (last, 1, "end")):
+            if chosen.ends in ("both", word) and frame.released.get(name, (False, False))[end]:
+                message = f"the {word} of {name} is released, so it has no {what}; choose other members or `ends`"
+                problems.at_value(keys, message)
+                return
+
+
+def _rigid(project: Project, problems: Problems, keys: Keys, chosen: Hinges | Joints, what: str) -> None:
+    kind = "columns" if chosen.beams is None else "beams"
+    if getattr(project.elements.rigid_ends, kind).value:
+        message = f"{kind} with rigid ends have no {what}; leave out `elements: rigid_ends: {kind}`"
+        problems.at_key((*keys, kind), message)
+
+
+def _values(problems: Problems, keys: Keys, hinges: Hinges, values: HingeValues) -> None:
+    at: Keys = (*keys, "parameters")
+    if hinges.columns is not None and values.hogging.model_fields_set:
+        problems.at_key((*at, "hogging"), "only beams have other values under hogging moments")
+    for place, ratio in (
+        ((*at, "M_c_ratio"), values.M_c_ratio),
+        ((*at, "hogging", "M_c_ratio"), values.hogging.M_c_ratio),
+    ):
+        if ratio is not None and ratio < 1.0:
+            problems.at_value(place, f"the moment at capping, {ratio:g} M_y, is below M_y; at least 1 is allowed")
+    _side(problems, at, values, values)
+    if hinges.columns is None:
+        _side(problems, (*at, "hogging"), values, values.hogging)
+    if hinges.unbraced_length is not None:
+        problems.at_key((*keys, "unbraced_length"), "it is for the regression; here the parameters are given")
+
+
+def _side(problems: Problems, at: Keys, values: HingeValues, own: HingeValues | HingeSide) -> None:
+    """Check the values of one way of turning, `own` at `at`, with what they take from the other way, `values`."""
+
+    def of(name: str) -> float:
+        given = getattr(own, name)
+        return float(getattr(values, name) if given is None else given)
+
+    def place(name: str, other: str) -> Keys | None:
+        """Where the first of two values stands, or the second; None: both are those of the other way."""
+        found = (key for key in (name, other) if key in own.model_fields_set)
+        return next(((*at, key) for key in found), None)
+
+    where = place("theta_u", "theta_p")
+    if where is not None and of("theta_u") <= of("theta_p"):
+        message = f"the ultimate rotation {of('theta_u'):g} rad is not beyond theta_p, {of('theta_p'):g} rad"
+        problems.at_value(where, message)
+    where = place("M_r_ratio", "M_c_ratio")
+    if where is not None and of("M_c_ratio") >= 1.0 and of("M_r_ratio") >= of("M_c_ratio"):
+        message = f"the residual moment, {of('M_r_ratio'):g} M_y, is not below that at capping, {of('M_c_ratio'):g} M_y"
+        problems.at_value(where, message)
+
+
+def _regression(problems: Problems, keys: Keys, hinges: Hinges) -> None:
+    if hinges.columns is not None:
+        message = "the regression is for beams; give the parameters of columns one by one"
+        problems.at_value((*keys, "parameters"), message)
+
+
+def _supports(project: Project, problems: Problems) -> None:
+    supports = project.frame.supports
+    for line, support in supports.items() if isinstance(supports, dict) else ():
+        if not isinstance(support, SupportSprings):
+            continue
+        at: Keys = ("frame", "supports", line)
+        vertical = support.vertical
+        if isinstance(vertical, VerticalSpring) and vertical.uplift and vertical.hardening:
+            message = "a spring with `uplift` gives way at its resistance and has no hardening"
+            problems.at_key((*at, "vertical", "hardening"), message)
+        for direction in ("horizontal", "vertical", "rotation"):
+            spring = getattr(support, direction)
+            if getattr(spring, "hardening", 0.0) and spring.resistance is None:
+                message = "a spring without `resistance` stays elastic and has no hardening"
+                problems.at_key((*at, direction, "hardening"), message)

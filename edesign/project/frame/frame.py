@@ -1,0 +1,306 @@
+"""The frame: its grid, supports, diaphragms and members, and what follows from them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate
+from typing import Annotated
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.frame.leaning_column import LeaningColumn
+from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
+from edesign.project.frame.supports import Support, SupportKind, SupportSprings
+from edesign.project.notation import names
+from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
+from edesign.project.notation.units import PositiveLength
+from edesign.project.reading.base import Model, by_shape
+
+Count = Annotated[int, Field(ge=1, le=1000)]
+Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
+
+
+@dataclass(frozen=True)
+class BeamMember:
+    """A member of the frame that is a beam, or the half of one that braces meet in the middle.
+
+    Attributes:
+        bay, floor: of the beam.
+        start, end: names of its nodes, from the left.
+        length: m.
+    """
+
+    bay: int
+    floor: int
+    start: str
+    end: str
+    length: float
+
+
+class EqualBays(Model):
+    """Bays of one width."""
+
+    count: Count
+    width: PositiveLength
+
+
+class EqualStoreys(Model):
+    """Storeys of one height."""
+
+    count: Count
+    height: PositiveLength
+
+
+class Frame(Model):
+    """A plane frame on a grid of bays and storeys.
+
+    Lines are named A, B, ...; bays count from 1 at the left, storeys and floors from 1 at the bottom; floor 0 is the
+    base. Lengths are in m.
+    """
+
+    bays: Annotated[Annotated[Lengths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]
+    storeys: Annotated[
+        Annotated[Lengths, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)
+    ]
+    supports: Annotated[
+        Annotated[SupportKind, Tag("?plain")] | Annotated[dict[str, Support], Tag("?mapping")], Discriminator(by_shape)
+    ] = "fixed"
+    diaphragms: NumbersOrNone = NO_NUMBERS
+    columns: tuple[ColumnRun, ...]
+    beams: tuple[BeamRun, ...]
+    braces: tuple[BraceRun, ...] = ()
+    missing: Missing = Missing()
+    releases: tuple[Release, ...] = ()
+    leaning_column: LeaningColumn | None = None
+
+    # --- grid
+
+    @cached_property
+    def bay_widths(self) -> tuple[float, ...]:
+        """Width of each bay, left to right, m."""
+        return (self.bays.width,) * self.bays.count if isinstance(self.bays, EqualBays) else self.bays
+
+    @cached_property
+    def storey_heights(self) -> tuple[float, ...]:
+        """Height of each storey, bottom to top, m."""
+        return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
+
+    @property
+    def n_bays(self) -> int:
+        return len(self.bay_widths)
+
+    @property
+    def n_lines(self) -> int:
+        return len(self.bay_widths) + 1
+
+    @property
+    def n_storeys(self) -> int:
+        return len(self.storey_heights)
+
+    @cached_property
+    def lines(self) -> tuple[str, ...]:
+        """Names of the column lines, left to right: ("A", "B", ...)."""
+        return tuple(names.line_name(i) for i in range(self.n_lines))
+
+    @cached_property
+    def x(self) -> tuple[float, ...]:
+        """Coordinate of each line, m; line A is at 0."""
+        return tuple(accumulate(self.bay_widths, initial=0.0))
+
+    @cached_property
+    def y(self) -> tuple[float, ...]:
+        """Level of each floor from the base (floor 0) to the roof, m; n_storeys + 1 values."""
+        return tuple(accumulate(self.storey_heights, initial=0.0))
+
+    @property
+    def height(self) -> float:
+        """Level of the roof above the base, m."""
+        return self.y[-1]
+
+    def bay_lines(self, bay: int) -> tuple[str, str]:
+        """The lines left and right of a bay (bays count from 1)."""
+        return self.lines[bay - 1], self.lines[bay]
+
+    def support(self, line: str) -> SupportKind | SupportSprings:
+        """Support at the base of a line; lines that a mapping does not name take its `default`, else fixed."""
+        if isinstance(self.supports, dict):
+            return self.supports.get(line, self.supports.get("default", "fixed"))
+        return self.supports
+
+    @cached_property
+    def diaphragm_floors(self) -> tuple[int, ...]:
+        """Floors whose nodes share their horizontal displacement."""
+        return self.diaphragms.numbers(1, self.n_storeys)
+
+    # --- members: what stands where, after overriding and without what is missing
+
+    @cached_property
+    def column_at(self) -> dict[tuple[str, int], ColumnRun]:
+        """The run of every column that stands, by (line, storey), storey by storey from the left."""
+        absent = {place for item in self.missing.columns for place in self.column_places(item)}
+        runs = {place: run for run in self.columns for place in self.column_places(run)}
+        grid = ((line, s) for s in range(1, self.n_storeys + 1) for line in self.lines)
+        return {place: runs[place] for place in grid if place in runs and place not in absent}
+
+    @cached_property
+    def beam_at(self) -> dict[tuple[int, int], BeamRun]:
+        """The run of every beam that stands, by (bay, floor), floor by floor from the left."""
+        absent = {place for item in self.missing.beams for place in self.beam_places(item)}
+        runs = {place: run for run in self.beams for place in self.beam_places(run)}
+        grid = ((b, f) for f in range(1, self.n_storeys + 1) for b in range(1, self.n_bays + 1))
+        return {place: runs[place] for place in grid if place in runs and place not in absent}
+
+    @cached_property
+    def brace_at(self) -> dict[tuple[int, int, str], BraceRun]:
+        """The run of every brace, by (bay, storey, "r" rising | "f" falling); all but a single diagonal are two."""
+        runs = {}
+        for run in self.braces:
+            for storey in run.storeys.numbers(1, self.n_storeys):
+                for bay in run.bays.numbers(1, self.n_bays):
+                    runs[bay, storey] = run
+        ways = {"rising": "r", "falling": "f"}
+        places = sorted(runs.items(), key=_by_storey)
+        return {(b, s, way): run for (b, s), run in places for way in ways.get(run.kind, "rf")}
+
+    @cached_property
+    def met_beams(self) -> dict[tuple[int, int], BraceRun]:
+        """The beams that braces meet in the middle, by (bay, floor), with one of the runs that do."""
+        found = {}
+        for (bay, storey, _), run in self.brace_at.items():
+            if run.kind in ("chevron", "v"):
+                found[bay, storey if run.kind == "chevron" else storey - 1] = run
+        return found
+
+    @cached_property
+    def beam_members(self) -> dict[str, BeamMember]:
+        """The members that the beams are, by name, floor by floor from the left."""
+        found = {}
+        for bay, floor in self.beam_at:
+            left, right = (names.node_name(line, floor) for line in self.bay_lines(bay))
+            width = self.bay_widths[bay - 1]
+            first, last = self.ends_of_beam(bay, floor)
+            if first == last:
+                found[first] = BeamMember(bay, floor, left, right, width)
+                continue
+            middle = names.beam_name(bay, floor)
+            found[first] = BeamMember(bay, floor, left, middle, 0.5 * width)
+            found[last] = BeamMember(bay, floor, middle, right, 0.5 * width)
+        return found
+
+    def ends_of_beam(self, bay: int, floor: int) -> tuple[str, str]:
+        """Names of the first and the last member of a beam: its halves if braces meet it, else the same one twice."""
+        if (bay, floor) in self.met_beams:
+            return names.beam_half_names(bay, floor)
+        return (names.beam_name(bay, floor),) * 2
+
+    def brace_nodes(self, bay: int, storey: int, way: str) -> tuple[str, str]:
+        """Names of the left and the right node of a brace."""
+        left, right = self.bay_lines(bay)
+        kind = self.brace_at[bay, storey, way].kind
+        below, above = (left, right) if way == "r" else (right, left)
+        low = names.beam_name(bay, storey - 1) if kind == "v" else names.node_name(below, storey - 1)
+        high = names.beam_name(bay, storey) if kind == "chevron" else names.node_name(above, storey)
+        return (low, high) if way == "r" else (high, low)
+
+    @cached_property
+    def released(self) -> dict[str, tuple[bool, bool]]:
+        """Members with moment releases, by name: (released at the start, released at the end)."""
+        found: dict[str, tuple[bool, bool]] = {}
+        for release in self.releases:
+            for first, last in self.members_in(release.beams, release.columns):
+                if release.ends != "end":
+                    found[first] = (True, found.get(first, (False, False))[1])
+                if release.ends != "start":
+                    found[last] = (found.get(last, (False, False))[0], True)
+        return found
+
+    @cached_property
+    def nodes(self) -> dict[str, tuple[float, float]]:
+        """Coordinates (x, y) in m of every node that a member needs, by name, floor by floor from the left."""
+        used = {node for beam in self.beam_members.values() for node in (beam.start, beam.end)}
+        used |= {node for place in self.brace_at for node in self.brace_nodes(*place)}
+        for line, storey in self.column_at:
+            used |= {names.node_name(line, storey - 1), names.node_name(line, storey)}
+        grid = {}
+        for floor, y in enumerate(self.y):
+            for i, line in enumerate(self.lines):
+                grid[names.node_name(line, floor)] = (self.x[i], y)
+                if i < self.n_bays:
+                    grid[names.beam_name(i + 1, floor)] = (0.5 * (self.x[i] + self.x[i + 1]), y)
+        return {name: place for name, place in grid.items() if name in used}
+
+    @cached_property
+    def members(self) -> dict[str, ColumnRun | BeamRun | BraceRun]:
+        """Every member that stands, by name (C_A_1, B_1_1, D_1_1_r): columns, then beams, then braces.
+
+        A beam that braces meet in the middle is two: B_1_1_1, B_1_1_2.
+        """
+        found: dict[str, ColumnRun | BeamRun | BraceRun] = {}
+        found.update({names.column_name(*place): run for place, run in self.column_at.items()})
+        found.update({name: self.beam_at[beam.bay, beam.floor] for name, beam in self.beam_members.items()})
+        found.update({names.brace_name(*place): run for place, run in self.brace_at.items()})
+        return found
+
+    @cached_property
+    def ends(self) -> dict[str, tuple[str, str]]:
+        """Start and end node of every member, by name: columns, then beams, then braces."""
+        found = {}
+        for line, storey in self.column_at:
+            nodes = names.node_name(line, storey - 1), names.node_name(line, storey)
+            found[names.column_name(line, storey)] = nodes
+        found |= {name: (beam.start, beam.end) for name, beam in self.beam_members.items()}
+        found |= {names.brace_name(*place): self.brace_nodes(*place) for place in self.brace_at}
+        return found
+
+    def length(self, member: str) -> float:
+        """Distance between the nodes of a member, m."""
+        start, end = self.ends[member]
+        return math.dist(self.nodes[start], self.nodes[end])
+
+    # --- selections on this grid
+
+    def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[str, int]]:
+        """(line, storey) of a selection of columns, whether they stand or not."""
+        for storey in chosen.storeys.numbers(1, self.n_storeys):
+            for line in chosen.lines.names(self.lines):
+                yield line, storey
+
+    def beam_places(self, chosen: BeamPlaces) -> Iterator[tuple[int, int]]:
+        """(bay, floor) of a selection of beams, whether they stand or not."""
+        for floor in chosen.floors.numbers(1, self.n_storeys):
+            for bay in chosen.bays.numbers(1, self.n_bays):
+                yield bay, floor
+
+    def standing_beams(self, chosen: BeamPlaces) -> list[tuple[int, int]]:
+        """(bay, floor) of the selected beams that stand."""
+        return [place for place in self.beam_places(chosen) if place in self.beam_at]
+
+    def node_places(self, lines: LineSelection, floors: NumberSelection) -> list[tuple[str, int]]:
+        """(line, floor) of the selected nodes that exist, floors from 1."""
+        return [
+            (line, floor)
+            for floor in floors.numbers(1, self.n_storeys)
+            for line in lines.names(self.lines)
+            if names.node_name(line, floor) in self.nodes
+        ]
+
+    def leading_node(self, floor: int) -> str:
+        """Name of the first node of a floor from the left, which stands for the floor."""
+        return next(name for line in self.lines if (name := names.node_name(line, floor)) in self.nodes)
+
+    def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
+        """The first and the last member of each selected beam or column that stands; of most they are one."""
+        if beams is not None:
+            yield from (self.ends_of_beam(*place) for place in self.standing_beams(beams))
+        if columns is not None:
+            for line, storey in self.column_places(columns):
+                if (line, storey) in self.column_at:
+                    yield (names.column_name(line, storey),) * 2
+
+
+def _by_storey(item: tuple[tuple[int, int], BraceRun]) -> tuple[int, int]:
+    (bay, storey), _ = item
+    return storey, bay

@@ -1,0 +1,43 @@
+"""The leaning column: what the frame does not carry and yet must hold upright."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.notation.units import Mass, NotNegativeForce
+from edesign.project.reading.base import Model
+
+
+def _shape(value: object) -> str:
+    return "?list" if isinstance(value, (list, tuple)) else "?plain"
+
+
+FloorForces = Annotated[
+    Annotated[NotNegativeForce, Tag("?plain")]
+    | Annotated[Annotated[tuple[NotNegativeForce, ...], Field(min_length=1)], Tag("?list")],
+    Discriminator(_shape),
+]
+FloorMasses = Annotated[
+    Annotated[Mass, Tag("?plain")] | Annotated[Annotated[tuple[Mass, ...], Field(min_length=1)], Tag("?list")],
+    Discriminator(_shape),
+]
+
+
+class LeaningColumn(Model):
+    """Pin-ended struts from the base to the roof, each floor tied to that of the frame.
+
+    They carry the gravity loads of the part of the plan that leans on the frame. `G` and `Q` are forces (N) and `mass`
+    masses (kg) at each floor: one value for all, or one for each from the lowest. Without `mass` the floors have that
+    of their loads if `masses.from_loads` says so, and else none.
+    """
+
+    G: FloorForces = 0.0
+    Q: FloorForces = 0.0
+    mass: FloorMasses | None = None
+
+
+def of_floors(values: float | tuple[float, ...], floors: int) -> tuple[float, ...]:
+    """Return the value of each floor from the lowest."""
+    return values if isinstance(values, tuple) else (values,) * floors

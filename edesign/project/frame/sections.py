@@ -1,0 +1,95 @@
+"""Own cross-sections, and how many fibres an I section is cut into."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from typing import Annotated, Any, Literal, Protocol
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.notation.units import Length, PositiveArea, PositiveInertia, PositiveLength
+from edesign.project.reading.base import Model, keys_in
+from edesign.project.reading.problems import did_you_mean, listed
+
+SectionAxis = Literal["strong", "weak"]
+FibreCount = Annotated[int, Field(ge=1, le=1000)]
+
+
+class PlateSection(Model):
+    """A doubly symmetric I section welded from three plates; lengths in m."""
+
+    height: PositiveLength
+    width: PositiveLength
+    flange: PositiveLength
+    web: PositiveLength
+
+
+class Rectangle(Model):
+    """A rectangle of a section; `centre` is the coordinate of its centre along the depth, in m, upwards."""
+
+    width: PositiveLength
+    depth: PositiveLength
+    centre: Length
+
+
+class RectangleSection(Model):
+    """Any stack of rectangles; the reference axis is the centroid, wherever the coordinates start."""
+
+    rectangles: Annotated[tuple[Rectangle, ...], Field(min_length=1)]
+
+
+class ElasticSection(Model):
+    """A section that stays elastic: area in m2, second moment of area in m4 (not needed for braces)."""
+
+    area: PositiveArea
+    inertia: PositiveInertia | None = None
+
+
+def _which(value: Any) -> str:
+    keys = keys_in(value)
+    if "rectangles" in keys:
+        return "?rectangles"
+    return "?elastic" if "area" in keys or "inertia" in keys else "?plates"
+
+
+Section = Annotated[
+    Annotated[PlateSection, Tag("?plates")]
+    | Annotated[RectangleSection, Tag("?rectangles")]
+    | Annotated[ElasticSection, Tag("?elastic")],
+    Discriminator(_which),
+]
+
+
+class Fibres(Model):
+    """Fibre counts of an I section, and whether the root fillets of rolled profiles are kept."""
+
+    flange_width: FibreCount = 16
+    flange_thickness: FibreCount = 4
+    web_height: FibreCount = 16
+    web_thickness: FibreCount = 2
+    fillets: bool = False
+
+
+class Catalogue(Collection[str], Protocol):
+    """The names of sections that a project need not define."""
+
+    def canonical(self, name: str) -> str | None:
+        """The catalogue's own name of a section that may be written in another way; None if it has no such section."""
+
+    def near(self, name: str) -> str:
+        """What the catalogue has near a name that it has not, as a clause."""
+
+
+HOLLOW_FAMILIES = ("SHS", "RHS", "CHS")
+"""Square, rectangular and circular hollow sections, hot finished; `CF` before it: cold formed."""
+
+
+def is_hollow(name: str) -> bool:
+    """Whether a name, as the catalogue writes it, is that of a hollow section."""
+    return name.removeprefix("CF").startswith(HOLLOW_FAMILIES)
+
+
+def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
+    """The message on a name that is neither one of a project's own sections nor one of the catalogue."""
+    hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"
+    return f"there is no section `{name}`{hint} (own sections: {listed(own)}; `edesign sections` lists the catalogue)"

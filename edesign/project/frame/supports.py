@@ -1,0 +1,89 @@
+"""What holds the feet of a plane frame's columns."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Tag
+
+from edesign.project.notation.units import (
+    ROTATIONAL_STIFFNESS,
+    STIFFNESS,
+    Hardening,
+    PositiveForce,
+    PositiveMoment,
+    PositiveRotationalStiffness,
+    PositiveStiffness,
+    held,
+)
+from edesign.project.reading.base import Model, by_shape
+
+SupportKind = Literal["fixed", "pinned", "roller"]
+
+
+class YieldingTranslation(Model):
+    """A spring along a direction; with a resistance it yields."""
+
+    stiffness: PositiveStiffness
+    resistance: PositiveForce | None = None
+    hardening: Hardening = 0.0
+
+
+class VerticalSpring(YieldingTranslation):
+    """A vertical spring; with uplift it carries no tension, and `resistance` is that to being pressed down."""
+
+    uplift: bool = False
+
+
+class YieldingRotation(Model):
+    """A spring that turns; with a resistance it yields."""
+
+    stiffness: PositiveRotationalStiffness
+    resistance: PositiveMoment | None = None
+    hardening: Hardening = 0.0
+
+
+Held = Literal["fixed", "free"] | float
+_DIRECTION = "a direction is `fixed`, `free`, a stiffness, or a mapping with one", "fixed", "free"
+_Translation = Annotated[Annotated[Held, held(STIFFNESS, *_DIRECTION)], Tag("?plain")]
+_Rotation = Annotated[Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)], Tag("?plain")]
+Horizontal = Annotated[
+    _Translation | Annotated[YieldingTranslation, Tag("?mapping")],
+    Discriminator(by_shape),
+]
+Vertical = Annotated[
+    _Translation | Annotated[VerticalSpring, Tag("?mapping")],
+    Discriminator(by_shape),
+]
+Turning = Annotated[
+    _Rotation | Annotated[YieldingRotation, Tag("?mapping")],
+    Discriminator(by_shape),
+]
+
+
+class SupportSprings(Model):
+    """A support by directions: `fixed`, `free`, or a spring."""
+
+    horizontal: Horizontal = "fixed"
+    vertical: Vertical = "fixed"
+    rotation: Turning = "fixed"
+
+
+Support = Annotated[
+    Annotated[SupportKind, Tag("?plain")] | Annotated[SupportSprings, Tag("?mapping")], Discriminator(by_shape)
+]
+
+
+def support_name(support: SupportKind | SupportSprings) -> str:
+    """Return `fixed`, `pinned`, `roller`, or `springs`."""
+    return "springs" if isinstance(support, SupportSprings) else support
+
+
+def springs_of(support: SupportKind | SupportSprings) -> SupportSprings:
+    """Return a support by directions."""
+    if isinstance(support, SupportSprings):
+        return support
+    return SupportSprings(
+        horizontal="free" if support == "roller" else "fixed",
+        rotation="fixed" if support == "fixed" else "free",
+    )

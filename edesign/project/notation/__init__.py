@@ -1,0 +1,1 @@
+"""How values are written in YAML files: with units, as selections, as names and places."""

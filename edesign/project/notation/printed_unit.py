@@ -1,0 +1,52 @@
+"""Units of printed values, such as `cm` and `%`, and what one of them is in SI."""
+
+from __future__ import annotations
+
+from edesign.project.notation.units import (
+    ACCELERATION,
+    AREA,
+    ENERGY,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    ROTATION,
+    STIFFNESS,
+    TIME,
+    Kind,
+    parse_quantity,
+)
+from edesign.project.reading.base import refuse
+
+_KINDS = {
+    kind.unit: kind
+    for kind in (
+        LENGTH,
+        AREA,
+        FORCE,
+        STIFFNESS,
+        TIME,
+        ACCELERATION,
+        Kind("frequency", "Hz", "1 Hz"),
+        FREQUENCY,
+        ROTATION,
+        ENERGY,
+    )
+}
+
+
+def unit_factor(unit: str, si_unit: str) -> float:
+    """Return what one `unit` is in SI.
+
+    Args:
+        unit: as written; of a ratio `1` or `%`.
+        si_unit: of the quantity, such as "m^2"; "1" for a ratio.
+
+    Raises:
+        PydanticCustomError: unknown unit, or another dimension.
+    """
+    if si_unit == "1":
+        if unit not in ("1", "%"):
+            raise refuse(f"`{unit}` is no unit of a ratio; write `%`, or `1`")
+        return 0.01 if unit == "%" else 1.0
+    kind = _KINDS.get(si_unit) or Kind("quantity", si_unit, f"1 {si_unit}")
+    return parse_quantity(f"1 {unit}", kind)

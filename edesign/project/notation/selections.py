@@ -1,0 +1,145 @@
+"""Selections of storeys, floors, bays, points and lines: `all`, `3`, `1-4`, `[1, 3, 5-7]`, `A-D`, `[A, D]`."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator
+
+from edesign.project.notation.names import line_index
+from edesign.project.reading.base import refuse
+
+_NUMBER_RANGE = re.compile(r"\s*([0-9]{1,6})\s*(?:-\s*([0-9]{1,6})\s*)?")
+_LINE_RANGE = re.compile(r"\s*([A-Z]{1,3})\s*(?:-\s*([A-Z]{1,3})\s*)?")
+
+
+@dataclass(frozen=True)
+class NumberSelection:
+    """Numbers given as ranges, ends included; `is_all` means every number that exists.
+
+    Attributes:
+        ranges: (first, last) of each item as written, empty with `is_all` or for `none`.
+    """
+
+    ranges: tuple[tuple[int, int], ...] = ()
+    is_all: bool = False
+
+    def numbers(self, first: int, last: int) -> tuple[int, ...]:
+        """Selected numbers among first..last, ascending, each once."""
+        if self.is_all:
+            return tuple(range(first, last + 1))
+        found = {n for a, b in self.ranges for n in range(max(a, first), min(b, last) + 1)}
+        return tuple(sorted(found))
+
+    def __str__(self) -> str:
+        return "all" if self.is_all else _text([_span(str(a), str(b)) for a, b in self.ranges])
+
+
+@dataclass(frozen=True)
+class LineSelection:
+    """Column lines given as ranges, ends included; `is_all` means every line.
+
+    Attributes:
+        ranges: (first, last) of each item as written, empty with `is_all`.
+    """
+
+    ranges: tuple[tuple[str, str], ...] = ()
+    is_all: bool = False
+
+    def names(self, lines: Sequence[str]) -> tuple[str, ...]:
+        """Selected lines in the order of `lines`, each once."""
+        if self.is_all:
+            return tuple(lines)
+        spans = [(line_index(a), line_index(b)) for a, b in self.ranges]
+        return tuple(line for line in lines if any(a <= line_index(line) <= b for a, b in spans))
+
+    def __str__(self) -> str:
+        return "all" if self.is_all else _text([_span(a, b) for a, b in self.ranges])
+
+
+def parse_numbers(value: Any) -> NumberSelection:
+    """Read a selection of numbers.
+
+    Raises:
+        PydanticCustomError: not a selection, or a range that runs backwards.
+    """
+    if isinstance(value, NumberSelection):
+        return value
+    if value == "all":
+        return NumberSelection(is_all=True)
+    return NumberSelection(tuple(_number_range(item, at) for item, at in _items(value, "1-4")))
+
+
+def parse_numbers_or_none(value: Any) -> NumberSelection:
+    """Read a selection of numbers that may also be `none`."""
+    return NumberSelection() if value == "none" else parse_numbers(value)
+
+
+def parse_lines(value: Any) -> LineSelection:
+    """Read a selection of column lines.
+
+    Raises:
+        PydanticCustomError: not a selection, or a range that runs backwards.
+    """
+    if isinstance(value, LineSelection):
+        return value
+    if value == "all":
+        return LineSelection(is_all=True)
+    return LineSelection(tuple(_line_range(item, at) for item, at in _items(value, "A-D")))
+
+
+Numbers = Annotated[NumberSelection, BeforeValidator(parse_numbers)]
+NumbersOrNone = Annotated[NumberSelection, BeforeValidator(parse_numbers_or_none)]
+Lines = Annotated[LineSelection, BeforeValidator(parse_lines)]
+
+ALL_NUMBERS = NumberSelection(is_all=True)
+NO_NUMBERS = NumberSelection()
+ALL_LINES = LineSelection(is_all=True)
+
+
+def _items(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
+    """The items of a selection with their path below it."""
+    if isinstance(value, (list, tuple)):
+        if not value:
+            raise refuse(f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these")
+        return [(item, (i,)) for i, item in enumerate(value)]
+    return [(value, ())]
+
+
+def _number_range(item: Any, at: tuple[int, ...]) -> tuple[int, int]:
+    match = None if isinstance(item, (bool, float)) else _NUMBER_RANGE.fullmatch(str(item))
+    if not match:
+        raise refuse(f"{_seen(item)} is no selection; write `all`, `3`, `1-4` or `[1, 3, 5-7]`", *at)
+    first, last = int(match[1]), int(match[2] or match[1])
+    if first > last:
+        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
+    return first, last
+
+
+def _line_range(item: Any, at: tuple[int, ...]) -> tuple[str, str]:
+    match = _LINE_RANGE.fullmatch(item) if isinstance(item, str) else None
+    if not match:
+        raise refuse(f"{_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]`", *at)
+    first, last = match[1], match[2] or match[1]
+    if line_index(first) > line_index(last):
+        raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
+    return first, last
+
+
+def _seen(item: Any) -> str:
+    if isinstance(item, (list, tuple)):
+        return "a list"
+    return "a mapping" if isinstance(item, dict) else f"`{item}`"
+
+
+def _span(first: str, last: str) -> str:
+    return first if first == last else f"{first}-{last}"
+
+
+def _text(items: list[str]) -> str:
+    if not items:
+        return "none"
+    return items[0] if len(items) == 1 else f"[{', '.join(items)}]"

@@ -1,0 +1,37 @@
+"""Temperatures with their unit: `20 degC`, `293.15 K`; inside degC."""
+
+from __future__ import annotations
+
+import math
+import re
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator
+
+from edesign.project.reading.base import refuse
+
+_TEMPERATURE = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(degC|°C|K)\s*")
+_ABSOLUTE_ZERO_C = -273.15
+
+
+def parse_temperature(value: Any) -> float:
+    """Read a temperature with its unit.
+
+    Returns:
+        degC.
+
+    Raises:
+        PydanticCustomError: no number, no unit, another unit, or below absolute zero.
+    """
+    match = _TEMPERATURE.fullmatch(value) if isinstance(value, str) else None
+    if not match:
+        raise refuse(f"`{value}` is no temperature; write number and unit, `20 degC` or `293.15 K`")
+    number = float(match[1])
+    result = number + _ABSOLUTE_ZERO_C if match[2] == "K" else number
+    if not (math.isfinite(result) and result >= _ABSOLUTE_ZERO_C):
+        raise refuse(f"`{value}` is below absolute zero")
+    return round(result, 9)  # 293.15 K is 20 degC
+
+
+Temperature = Annotated[float, BeforeValidator(parse_temperature)]
+"""degC."""

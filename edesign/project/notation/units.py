@@ -1,0 +1,313 @@
+"""Values with units at the edge: `3.5 m` becomes 3.5, `275 MPa` becomes 275e6. Inside everything is a float in SI."""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from dataclasses import dataclass
+from functools import cache, lru_cache
+from typing import TYPE_CHECKING, Annotated, Any, Literal
+
+from pydantic import BeforeValidator
+from pydantic_core import PydanticCustomError
+
+from edesign.project.reading.base import refuse
+
+if TYPE_CHECKING:
+    import pint
+
+STANDARD_GRAVITY = 9.80665
+"""Standard acceleration of gravity, m/s2 (exact by definition)."""
+
+Sign = Literal["any", "positive", "not negative"]
+
+_NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
+_VALUE = re.compile(rf"\s*({_NUMBER})\s*(.*?)\s*")
+_UNIT = re.compile(r"[A-Za-zµμ°%0-9 ·⋅*/^()²³⁴.+-]{1,40}")
+_POWERS = str.maketrans({"²": "^2", "³": "^3", "⁴": "^4", "·": "*", "⋅": "*"})
+_COMMON = (
+    "m mm cm km m^2 mm^2 cm^2 m^4 cm^4 mm^4 N kN MN N/m kN/m N/mm MN/m kN/m^2 kN/cm^2 N/mm^2 Pa kPa MPa GPa kg t "
+    "kg/m^3 s ms min g m/s^2 cm/s^2 rad mrad deg kN*m N*m Hz"
+).split()
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A physical quantity: its name, its SI unit, and an example to show."""
+
+    name: str
+    unit: str
+    example: str
+
+
+_KINDS = (
+    LENGTH := Kind("length", "m", "3.5 m"),
+    AREA := Kind("area", "m^2", "100 cm^2"),
+    INERTIA := Kind("second moment of area", "m^4", "33740 cm^4"),
+    FORCE := Kind("force", "N", "120 kN"),
+    LINE_LOAD := Kind("force per length", "N/m", "23 kN/m"),
+    STIFFNESS := Kind("stiffness", "N/m", "120 kN/mm"),
+    STRESS := Kind("stress", "Pa", "275 MPa"),
+    MASS := Kind("mass", "kg", "29.5 t"),
+    TIME := Kind("time", "s", "0.01 s"),
+    ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g"),
+    Kind("volume", "m^3", "1 m^3"),
+    MOMENT := Kind("moment", "N*m", "10 kN*m"),
+    VELOCITY := Kind("velocity", "m/s", "360 m/s"),
+    DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3"),
+    Kind("mass per length", "kg/m", "77.6 kg/m"),
+    FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
+    Kind("temperature", "K", "293 K"),
+    NUMBER := Kind("number without dimension", "dimensionless", "1"),
+    # of one dimension with those above, which are named where another quantity is needed
+    AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2"),
+    ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad"),
+    ENERGY := Kind("energy", "J", "25 kJ"),
+    ROTATION := Kind("rotation", "rad", "0.002 rad"),
+)
+
+
+def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
+    """Read a value with its unit.
+
+    Args:
+        value: text such as `3.5 m`.
+        kind: the quantity that is needed.
+        sign: whether zero or negative values are refused.
+
+    Returns:
+        The value in the SI unit of `kind`.
+
+    Raises:
+        PydanticCustomError: no number, no unit, unknown unit, another dimension, or a refused sign.
+    """
+    if isinstance(value, bool) or not isinstance(value, (str, int, float)):
+        raise refuse(f"{a(kind.name)} with its unit is needed, for example `{kind.example}`")
+    match = _VALUE.fullmatch(str(value))
+    if not match:
+        raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}`")
+    number, unit = match[1], match[2]
+    if not unit:
+        shown = f"{number} {kind.example.split(' ', 1)[1]}"
+        raise refuse(f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{shown}`")
+    try:
+        factor = _known_factor(unit, kind)
+    except PydanticCustomError:
+        factor = _factor(str(value), unit, kind)  # whose message shows the value
+    result = float(number) * factor
+    if not math.isfinite(result):
+        raise refuse(f"`{value}` is not finite")
+    if sign == "positive" and result <= 0.0:
+        raise refuse(f"`{value}` must be greater than zero")
+    if sign == "not negative" and result < 0.0:
+        raise refuse(f"`{value}` must not be negative")
+    return result
+
+
+def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> float:
+    """Read a ratio: a plain number or a percentage such as `2 %`; the value must lie between `low` and `high`."""
+    match = None
+    if isinstance(value, (str, int, float)) and not isinstance(value, bool):
+        match = _VALUE.fullmatch(str(value))
+    if not match:
+        raise refuse("a ratio is needed: a plain number or a percentage, for example `0.02` or `2 %`")
+    number, unit = match[1], match[2]
+    if unit not in ("", "%"):
+        raise refuse(f"`{value}` has the unit `{unit}`, but a ratio is a plain number or a percentage such as `2 %`")
+    result = float(number) / 100.0 if unit else float(number)
+    inside_low = result >= low if low_allowed else result > low
+    inside_high = result <= high if high_allowed else result < high
+    if not (math.isfinite(result) and inside_low and inside_high):
+        lower = f"at least {low:g}" if low_allowed else f"greater than {low:g}"
+        upper = "" if high == math.inf else f" and at most {high:g}" if high_allowed else f" and less than {high:g}"
+        raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed")
+    return result
+
+
+def held(kind: Kind, what: str, *words: str) -> BeforeValidator:
+    """Return what reads one of some words, or a stiffness greater than zero.
+
+    Args:
+        kind: of the stiffness.
+        what: is allowed, for the message: "a direction is `fixed`, `free`, or has a stiffness".
+        words: that are taken as they are.
+    """
+
+    def read(value: Any) -> Any:
+        if isinstance(value, str) and value in words:
+            return value
+        try:
+            return parse_quantity(value, kind, "positive")
+        except ValueError as error:
+            raise refuse(f"{what}: {error}") from None
+
+    return BeforeValidator(read)
+
+
+def a(noun: str) -> str:
+    """The noun with its indefinite article."""
+    return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
+
+
+_STRESSES = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9, "N/m^2": 1.0, "kN/m^2": 1e3, "kN/cm^2": 1e7, "N/mm^2": 1e6}
+_MOMENTS = {"N*m": 1.0, "kN*m": 1e3, "MN*m": 1e6}
+_FACTORS: dict[str, dict[str, float]] = {
+    "m": {"m": 1.0, "mm": 1e-3, "cm": 1e-2, "km": 1e3},
+    "m^2": {"m^2": 1.0, "mm^2": 1e-6, "cm^2": 1e-4},
+    "m^4": {"m^4": 1.0, "cm^4": 1e-8},
+    "N": {"N": 1.0, "kN": 1e3, "MN": 1e6},
+    "N/m": {"N/m": 1.0, "kN/m": 1e3, "N/mm": 1e3, "MN/m": 1e6},
+    "Pa": _STRESSES,
+    "N/m^2": _STRESSES,
+    "kg": {"kg": 1.0, "t": 1e3},
+    "kg/m^3": {"kg/m^3": 1.0, "t/m^3": 1e3},
+    "s": {"s": 1.0, "ms": 1e-3, "min": 60.0},
+    "m/s": {"m/s": 1.0, "mm/s": 1e-3},
+    "m/s^2": {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2},
+    "1/s": {"Hz": 1.0},
+    "rad": {"rad": 1.0, "mrad": 1e-3, "deg": math.radians(1.0)},
+    "dimensionless": {"": 1.0},
+    "N*m": _MOMENTS,
+    "N*m/rad": {f"{unit}/rad": factor for unit, factor in _MOMENTS.items()},
+}
+"""Factors of what engineers write most, by the SI unit of the quantity: pint, which knows all others, loads slowly.
+
+In an acceleration g stands for gravity; everywhere else it is the gram.
+"""
+
+_OF_LABORATORIES: dict[str, dict[str, float]] = {
+    "m": {"um": 1e-6},
+    "N/m": {"kN/mm": 1e6},
+    "N*s/m": {"N*s/m": 1.0, "kN*s/m": 1e3, "kN*s/mm": 1e6},
+    "1/s": {"1/s": 1.0},
+    "s^2": {"s^2": 1.0},
+}
+"""The same of what laboratories write, and of which no building is built."""
+_POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
+"""Of F = c v^p, whose unit has the power of its parameter."""
+
+
+def units_of(kind: Kind) -> dict[str, float]:
+    """Return the units that engineers write a quantity in most, with their factors to SI."""
+    return _FACTORS[kind.unit]
+
+
+@cache
+def _registry() -> pint.UnitRegistry[float]:
+    import pint  # a third of a second: only where a unit is a rare one
+
+    return pint.UnitRegistry()
+
+
+@cache
+def _dimension(unit: str) -> Any:
+    return _registry().parse_units(unit).dimensionality
+
+
+@lru_cache(maxsize=1000)  # a project has few units, and thousands of values
+def _known_factor(unit: str, kind: Kind) -> float:
+    return _factor(unit, unit, kind)
+
+
+def _factor(value: str, unit: str, kind: Kind) -> float:
+    """Factor from `unit` to SI after checking that it measures `kind`."""
+    for factors in (_FACTORS, _OF_LABORATORIES):
+        if (known := factors.get(kind.unit, {}).get(_with_powers(unit))) is not None:
+            return known
+    written, wanted = _POWER_DASHPOT.fullmatch(unit), _POWER_DASHPOT.fullmatch(kind.unit)
+    if written and wanted and written[3] == wanted[3]:
+        return _FACTORS["N"][written[1]] * _FACTORS["m"][written[2]] ** -float(written[3])
+    if unit == "%":
+        raise refuse(f"`{value}` is a ratio, but {a(kind.name)} is needed, for example `{kind.example}`")
+    parsed = _parse_unit(value, unit, kind)
+    if parsed.dimensionality != _dimension(kind.unit):
+        raise refuse(
+            f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} {_dimensions(_dimension(kind.unit))} "
+            f"is needed, for example `{kind.example}`"
+        )
+    return float(_registry().Quantity(1.0, parsed).to_base_units().magnitude)
+
+
+def _parse_unit(value: str, unit: str, kind: Kind) -> Any:
+    text = _with_powers(unit)
+    if _UNIT.fullmatch(unit):
+        registry = _registry()
+        try:
+            return registry.parse_units(text)
+        except Exception:  # noqa: BLE001  pint raises many kinds, all of which mean the same here
+            pass
+    if unit.startswith(","):
+        raise refuse(f"`{value}`: decimals stand behind a point, not a comma, for example `{kind.example}`")
+    close = difflib.get_close_matches(text, _COMMON, n=1, cutoff=0.5)
+    hint = f"; did you mean `{close[0]}`?" if close else ""
+    raise refuse(f"`{value}`: unknown unit `{unit}`{hint} ({a(kind.name)} is written like `{kind.example}`)")
+
+
+def _with_powers(unit: str) -> str:
+    """`mm2` and `m/s2` are how engineers write powers; pint wants a sign between."""
+    return re.sub(r"([A-Za-z])([0-9])", r"\1^\2", unit.translate(_POWERS))
+
+
+def _name(dimensionality: Any) -> str:
+    for kind in _KINDS:
+        if _dimension(kind.unit) == dimensionality:
+            return f"{kind.name} {_dimensions(dimensionality)}"
+    return f"quantity of dimension {_dimensions(dimensionality)}"
+
+
+def _dimensions(dimensionality: Any) -> str:
+    parts = []
+    for name, power in sorted(dimensionality.items()):
+        parts.append(f"[{name.strip('[]')}]" + (f"^{power:g}" if power != 1 else ""))
+    return "(" + " ".join(parts) + ")" if parts else "(no dimension)"
+
+
+def _of(kind: Kind, sign: Sign = "any") -> BeforeValidator:
+    return BeforeValidator(lambda value: parse_quantity(value, kind, sign))
+
+
+def _ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> BeforeValidator:
+    return BeforeValidator(lambda value: parse_ratio(value, low, high, low_allowed, high_allowed))
+
+
+Length = Annotated[float, _of(LENGTH)]
+PositiveLength = Annotated[float, _of(LENGTH, "positive")]
+PositiveArea = Annotated[float, _of(AREA, "positive")]
+PositiveInertia = Annotated[float, _of(INERTIA, "positive")]
+Force = Annotated[float, _of(FORCE)]
+NotNegativeForce = Annotated[float, _of(FORCE, "not negative")]
+PositiveForce = Annotated[float, _of(FORCE, "positive")]
+PositiveMoment = Annotated[float, _of(MOMENT, "positive")]
+Rotation = Annotated[float, _of(ROTATION, "not negative")]
+PositiveRotation = Annotated[float, _of(ROTATION, "positive")]
+LineLoad = Annotated[float, _of(LINE_LOAD)]
+AreaLoad = Annotated[float, _of(AREA_LOAD)]
+PositiveStiffness = Annotated[float, _of(STIFFNESS, "positive")]
+PositiveRotationalStiffness = Annotated[float, _of(ROTATIONAL_STIFFNESS, "positive")]
+PositiveStress = Annotated[float, _of(STRESS, "positive")]
+Mass = Annotated[float, _of(MASS, "not negative")]
+PositiveMass = Annotated[float, _of(MASS, "positive")]
+PositiveDensity = Annotated[float, _of(DENSITY, "positive")]
+PositiveTime = Annotated[float, _of(TIME, "positive")]
+Duration = Annotated[float, _of(TIME, "not negative")]
+PositiveFrequency = Annotated[float, _of(FREQUENCY, "positive")]
+PositiveVelocity = Annotated[float, _of(VELOCITY, "positive")]
+PositiveAcceleration = Annotated[float, _of(ACCELERATION, "positive")]
+PositiveRatio = Annotated[float, _ratio(0.0, 1.0, low_allowed=False)]
+"""Greater than 0, at most 1."""
+BucklingLengthFactor = Annotated[float, _ratio(0.1, 1.0)]
+"""At least 0.1, at most 1. Fixed ends make 0.5 and holds on the way less; a tenth would be nine holds. Below it the
+squash load comes long before any buckling, and the part that bends is too short to be an element."""
+PushedDrift = Annotated[float, _ratio(1e-6, 1.0)]
+"""At least 1e-6, at most 1: less, a hundredth of a millimetre at 10 m, is lost beside the displacement from gravity."""
+LeastBrace = Annotated[float, _ratio(0.001, math.inf)]
+"""At least 0.001. A damper behind such a brace adds 0.025 % of damping at most, (sqrt(1 + r) - 1) / 2: it is none."""
+Hardening = Annotated[float, _ratio(0.0, 1.0, high_allowed=False)]
+"""At least 0, less than 1."""
+UnitRatio = Annotated[float, _ratio(0.0, 1.0)]
+"""At least 0, at most 1."""
+PositiveFactor = Annotated[float, _ratio(0.0, math.inf, low_allowed=False)]
+"""Greater than 0."""
+Factor = Annotated[float, _ratio(0.0, math.inf)]
+"""At least 0."""

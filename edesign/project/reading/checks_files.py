@@ -1,0 +1,17 @@
+"""Checks that the files are there that a file names."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from edesign.project.reading.file_bytes import is_file, is_there
+from edesign.project.reading.problems import Keys, Problems
+
+
+def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
+    """Check that a file is there that `what` names; returns whether it is."""
+    if not is_there(path):
+        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what})")
+    elif not is_file(path):
+        problems.at_value(keys, f"`{path}` is not a file")
+    return is_file(path)

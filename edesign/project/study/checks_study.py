@@ -1,0 +1,156 @@
+"""Cross checks of a study: names that exist, in the file itself and in the project that it studies."""
+
+from __future__ import annotations
+
+from edesign.project.analysis.checks_actions import check_drift
+from edesign.project.analysis.checks_outputs import check_member
+from edesign.project.analysis.checks_pushover import check_pushover
+from edesign.project.analysis.pushover import Pushovers
+from edesign.project.criteria.checks_criteria import check_criteria
+from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
+from edesign.project.dampers.checks_designs import check_design
+from edesign.project.dampers.designs import AnyVerify
+from edesign.project.reading.checks_names import ALL, check_names, check_records
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.records.checks_records import check_fitted_levels
+from edesign.project.records.records import record_of
+from edesign.project.study.checks_derived import check_derived
+from edesign.project.study.checks_incremental import check_incremental
+from edesign.project.study.study import Histories, Study, Variant
+
+
+def check_study(study: Study, problems: Problems) -> None:
+    """Check a study against its project; `study` has no schema problems."""
+    base = study.base
+    for name, design in study.designs.items():
+        check_design(("designs", name), design, base, problems)
+        if design.verify is not None:
+            _verify(study, problems, ("designs", name, "verify"), design.verify)
+    for name, variant in study.variants.items():
+        if name not in study.derived:
+            _variant(study, problems, ("variants", name), variant)
+    check_derived(study, problems)
+    for i, histories in enumerate(study.histories):
+        _histories(study, problems, ("histories", i), histories)
+    for i, incremental in enumerate(study.incremental):
+        check_incremental(("incremental", i), incremental, base, tuple(study.variants), problems)
+    for i, pushovers in enumerate(study.pushovers):
+        _pushovers(study, problems, ("pushovers", i), pushovers)
+    _own_names(study, problems)
+    check_criteria(
+        (),
+        study.criteria,
+        study.objectives,
+        base,
+        tuple(study.variants),
+        problems,
+        study.outputs.histories,
+        {name: _dampers(study, variant) for name, variant in study.variants.items()},
+    )
+    _outputs(study, problems)
+    for what, items in (("histories", study.histories or study.incremental), ("pushovers", study.pushovers)):
+        if items and base.masses is None:
+            problems.at_key(("project",), f"{what} need `masses`, and {base.path} has none")
+    for key in ("damping", "integration"):
+        if (study.histories or study.incremental) and getattr(base, key) is None:
+            problems.at_key(("project",), f"histories need `{key}`, and {base.path} has none")
+
+
+def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> None:
+    if keys[-1] == ALL:
+        problems.at_key(keys, f"`{ALL}` stands for all variants; choose another name")
+    if (variant.dampers is None) == (variant.design is None):
+        problems.at_key(keys, "give either `dampers` (`none` or `project`) or a `design`, one of them")
+        return
+    if variant.design is not None and variant.design not in study.designs:
+        problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
+    dampers = study.base.dampers
+    if variant.dampers == "project" and (dampers is None or not (dampers.devices or dampers.attachments)):
+        problems.at_value((*keys, "dampers"), f"{study.base.path} has no devices and no attachments under `dampers`")
+    if variant.dampers == "none":
+        for key in ("temperature", "property_factor"):
+            if getattr(variant, key) is not None:
+                problems.at_key((*keys, key), "this variant has no dampers")
+
+
+def _dampers(study: Study, variant: Variant) -> tuple[str, ...]:
+    """Names of the dampers of a variant."""
+    frame = study.base.frame
+    if variant.design is not None:
+        design = study.designs.get(variant.design)
+        return names_of_design(frame, design) if design is not None else ()
+    return names_of_dampers(frame, study.base.dampers) if variant.dampers == "project" else ()
+
+
+def _histories(study: Study, problems: Problems, keys: Keys, histories: Histories) -> None:
+    base = study.base
+    if histories.variants != (ALL,):
+        check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
+    check_records(problems, (*keys, "records"), histories.records, base)
+    check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
+    fitted = []
+    for name in dict.fromkeys(map(record_of, histories.records)):
+        if name not in base.records:
+            continue
+        if base.records[name].fitted:
+            fitted.append(name)
+        elif histories.levels is not None and len(histories.levels) > 1:
+            message = f"`{name}` is not fitted to the spectrum of the hazard; its histories would be the same at each"
+            problems.at_value((*keys, "levels"), f"{message}; give one level, or `match` to the record")
+    if histories.levels is not None:
+        check_names(problems, (*keys, "levels"), "level", histories.levels, base.hazard_levels)
+        check_fitted_levels((*keys, "levels"), fitted, histories.levels, base, problems)
+    elif fitted:
+        message = f"this key is missing; {listed(fitted)} is fitted to the spectrum of the hazard and scaled to a level"
+        problems.under(keys, "levels", f"{message}: {listed(base.hazard_levels)}")
+    if histories.temperatures is not None:
+        for name in study.variants_of(histories):
+            if study.variants[name].dampers == "none":
+                message = f"the variant `{name}` has no dampers, whose temperature this is"
+                problems.at_key((*keys, "temperatures"), message)
+
+
+def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushovers) -> None:
+    if pushovers.variants != (ALL,):
+        check_names(problems, (*keys, "variants"), "variant", pushovers.variants, study.variants)
+    check_drift(study.base, problems, (*keys, "roof_drift"), pushovers.roof_drift)
+    check_pushover(study.base, problems, keys, pushovers)
+
+
+def _own_names(study: Study, problems: Problems) -> None:
+    """Names that stand in names of analyses after that of the variant, beside levels, modes and gravity."""
+    places = [(("incremental", i), item.name) for i, item in enumerate(study.incremental)]
+    places += [(("pushovers", i), item.name) for i, item in enumerate(study.pushovers)]
+    names = [name for _, name in places]
+    taken = {*study.base.hazard_levels, "modes", "gravity"}
+    for i, (keys, name) in enumerate(places):
+        if name in names[:i]:
+            problems.at_value((*keys, "name"), f"`{name}` comes twice")
+        elif name in taken:
+            message = f"analyses are named `VARIANT.{name}` already; choose another name"
+            problems.at_value((*keys, "name"), message)
+
+
+def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
+    check_names(problems, (*keys, "criteria"), "criterion", verify.criteria, [c.name for c in study.criteria])
+    if verify.levels is None:
+        message = "this key is missing; criteria judge histories at levels of the hazard"
+        problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)}")
+        return
+    for i, name in enumerate(verify.criteria):
+        asked = next((c.levels for c in study.criteria if c.name == name), ())
+        if asked and not set(asked) & set(verify.levels):
+            message = f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)}"
+            problems.at_item((*keys, "criteria"), i, message)
+
+
+def _outputs(study: Study, problems: Problems) -> None:
+    outputs = study.outputs
+    if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
+        problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
+    if outputs.details is None:
+        return
+    keys: Keys = ("outputs", "details")
+    check_records(problems, (*keys, "records"), outputs.details.records, study.base)
+    for i, member in enumerate(outputs.details.members):
+        check_member(study.base, problems, (*keys, "members", i), member)

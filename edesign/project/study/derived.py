@@ -1,0 +1,65 @@
+"""Variants that a study makes of others: with other values of the project, and at bounds of the dampers' properties."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Field
+
+from edesign.project.criteria.measures import SHORT_NAMES
+from edesign.project.notation.several import Names, ShortName, several
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import as_seen, unknown_name
+
+SHARED = ("edesign", "title", "hazard", "records", "analyses", "outputs")
+"""Parts of the project that all variants of a study have in common."""
+
+Side = Literal["lower", "upper"]
+
+
+def _measures(value: Any) -> Any:
+    found = several(value)
+    for i, name in enumerate(found if isinstance(found, (list, tuple)) else ()):
+        if not isinstance(name, str):
+            raise refuse(f"a name of a response measure is needed, such as `interstorey_drift`, not {as_seen(name)}", i)
+        if name not in SHORT_NAMES:
+            raise refuse(unknown_name("response measure", name, SHORT_NAMES), i)
+    return found
+
+
+class Vary(Model):
+    """One value of the project, and what it is in turn: each makes a variant of every variant named.
+
+    `place` is written as in messages, `materials.S275.fy`; `measures` are those that tables and figures show.
+    """
+
+    name: ShortName
+    variants: Names
+    place: Annotated[str, Field(min_length=1)]
+    values: Annotated[tuple[Any, ...], Field(min_length=1)]
+    measures: Annotated[tuple[str, ...], BeforeValidator(_measures)] = ()
+
+
+@dataclass(frozen=True)
+class Derived:
+    """Where a variant that the file does not name comes from.
+
+    Attributes:
+        of: the variant of the file.
+        keys: of what made it in the file.
+        vary: name of the `vary` that made it, "" of a bound.
+        value: of the project, as written; None of a bound.
+        bound: of the dampers' properties, "" of another value.
+    """
+
+    of: str
+    keys: tuple[str | int, ...]
+    vary: str = ""
+    value: Any = None
+    bound: Side | Literal[""] = ""
+
+
+def derived_name(of: str, suffix: str) -> str:
+    """Return the name of a variant made of another one: damped_c_2, damped_upper."""
+    return f"{of}_{suffix}"

@@ -1,0 +1,128 @@
+"""Incremental dynamic analysis in a study file: each record scaled step by step until the frame collapses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Any, Literal
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag
+
+from edesign.project.actions.hazard_base import LevelName
+from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
+from edesign.project.notation.several import Names, ShortName
+from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
+from edesign.project.reading.base import Model, by_key, by_shape, refuse
+from edesign.project.reading.problems import unknown_name
+from edesign.project.study.life_cycle import LifeCycle
+
+COLLAPSE = "collapse"
+"""The limit that every study has."""
+
+Count = Annotated[int, Field(ge=2, le=1000)]
+
+
+class Limit(Model):
+    """What a fragility is of: a response measure beyond a value in SI; written `{interstorey_drift: 2.5 %}`."""
+
+    measure: str
+    value: float
+
+
+def _limit(value: Any) -> Any:
+    if not isinstance(value, Mapping) or len(value) != 1:
+        raise refuse("one response measure with its value is needed, for example `{interstorey_drift: 2.5 %}`")
+    ((name, given),) = value.items()
+    if name not in SHORT_NAMES:
+        raise refuse(unknown_name("response measure", str(name), SHORT_NAMES))
+    limit = parse_limit(MEASURE_KINDS[SHORT_NAMES[name]], given)
+    if limit == 0.0:
+        raise refuse(f"`{given}` must be greater than zero")
+    return Limit(measure=SHORT_NAMES[name], value=limit)
+
+
+class _Range(Model):
+    """Values at equal distances, both ends included."""
+
+    count: Count
+
+    def values(self, first: float, last: float) -> tuple[float, ...]:
+        """The values from the first to the last."""
+        steps = self.count - 1
+        return tuple((first * (steps - i) + last * i) / steps for i in range(self.count))
+
+
+class AccelerationRange(_Range):
+    """`count` accelerations from one to another, m/s2."""
+
+    first: Annotated[PositiveAcceleration, Field(alias="from")]
+    last: Annotated[PositiveAcceleration, Field(alias="to")]
+
+
+class FactorRange(_Range):
+    """`count` factors from one to another."""
+
+    first: Annotated[PositiveFactor, Field(alias="from")]
+    last: Annotated[PositiveFactor, Field(alias="to")]
+
+
+Accelerations = Annotated[
+    Annotated[AccelerationRange, Tag("?mapping")]
+    | Annotated[Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)], Tag("?plain")],
+    Discriminator(by_shape),
+]
+Factors = Annotated[
+    Annotated[FactorRange, Tag("?mapping")]
+    | Annotated[Annotated[tuple[PositiveFactor, ...], Field(min_length=2)], Tag("?plain")],
+    Discriminator(by_shape),
+]
+
+
+class _Incremental(Model):
+    """What all have: variants and records, the drift that counts as collapse, and what fragilities are wanted of."""
+
+    name: ShortName
+    variants: Names = ("all",)
+    records: Names
+    levels: Accelerations | Factors
+    level: LevelName | None = None
+    collapse_drift: PositiveRatio = 0.10
+    limits: dict[ShortName, Annotated[Limit, BeforeValidator(_limit)]] = {}
+    free_vibration: Duration = 0.0
+    life_cycle: LifeCycle | None = None
+
+    @property
+    def intensities(self) -> tuple[float, ...]:
+        """The values of the intensity measure in ascending order, m/s2 or factors."""
+        levels = self.levels
+        return levels if isinstance(levels, tuple) else levels.values(levels.first, levels.last)
+
+
+class SpectralAccelerationStudy(_Incremental):
+    """Records scaled to a pseudo acceleration at 5 % damping and `period` (s), by default T1 of each variant."""
+
+    intensity: Literal["spectral_acceleration"]
+    levels: Accelerations
+    period: PositiveTime | None = None
+
+
+class PeakAccelerationStudy(_Incremental):
+    """Records scaled to a peak ground acceleration."""
+
+    intensity: Literal["pga"]
+    levels: Accelerations
+
+
+class LevelFactorStudy(_Incremental):
+    """Records that are fitted to the spectrum: those of the hazard's `level` times factors."""
+
+    intensity: Literal["level_factor"]
+    levels: Factors
+    level: LevelName
+
+
+Incremental = Annotated[
+    Annotated[SpectralAccelerationStudy, Tag("?intensity=spectral_acceleration")]
+    | Annotated[PeakAccelerationStudy, Tag("?intensity=pga")]
+    | Annotated[LevelFactorStudy, Tag("?intensity=level_factor")],
+    Discriminator(by_key("intensity")),
+]

@@ -1,0 +1,52 @@
+"""What an incremental study says over the life of a building: a hazard curve, years, losses by limit."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from pydantic import Discriminator, Field, Tag
+
+from edesign.project.actions.hazard_base import YEAR, LevelName
+from edesign.project.notation.several import ShortName
+from edesign.project.notation.units import Factor, PositiveAcceleration, PositiveTime, UnitRatio
+from edesign.project.reading.base import Model, keys_in
+
+Dispersion = Annotated[Factor, Field(le=2.0)]
+"""Standard deviation of a logarithm; with 2, one standard deviation is a factor of 7 already."""
+
+
+class CurveOfLevels(Model):
+    """A hazard curve through levels of the hazard, by the return period of each, s."""
+
+    levels: Annotated[dict[LevelName, PositiveTime], Field(min_length=2)]
+
+
+class CurveOfIntensities(Model):
+    """A hazard curve as a table: intensities, m/s2, and the return period of each, s."""
+
+    intensities: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)]
+    return_periods: Annotated[tuple[PositiveTime, ...], Field(min_length=2)]
+
+
+def _curve_shape(value: object) -> str:
+    return "?levels" if "levels" in keys_in(value) else "?intensities"
+
+
+HazardCurve = Annotated[
+    Annotated[CurveOfLevels, Tag("?levels")] | Annotated[CurveOfIntensities, Tag("?intensities")],
+    Discriminator(_curve_shape),
+]
+
+
+class LifeCycle(Model):
+    """How often limits are passed in `years` (s), and what that costs.
+
+    `losses` are shares of the value of the building by limit; `dispersion` of modelling is added to that of the
+    records; `discount` is a rate a year.
+    """
+
+    hazard_curve: HazardCurve
+    years: PositiveTime = 50.0 * YEAR
+    dispersion: Dispersion = 0.0
+    losses: dict[ShortName, UnitRatio] = {}
+    discount: UnitRatio = 0.0

@@ -1,0 +1,226 @@
+"""A study: variants of a project's frame under many ground motions, what is designed, and what is demanded."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Annotated, Any, ClassVar, Literal
+
+from pydantic import BeforeValidator, Field, PrivateAttr
+
+from edesign.project.analysis.damping import ModeNumber, State
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.analysis.pushover import Pushovers
+from edesign.project.criteria.criteria import Criteria, Objectives
+from edesign.project.dampers.designs import Bounds, Design
+from edesign.project.notation.several import Names, ShortName, several
+from edesign.project.notation.temperature import Temperature
+from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio
+from edesign.project.project import Identifier, Project
+from edesign.project.reading.base import FormatVersion, Model
+from edesign.project.reading.file_model import FileModel
+from edesign.project.reading.values import KeyPath
+from edesign.project.study.derived import Derived, Side, Vary, derived_name
+from edesign.project.study.incremental import Incremental
+
+Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), BeforeValidator(several)]
+
+
+class Variant(Model):
+    """The project's frame with one kind of dampers: none, those of the project, or those of a design.
+
+    `temperature` (degC) replaces that of the laws; `property_factor` multiplies all forces of the dampers, as the
+    property modification factors of EN 15129 and ASCE 7 do. `values` are other values of the project by their places.
+    With `bounds` it is also run with the upper and lower properties of its dampers.
+    """
+
+    dampers: Literal["none", "project"] | None = None
+    design: str | None = None
+    temperature: Temperature | None = None
+    property_factor: PositiveFactor | None = None
+    values: dict[str, Any] = {}
+    bounds: Bounds | None = None
+
+
+def warm_variant(variant: str, temperature_C: float) -> str:
+    """Return the name of a variant whose dampers have another temperature than its own: `damped at 35 degC`."""
+    return f"{variant} at {temperature_C:g} degC".strip()
+
+
+def own_variant(name: str) -> str:
+    """Return the variant of a name in tables: `damped at 35 degC`, `damped by N2`."""
+    return name.partition(" at ")[0].partition(" by ")[0]
+
+
+class Histories(Model):
+    """Histories of every variant x level x record x temperature; a suite stands for all its recordings.
+
+    `temperatures` (degC) of the dampers, without them each variant has its own; of records that are not fitted to the
+    spectrum `levels` may be left out. A history ends as collapsed beyond the storey drift `collapse_drift`.
+    """
+
+    variants: Names = ("all",)
+    levels: Names | None = None
+    records: Names
+    temperatures: Temperatures | None = None
+    free_vibration: Duration = 0.0
+    collapse_drift: PositiveRatio | None = None
+
+
+class Modal(Model):
+    """The natural modes that are reported of every variant; dampers add their stiffness at their design strain.
+
+    Without `modes` the first three, or all that there are.
+    """
+
+    modes: ModeNumber | None = None
+    state: State = "gravity"
+
+
+class Details(Model):
+    """Records whose histories are kept whole, and the members whose ends are recorded under them."""
+
+    records: Names
+    histories: tuple[HistoryKind, ...] = ("floors", "storeys", "energy", "dampers")
+    members: tuple[str, ...] = ()
+
+
+class StudyOutputs(Model):
+    """What is kept, as in a project; of the records of `details` more."""
+
+    archive: Annotated[str, Field(min_length=1)] | None = None
+    histories: tuple[HistoryKind, ...] = ()
+    every: Annotated[int, Field(ge=1)] = 1
+    details: Details | None = None
+
+
+class Study(FileModel):
+    """A validated study; all values are in SI. Made by `load_study`, which also loads the project."""
+
+    kind: ClassVar[str] = "study"
+
+    edesign_study: FormatVersion
+    title: Annotated[str, Field(min_length=1)]
+    project: Annotated[str, Field(min_length=1)]
+    designs: dict[Identifier, Design] = {}
+    variants: Annotated[dict[ShortName, Variant], Field(min_length=1)]
+    vary: tuple[Vary, ...] = ()
+    modal: Modal = Modal()
+    histories: tuple[Histories, ...] = ()
+    incremental: tuple[Incremental, ...] = ()
+    pushovers: tuple[Pushovers, ...] = ()
+    criteria: Criteria = ()
+    objectives: Objectives = ()
+    outputs: StudyOutputs = StudyOutputs()
+
+    _path: Path = PrivateAttr(default=Path("study.yaml"))
+    _base: Project | None = PrivateAttr(default=None)
+    _derived: dict[str, Derived] = PrivateAttr(default_factory=dict)
+    _projects: dict[str, Project] = PrivateAttr(default_factory=dict)
+
+    @property
+    def base(self) -> Project:
+        """The project that is studied.
+
+        Raises:
+            ValueError: the study was not made by `load_study` (a mistake of the caller, not of the user).
+        """
+        if self._base is None:
+            raise ValueError("this study has no project; use load_study")
+        return self._base
+
+    def of(self, base: Project) -> Study:
+        """Return the same study of another project, such as `study.base.with_values(...)`, checked against it.
+
+        Raises:
+            InputError: the study was changed otherwise than by `with_values`.
+            StudyError: the study does not fit the project; the message lists all problems.
+        """
+        self.check_unchanged()
+        read: Any = self._read  # that of a study takes another project too
+        found: Study = read(self._text, base=base)
+        return found
+
+    def afresh(self) -> Study:
+        """Return the study without the contents of files that were read so far."""
+        return self.model_copy().set_base(self.base.afresh())
+
+    def set_base(self, base: Project) -> Study:
+        """Tell the study, once, the project that it is of."""
+        self._base, self._projects = base, {}
+        return self
+
+    def with_derived(self) -> Study:
+        """Return the study, as its file says it, with the variants that `vary` and `bounds` make."""
+        variants, derived = dict(self.variants), {}
+        for name, variant, source in self._made():
+            if name not in variants:
+                variants[name], derived[name] = variant, source
+        found = self.model_copy(update={"variants": variants})
+        found._derived = derived
+        return found
+
+    def _made(self) -> Iterator[tuple[str, Variant, Derived]]:
+        for name, variant in self.variants.items():
+            plain = variant.model_copy(update={"bounds": None})
+            sides: tuple[Side, ...] = ("lower", "upper") if variant.bounds is not None else ()
+            for side in sides:
+                yield derived_name(name, side), plain, Derived(name, ("variants", name, "bounds"), bound=side)
+            for at, item in enumerate(self.vary):
+                for i, value in enumerate(item.values if name in item.variants else ()):
+                    changed = plain.model_copy(update={"values": {**variant.values, item.place: value}})
+                    source = Derived(name, ("vary", at, "values", i), item.name, value)
+                    yield derived_name(name, f"{item.name}_{i + 1}"), changed, source
+
+    @property
+    def derived(self) -> dict[str, Derived]:
+        """The variants that `vary` and `bounds` made, with what they are of."""
+        return self._derived
+
+    def named(self, variant: str) -> str:
+        """Return the variant of the file that a variant is, or was made of."""
+        return self._derived[variant].of if variant in self._derived else variant
+
+    def project_of(self, variant: str) -> Project:
+        """Return the project with the values of a variant, the dampers apart that a design gives it.
+
+        Raises:
+            FileProblems: a place does not exist, or the project would be wrong.
+        """
+        values = self.variants[variant].values
+        if not values:
+            return self.base
+        if variant not in self._projects:
+            places: dict[KeyPath, Any] = dict(values.items())
+            self._projects[variant] = self.base.with_values(places)
+        return self._projects[variant]
+
+    @property
+    def checksum(self) -> str:
+        """SHA-256 of the texts of study and project (UTF-8), hexadecimal."""
+        return hashlib.sha256(f"{self._text}\n{self.base.text}".encode()).hexdigest()
+
+    @property
+    def archive_path(self) -> Path:
+        """Where the archive goes unless the command line says otherwise."""
+        return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
+
+    @property
+    def planned_sets(self) -> tuple[tuple[str, str], ...]:
+        """(variant, level) of all histories that are judged; the level is "" where they have none."""
+        pairs = (
+            (variant if temperature is None else warm_variant(variant, temperature), level)
+            for histories in self.histories
+            for variant in self.variants_of(histories)
+            for temperature in histories.temperatures or (None,)
+            for level in histories.levels or ("",)
+        )
+        return tuple(dict.fromkeys(pairs))
+
+    def variants_of(self, histories: Histories | Incremental | Pushovers) -> tuple[str, ...]:
+        """Names of the variants that histories or pushovers are of, in the order of the file, with those made of it."""
+        wanted = histories.variants
+        if wanted == ("all",):
+            return tuple(self.variants)
+        return tuple(name for name in self.variants if name in wanted or self.named(name) in wanted)

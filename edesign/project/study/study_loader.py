@@ -1,0 +1,95 @@
+"""Reading a study file and the project that it studies."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.project.frame.sections import Catalogue
+from edesign.project.loader import load_project
+from edesign.project.project import Project
+from edesign.project.reading.file_bytes import is_file
+from edesign.project.reading.problems import FileProblems, Problems
+from edesign.project.reading.yaml_file import check_model, read_yaml_text
+from edesign.project.study.checks_study import check_study
+from edesign.project.study.study import Study
+
+_WHAT, _BEGINS = "study file", "edesign_study: 1"
+
+
+class StudyError(FileProblems):
+    """A study file is wrong."""
+
+
+def load_study(path: Path | str, profiles: Catalogue | None = None) -> Study:
+    """Read and check a study file and its project.
+
+    Args:
+        path: the YAML file, UTF-8.
+        profiles: names of the catalogue's sections, as for `load_project`.
+
+    Raises:
+        InputError: a file cannot be read.
+        StudyError: the study is wrong; the message lists all problems with file, line and column.
+        ProjectError: its project is wrong.
+    """
+    path = Path(path)
+    return parse_study(read_yaml_text(path, _WHAT), path, profiles=profiles)
+
+
+def parse_study(
+    text: str,
+    path: Path | str,
+    base: Project | None = None,
+    profiles: Catalogue | None = None,
+    of: str | None = None,
+) -> Study:
+    """Check the text of a study file that (supposedly) stands at `path`.
+
+    Args:
+        text, path: of the file.
+        base: the project, if it is at hand; otherwise the one that the file names is read.
+        profiles: as for `load_study`.
+        of: the `project` of the file that `base` stands for; where the text names another one, that is read.
+
+    Raises:
+        StudyError: the study is wrong; the message lists all problems with file, line and column.
+        ProjectError, InputError: its project is wrong, or cannot be read.
+    """
+    path = Path(path)
+    study, problems = check_model(text, Study, _WHAT, _BEGINS)
+    if study is not None and (base is None or of not in (None, study.project)):
+        base = _load_base(study, path, profiles, problems)
+    if study is not None and base is not None:
+        read = _Reader(path, base, profiles, study.project)
+        study = read.completed(study)
+        check_study(study.read_from(path, text, problems.root, read).set_base(base), problems)
+    if study is None or problems.found:
+        raise StudyError(path, problems.found)
+    return study
+
+
+def _load_base(study: Study, path: Path, profiles: Catalogue | None, problems: Problems) -> Project | None:
+    project_path = path.parent / study.project
+    if is_file(project_path):
+        return load_project(project_path, profiles)
+    message = f"there is no file `{project_path}` (the path is relative to the study file)"
+    problems.at_value(("project",), message)
+    return None
+
+
+@dataclass(frozen=True)
+class _Reader:
+    """Reads another text in the place of one that was read; equal for studies that were read alike."""
+
+    path: Path
+    base: Project
+    profiles: Catalogue | None
+    of: str
+
+    def __call__(self, text: str, base: Project | None = None) -> Study:
+        return parse_study(text, self.path, base or self.base, self.profiles, self.of)
+
+    def completed(self, model: Study) -> Study:
+        """The study with the variants that `vary` and `bounds` make."""
+        return model.with_derived()
