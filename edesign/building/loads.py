@@ -204,10 +204,25 @@ def horizontal_load(project: Project) -> float:
     )
 
 
+def floor_loads(project: Project) -> np.ndarray:
+    """Return the loads of the gravity combination on beams, nodes and the leaning column, by floor.
+
+    Returns:
+        N downwards, shape (storeys + 1,): nodes on the ground, then the floors from the lowest.
+    """
+    frame, factors = project.frame, project.loads.gravity
+    found = np.zeros(frame.n_storeys + 1)
+    for name, on_beam in beam_loads(project, factors).items():
+        beam = frame.beam_members[name]
+        found[beam.floor] += on_beam.total(beam.length)
+    for load in project.loads.nodes:
+        for _, floor in frame.node_places(load.lines, load.floors):
+            found[floor] += combined(load, factors)
+    for floor, leaning in enumerate(leaning_loads(project, factors), start=1):
+        found[floor] += leaning
+    return found
+
+
 def gravity_load(project: Project) -> float:
     """Return the sum of the loads of the gravity combination on beams, nodes and the leaning column, N downwards."""
-    beams = project.frame.beam_members
-    on_beams = beam_loads(project, project.loads.gravity)
-    along = sum(loads.total(beams[name].length) for name, loads in on_beams.items())
-    on_nodes = sum(node_loads(project, project.loads.gravity).values())
-    return along + on_nodes + sum(leaning_loads(project, project.loads.gravity))
+    return float(floor_loads(project).sum())

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
+from edesign.building.loads import floor_loads
 from edesign.codes.asce41 import target_displacement as asce41
 from edesign.codes.capacity_curve import CapacityCurve
 from edesign.codes.ec8 import target_displacement as n2
 from edesign.codes.fema356 import target_displacement as fema356
+from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum, characteristic_period
 from edesign.errors import AnalysisError, InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
@@ -101,6 +104,28 @@ class Capacity:
             return CapacityCurve(self.push.displacement, np.append(0.0, self.push.base_shear[1:]))
         except InputError as problem:
             raise AnalysisError(str(problem)) from problem
+
+    def second_order_slope(self, first: float, last: float) -> float | None:
+        """Return the slope of the curve that is due to vertical loads between two displacements, N/m.
+
+        Virtual work: with du_j of the floors and dD_i of the storeys between the two states as the virtual
+        displacements, the loads P_i above storey i of height h_i take sum P_i dD_i^2 / h_i / sum s_j du_j from the
+        base shear, whose shares at the floors are s_j. So the slope is exact however the frame has moved.
+
+        Args:
+            first, last: displacements of the control node since gravity, m.
+
+        Returns:
+            None where the columns do not know second-order forces, or the lateral forces do no work between the two.
+        """
+        if self.project.elements.geometry.columns == "linear":
+            return None
+        floors = self.push.sign * self.push.group.variables["floor_displacement"].values
+        du = np.array([np.diff(np.interp((first, last), self.push.displacement, u))[0] for u in floors.T])
+        dD, h = np.diff(du, prepend=0.0), np.array(self.project.frame.storey_heights)
+        above = np.cumsum(floor_loads(self.project)[:0:-1])[::-1]
+        moved = float(self.basis.forces @ du)
+        return float(-np.sum(above * dD**2 / h) / moved / (last - first)) if moved > 0.0 else None
 
     def target(self, method: Method, level: str) -> Target:
         """Return a target displacement.
@@ -207,16 +232,45 @@ def _asce41(capacity: Capacity, spectrum: Spectrum) -> Target:
         hazard = capacity.project.hazard
         assert isinstance(hazard, EC8Hazard), "check_pushover wants site_class with another"
         site = asce41.SITE_CLASSES[hazard.ground]
-    found, limit = asce41.target_displacement(capacity.curve, period, C_0, basis.mass, storeys, spectrum, site)
-    none = float("nan")
+    lambda_ = asce41.near_fault_factor(_rarest_at_one_second(capacity.project))
+    found, limit = asce41.target_displacement(
+        capacity.curve,
+        period,
+        C_0,
+        basis.mass,
+        storeys,
+        spectrum,
+        site,
+        lambda_,
+        capacity.second_order_slope,
+    )
+    slopes = (
+        ("alpha_2", limit.alpha_2, "slope of the descent over K_e; nan: none"),
+        ("alpha_PDelta", limit.alpha_PDelta, "part of alpha_2 that is due to vertical loads; nan: none, or not known"),
+        ("alpha_e", limit.alpha_e, "effective negative slope, Eq. 7-33; nan: none"),
+    )
     values = (
         *_coefficients(found, period, "mu_strength"),
         ("a", asce41.SITE_FACTORS[site], "1", f"site factor of site class {site}, Eq. 7-29"),
-        ("alpha_2", none if limit.alpha_2 is None else limit.alpha_2, "1", "slope of the descent over K_e; nan: none"),
-        ("alpha_e", none if limit.alpha_e is None else limit.alpha_e, "1", "effective negative slope; nan: none"),
+        ("lambda", lambda_, "1", "near-fault factor of Eq. 7-33"),
+        *((name, float("nan") if slope is None else slope, "1", label) for name, slope, label in slopes),
         ("mu_max", limit.mu_max, "1", "largest permitted mu_strength, Eq. 7-32; infinite without a descent"),
     )
     return Target(found.d_t, values, _lines(found), (found.ratio, limit.mu_max))
+
+
+def _rarest_at_one_second(project: Project) -> float:
+    """S_X1 of the rarest level, which stands for the BSE-2N: the largest ordinate at 1 s, m/s2.
+
+    It is that of 5 % damping; a table has only its own. One that ends before 1 s gives its last ordinate, no less.
+    """
+    hazard, found = checked_hazard(project), []
+    for level in project.hazard_levels:
+        spectrum = elastic_spectrum(hazard, level)
+        with suppress(InputError):
+            spectrum = spectrum.with_damping(DAMPING)
+        found.append(float(spectrum.acceleration(min(1.0, spectrum.last_period))))
+    return max(found)
 
 
 def _coefficients(

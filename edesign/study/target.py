@@ -62,9 +62,8 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
         )
         warnings.append(AnalysisWarning("target_range", text, wanted / reached))
     if target.mu is not None and target.mu[0] > target.mu[1]:
-        safe = " (on the safe side, as members lose strength)" if _loses_strength(project) else ""
         text = (
-            f"mu_strength is {target.mu[0]:.3g}, more than mu_max = {target.mu[1]:.3g}{safe}: ASCE/SEI 41-17, 7.3.2.1, "
+            f"mu_strength is {target.mu[0]:.3g}, more than mu_max = {target.mu[1]:.3g}: ASCE/SEI 41-17, 7.3.2.1, "
             "does not permit the nonlinear static procedure; histories are needed"
         )
         warnings.append(AnalysisWarning("target_strength", text, target.mu[0] / target.mu[1]))
@@ -72,11 +71,6 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
         text = "the spectrum does not have the damping of the dampers; `damping` states that of frame and dampers"
         warnings.append(AnalysisWarning("target_damping", text, 1.0))
     return warnings
-
-
-def _loses_strength(project: Project) -> bool:
-    """Whether P-Delta is not the only cause of a descent: see `asce41.target_displacement.strength_limit`."""
-    return bool(project.hinges) or any(run.buckling is not None for run in project.frame.braces)
 
 
 def _store(group: Group, spec: TargetAnalysis, found: Capacity, target: Target) -> None:

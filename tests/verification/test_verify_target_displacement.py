@@ -43,6 +43,10 @@ def elastoplastic(slope: float = 0.0, end: float = 1.0) -> CapacityCurve:
     return CapacityCurve(np.array([0.0, D_Y, end]), np.array([0.0, F_Y, beyond]))
 
 
+def no_loads(first: float, last: float) -> None:
+    """Nothing is known of vertical loads."""
+
+
 def parabola(end: float = 0.4) -> CapacityCurve:
     """F = F_Y (2 x - x^2) with x = d / end, which peaks at the end with an area of 2/3 of the rectangle."""
     x = np.linspace(0.0, 1.0, 4001)
@@ -161,7 +165,7 @@ def test_targets_of_the_coefficient_methods() -> None:
     T = 2 * math.pi * math.sqrt(mass / K)
     S_a = 15.0 / T
     R = S_a * mass * 0.9 / F_Y
-    found, limit = asce41.target_displacement(elastoplastic(), T, 1.3, mass, 4, spectrum, "D")
+    found, limit = asce41.target_displacement(elastoplastic(), T, 1.3, mass, 4, spectrum, "D", 0.2, no_loads)
     elastic = 1.3 * S_a * (T / (2 * math.pi)) ** 2
     assert found.ratio == pytest.approx(R, rel=1e-6)
     C_1, C_2 = 1 + (R - 1) / (60 * T**2), 1 + ((R - 1) / T) ** 2 / 800
@@ -180,11 +184,27 @@ def test_a_descent() -> None:
     assert old.idealisation.alpha == pytest.approx(-0.05, rel=1e-5)
     R = 3.0 / T * MASS / F_Y
     assert old.C_3 == pytest.approx(1 + 0.05 * (R - 1) ** 1.5 / T, rel=1e-5)
-    found, limit = asce41.target_displacement(curve, T, 1.0, MASS, 1, spectrum, "B")
+    found, limit = asce41.target_displacement(curve, T, 1.0, MASS, 1, spectrum, "B", 0.2, no_loads)
     assert limit.alpha_e == pytest.approx(-0.05, rel=1e-6)
     h = 1 + 0.15 * math.log(T)
     assert limit.mu_max == pytest.approx(1.0 + 0.05**-h / 4, rel=1e-5)
     assert found.idealisation.D_d == pytest.approx(D_Y)
+
+
+@pytest.mark.parametrize(("S_X1", "factor"), [(0.599, 0.2), (0.6, 0.8)])
+def test_effective_slope_of_a_descent(S_X1: float, factor: float) -> None:
+    """ASCE/SEI 41-17, Eq. 7-33: -0.02 + lambda (-0.05 + 0.02), lambda 0.8 from S_X1 = 0.6 g on."""
+    assert asce41.near_fault_factor(S_X1 * 9.80665) == factor
+    curve, T = elastoplastic(-0.05, 0.6), 1.4
+
+    def loads(first: float, last: float) -> float:
+        assert (first, last) == pytest.approx((D_Y, D_Y + 0.4 / 0.05 * D_Y))  # down to 60 % of V_y
+        return -0.02 * K
+
+    limit = asce41.strength_limit(curve, bilinear(curve, D_Y), T, factor, loads)
+    assert (limit.alpha_2, limit.alpha_PDelta) == pytest.approx((-0.05, -0.02))
+    assert limit.alpha_e == pytest.approx(-0.02 - 0.03 * factor)
+    assert limit.mu_max == pytest.approx(1.0 + (0.02 + 0.03 * factor) ** -(1 + 0.15 * math.log(T)) / 4)
 
 
 @pytest.mark.parametrize(
