@@ -1,4 +1,4 @@
-"""The four-storey frame of Fajfar (2000), A nonlinear analysis method for performance based seismic design.
+"""The four-storey frame of Fajfar (2000), A nonlinear analysis method for performance based seismic design; others.
 
 Earthquake Spectra 16(3), 573-592, section "Test example": a reinforced concrete building of four storeys. The printed
 chain goes on with rounded numbers (Gamma = 1.34, F_y* = 619 kN, T* = 0.79 s), which shifts its results by up to 1.5 %.
@@ -56,6 +56,27 @@ def test_whole_chain() -> None:
     assert found.idealisation.T == pytest.approx(0.79, abs=0.005)
     assert found.ductility == pytest.approx(3.9, abs=0.05)
     assert found.d_t == pytest.approx(0.235, rel=0.015)
+
+
+def test_a_worked_example_for_the_rules_of_algeria() -> None:
+    """The reference example of a public web application, `Calcul sismique N2 - RPA 2024` 2.0.0, read in its source.
+
+    It has the masses and the shape of Fajfar's building, with more digits, and a capacity and a spectrum of its own:
+    zone VI (0.30 g), site S3 (S = 1.3, T_2 = 0.6 s) of DTR BC 2.48 (2024), whose branches are those of EN 1998-1.
+    """
+    oscillator = equivalent_oscillator(MASSES * SHAPE, MASSES)
+    assert (f"{oscillator.mass / 1e3:.2f}", f"{oscillator.Gamma:.3f}") == ("217.44", "1.336")
+    site = HorizontalParameters(spectrum_type=1, ground="C", S=1.3, T_B=0.15, T_C=0.6, T_D=2.0)
+    spectrum = ElasticSpectrum(0.30 * G, site)
+    F_y, d_y = 948e3, 0.08913
+    own = CapacityCurve(np.array([0.0, d_y, 0.5]), np.array([0.0, F_y, F_y * (1 + 1e-9)]))
+    found = target_displacement(own.scaled(oscillator.Gamma), oscillator, spectrum, 0.6)
+    assert f"{found.idealisation.F_y / oscillator.mass / G:.3f}" == "0.444"
+    assert f"{found.idealisation.T:.3f}" == "0.898"
+    assert f"{float(spectrum.acceleration(0.898)) / G:.3f}" == "0.651"
+    d_t = oscillator_target(0.651 * G, 0.898, 0.6, 0.651 / 0.444)
+    assert (f"{d_t:.3f}", f"{1.336 * d_t:.3f}") == ("0.130", "0.174")
+    assert (found.d_t_oscillator, found.d_t) == pytest.approx((0.130, 0.174), abs=0.0007)  # T* = 0.8984 s not rounded
 
 
 def test_short_period_of_another_program() -> None:

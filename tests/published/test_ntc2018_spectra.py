@@ -40,6 +40,25 @@ def test_ordinates_of_the_worked_table() -> None:
     np.testing.assert_allclose(NtcDesignSpectrum(EXAMPLE, 3.9).acceleration(PERIODS) / G, design, atol=6e-7)
 
 
+def test_worksheet_of_a_named_site() -> None:
+    """Brembate (Bergamo), SLV of a nominal life of 50 years and class II: six digits of a worksheet of an engineer.
+
+    Read in the description of that worksheet (`sisma.xls`, golden test case) by a program that replaces it: a_g 0.098
+    g, F_0 2.436, T_C* 0.272 s, subsoil B, T1, q = 1.5. It has the elastic spectrum over q, and no bound of 0.2 a_g,
+    below which it falls at 5 s.
+    """
+    site = NtcSpectrum(0.098 * G, 2.436, 0.272, Site("B"))
+    assert round(return_period("SLV", reference_life(50.0, "II"))) == 475
+    assert site.site.C_C(0.272) == pytest.approx(1.42718, abs=5e-6)
+    assert site.S == pytest.approx(1.2, abs=1e-12)
+    assert site.corners == pytest.approx({"T_B": 0.129398, "T_C": 0.388193, "T_D": 1.992}, abs=5e-7)
+    design, corners = NtcDesignSpectrum(site, 1.5), list(site.corners.values())
+    printed = [0.1176, 0.190982, 0.190982, 0.0372179]
+    np.testing.assert_allclose(design.acceleration([0.0, *corners]) / G, printed, rtol=3e-6)
+    assert float(site.acceleration(5.0)) / G / 1.5 == pytest.approx(0.00590732, rel=1e-6)
+    assert float(design.acceleration(5.0)) / G == pytest.approx(0.2 * 0.098, rel=1e-12)
+
+
 def test_return_periods() -> None:
     """V_N = 50 years, class II: 30, 50, 475 and 975 years; class III 45, 75, 712 and 1462."""
     life = reference_life(50.0, "II")
@@ -94,7 +113,10 @@ def test_vertical_spectrum() -> None:
 
 
 def test_rules_of_a_set() -> None:
-    """3.2.3.6: 0.15 s to 2 s or 2 T (1.5 T), - 10 % to + 30 %; 7.3.5: three motions, seven for the mean."""
+    """3.2.3.6: 0.15 s to 2 s or 2 T (1.5 T), - 10 % to + 30 %; 7.3.5: three motions, seven for the mean.
+
+    Both read in a transcription of the Gazzetta Ufficiale, pages 50 and 221 (`claudiopagani/structural-codes`).
+    """
     assert ULTIMATE.period_band(0.5) == (0.15, 2.0) and ULTIMATE.period_band(2.0) == (0.15, 4.0)
     assert SERVICEABILITY.period_band(2.0) == (0.15, 3.0)
     T = ULTIMATE.check_periods(1.5)

@@ -1,10 +1,51 @@
-"""The regressions of Lignos & Krawinkler (2011) against rounded forms of them that others printed."""
+"""The regressions of Lignos & Krawinkler (2011) against what others have of them, in full and rounded."""
 
 from __future__ import annotations
 
+import math
+
 import pytest
 
-from edesign.codes.lignos_krawinkler import rotation_capacity
+from edesign.codes.lignos_krawinkler import CAPPING_RATIO, EFFECTIVE_YIELD, RESIDUAL_RATIO, rotation_capacity
+
+# exponents of h/t_w, b_f/2t_f, L_b/r_y, L/d, d/533 mm, F_y/355 MPa, as public programs have them, which agree:
+# reduced: GUAN-XINGQUAN/AutoSDAPlatform, beam_component.py; deep and shallow: DonCammne/OpenSeesPyAssistant, class
+# ModifiedIMK; shallow: ioannis-vm/OpenSees_Model_Generator, too
+PROGRAMS = {
+    ("reduced", 0.70): (
+        (0.19, -0.314, -0.100, -0.185, 0.113, -0.760, -0.070),
+        (9.52, -0.513, -0.863, -0.108, 0.0, 0.0, -0.360),
+        (585.0, -1.14, -0.632, -0.205, 0.0, 0.0, -0.391),
+    ),
+    ("deep", 0.70): (
+        (0.318, -0.550, -0.345, -0.023, 0.090, -0.330, -0.130),
+        (7.50, -0.610, -0.710, -0.110, 0.0, -0.161, -0.320),
+        (536.0, -1.26, -0.525, -0.130, 0.0, 0.0, -0.291),
+    ),
+    ("shallow", 0.45): (
+        (0.0865, -0.365, -0.140, 0.0, 0.340, -0.721, -0.230),
+        (5.63, -0.565, -0.800, 0.0, 0.0, -0.280, -0.430),
+        (495.0, -1.34, -0.595, 0.0, 0.0, 0.0, -0.360),
+    ),
+}
+
+
+@pytest.mark.parametrize(("kind", "depth"), PROGRAMS)
+def test_regressions_as_other_programs_have_them(kind: str, depth: float) -> None:
+    found = rotation_capacity(45.0, 6.5, 48.0, 4.6, depth, 380e6, reduced=kind == "reduced")
+    values = (45.0, 6.5, 48.0, 4.6, depth / 0.533, 380.0 / 355.0)
+    expected = [
+        factor * math.prod(value**exponent for value, exponent in zip(values, exponents, strict=True))
+        for factor, *exponents in PROGRAMS[kind, depth]
+    ]
+    assert [found.plastic, found.post_capping, found.Lambda] == pytest.approx(expected, rel=1e-12)
+
+
+def test_means_of_the_tests_as_other_programs_have_them() -> None:
+    """1.17 and 1.06 M_p, M_c 1.11 and 1.09 M_y, kappa 0.4: OpenSees_Model_Generator, AutoSDAPlatform, ModifiedIMK."""
+    assert EFFECTIVE_YIELD == {"other": 1.17, "reduced": 1.06}
+    assert CAPPING_RATIO == {"other": 1.11, "reduced": 1.09}
+    assert RESIDUAL_RATIO == 0.4
 
 
 @pytest.mark.parametrize("depth", [0.6, 0.76, 0.9])
