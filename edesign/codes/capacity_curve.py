@@ -12,6 +12,10 @@ from edesign.errors import InputError
 
 SETTLED = 1e-9  # relative: to which displacements that depend on themselves are found
 
+DESCENT = 1e-6
+"""Least fall of a base shear over its largest value that counts as one: ten times the tolerance of equilibrium, below
+which a plateau wavers."""
+
 
 @dataclass(frozen=True)
 class CapacityCurve:

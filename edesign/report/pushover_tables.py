@@ -47,6 +47,7 @@ COLUMNS: Mapping[Method, tuple[tuple[str, str, float], ...]] = {
     "asce41": (
         *_OF_COEFFICIENTS,
         ("mu_strength", "mu_strength", 1.0),
+        ("alpha_e", "alpha_e", 1.0),
         ("mu_max", "mu_max", 1.0),
         *((name, name, 1.0) for name in ("C_0", "C_1", "C_2")),
         ("d_t [mm]", "d_t", 1e-3),

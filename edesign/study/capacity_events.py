@@ -10,6 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.frame import FrameModel, Member
+from edesign.codes.capacity_curve import DESCENT
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response
 from edesign.project.frame.materials import ElasticMaterial
@@ -21,9 +22,6 @@ from edesign.study.recording import Quantity, Terms, coordinate
 MOST_STEPS = 10_000
 """Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
 for a frame of 90 members is 86 MB."""
-
-DESCENT = 1e-6
-"""Of the largest base shear: ten times the tolerance of equilibrium, below which a plateau wavers."""
 
 KINDS = ("beam", "column")
 

@@ -1,8 +1,8 @@
 """The coefficient method of ASCE/SEI 41-17 against results that another program printed, given its two lines.
 
 Source: Steltic/steltic_nonlinear (2026), examples/Ex18_R3/pushover/pushover_package.json, direction X: a braced steel
-frame of eight storeys, 9746 kip, S_X1 = 0.09 and 0.135 g, site class D; kip, in and g = 386.4 in/s2. Its program has the
-factors of 7.4.3.3.2 and Eqs. 7-32 and 7-33; it takes P-Delta from the drift of the first storey, here as printed.
+frame of eight storeys, 9746 kip, S_X1 = 0.09 and 0.135 g, site class D; kip, in and g = 386.4 in/s2. Its program has
+the factors of 7.4.3.3.2 and Eqs. 7-32 and 7-33; it takes P-Delta from the drift of the first storey, here as printed.
 """
 
 from __future__ import annotations

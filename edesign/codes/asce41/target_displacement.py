@@ -6,7 +6,7 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from edesign.codes.capacity_curve import CapacityCurve, fitting
+from edesign.codes.capacity_curve import DESCENT, CapacityCurve, fitting
 from edesign.codes.fema356.idealisation import Bilinear
 from edesign.codes.fema356.target_displacement import CoefficientTarget, demand
 from edesign.codes.quantities import STANDARD_GRAVITY
@@ -97,7 +97,7 @@ def strength_limit(
     beyond = curve.displacement > curve.peak
     d, f = curve.displacement[beyond], curve.force[beyond]
     V_top = curve.force_at(curve.peak)
-    if not d.size or not f[-1] < V_top:
+    if not d.size or not f[-1] < V_top * (1.0 - DESCENT):
         return StrengthLimit(None, None, None, math.inf)
     D_3, V_3 = float(d[-1]), float(f[-1])
     if V_3 < level:

@@ -221,3 +221,24 @@ def test_a_strength_limit_where_members_lose_strength(acceleration: str, factor:
     without = linear["push.asce41.MCE"].variables
     assert math.isnan(without["asce41_alpha_PDelta"].values)
     assert without["asce41_alpha_e"].values == without["asce41_alpha_2"].values
+
+
+@pytest.mark.parametrize(("last", "factor"), [("0.8 s", 0.8), ("4 s", 0.2)])
+def test_the_near_fault_factor_of_a_table(last: str, factor: float) -> None:
+    """A table of 2 % damping has no ordinates of 5 %; one that ends at 0.8 s with 0.7 g gives that for 1 s.
+
+    The other one goes on to 0.56 g at 1 s.
+    """
+    periods, accelerations = "0 s, 0.1 s, 0.5 s, 0.8 s", "0.4 g, 1.0 g, 1.0 g, 0.7 g"
+    if last == "4 s":
+        periods, accelerations = f"{periods}, 1 s, 4 s", f"{accelerations}, 0.56 g, 0.1 g"
+    push = "{name: push, kind: pushover, pattern: uniform, roof_drift: 5 %, targets: asce41, site_class: D}"
+    made = portal("1 g", push)
+    head, _, rest = made.text.partition("hazard:\n")
+    table = (
+        "hazard:\n  code: user\n  damping: 2 %\n  criteria: asce7-22\n"
+        f"  levels: {{MCE: {{spectrum: {{periods: [{periods}], accelerations: [{accelerations}]}}}}}}\n"
+    )
+    found = results(project(f"{head}{table}analyses:{rest.partition('analyses:')[2]}"))["push.asce41.MCE"]
+    assert found.variables["asce41_lambda"].values == factor
+    assert math.isnan(found.variables["asce41_alpha_e"].values)  # an elastoplastic portal has no descent
