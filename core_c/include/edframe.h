@@ -154,7 +154,7 @@ enum {
   ED_FIBRE_STRESS = 14,      /* element (point * layers of the first section + layer) */
   ED_FIBRE_STRAIN = 15,
   ED_DAMPER_FORCE = 16,      /* damper */
-  ED_DAMPER_DEFORMATION = 17,/* damper (0 with its brace, 1 without) */
+  ED_DAMPER_DEFORMATION = 17,/* damper (0 with its brace, 1 without; 2 sum of the sizes of its plastic deformations, of laws that keep it) */
   ED_DAMPER_WORK = 18,       /* damper: work done on it so far */
   ED_GIVEN_FORCE = 19,       /* force of a history: these three as of the damper that exerts it; 0 while there is none */
   ED_GIVEN_DEFORMATION = 20, /* since the force was made */

@@ -38,6 +38,7 @@ const ed_law *ed_law_of(int id)
       [ED_LAW_FRICTION_PENDULUM] = &ed_friction_pendulum,
       [ED_LAW_SELF_CENTRING] = &ed_self_centring,
       [ED_LAW_GAP] = &ed_gap,
+      [ED_LAW_BUCKLING_RESTRAINED] = &ed_buckling_restrained,
   };
   return id >= 0 && id < (int)(sizeof laws / sizeof *laws) ? laws[id] : NULL;
 }

@@ -63,6 +63,7 @@ struct ed_law {
   int rate_independent;  /* the force depends on the order of deformations alone, not on their speed */
   int softens;           /* the force may fall while the deformation grows */
   int takes_brace;       /* `rate` itself puts brace > 0 in series */
+  int plastic_path;      /* where in its state the sum of the sizes of its plastic deformations stands, from 1; 0: it keeps none */
   int step_takes_brace;  /* so does the exact step; else brace.c puts it there */
   /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
   void (*with_brace)(ed_damper *damper);

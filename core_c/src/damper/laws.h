@@ -17,6 +17,7 @@ extern const ed_law ed_modified_bouc_wen;  /* modified_bouc_wen.c */
 extern const ed_law ed_asymptote;          /* asymptote.c */
 extern const ed_law ed_friction_pendulum;  /* friction_pendulum.c */
 extern const ed_law ed_self_centring;      /* self_centring.c */
+extern const ed_law ed_buckling_restrained; /* buckling_restrained.c */
 extern const ed_law ed_gap;                /* gap.c */
 extern const ed_law ed_mgmm;               /* mgmm.c */
 

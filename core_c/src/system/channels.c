@@ -20,8 +20,11 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
     return object >= 0 && object < model->n_members && component == 0 && a->elements[object].kind == ED_STRUT;
   if (kind >= ED_GIVEN_FORCE && kind != ED_STRENGTH_LEFT)
     return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
-  if (kind >= ED_DAMPER_FORCE && kind != ED_STRENGTH_LEFT)
-    return object >= 0 && object < model->n_devices && component >= 0 && component <= (kind == ED_DAMPER_DEFORMATION);
+  if (kind >= ED_DAMPER_FORCE && kind != ED_STRENGTH_LEFT) {
+    if (object < 0 || object >= model->n_devices || component < 0)
+      return 0;
+    return kind != ED_DAMPER_DEFORMATION ? component == 0 : component < (model->devices[object].damper.law->plastic_path ? 3 : 2);
+  }
   if (object < 0 || object >= model->n_members || component < 0)
     return 0;
   const ed_element *e = &a->elements[object];

@@ -301,6 +301,8 @@ double ed_device_value(const ed_analysis *a, int kind, int device, int component
     return now[FORCE];
   if (kind == ED_DAMPER_WORK)
     return now[WORK];
+  if (component == 2)
+    return now[LAW_STATE + d->damper.law->plastic_path - 1] / d->deformation_scale;
   if (component == 1 && d->damper.joint > 0.0)
     return now[LAW_STATE + ed_damper_own_size(&d->damper)] / d->deformation_scale;
   const double brace = d->damper.brace * d->force_scale * d->deformation_scale;

@@ -1,0 +1,273 @@
+/* Buckling-restrained brace by its manufacturer's values: F = K (u - p), K = KF E A_sc / L_wp, and
+ *
+ *   -(Fy + R_C(s)) <= F - H p <= Fy + R_T(s),  Fy = F_ysc A_sc,  H = alpha K / (1 - alpha),
+ *
+ * p the plastic deformation and s the sum of its sizes so far. R_T and R_C, the isotropic hardening under tension and compression, are
+ * linear between points and constant beyond the last. They are those with which the protocol of AISC 341-16, K3.4, reaches the
+ * forces omega Fy in tension and beta omega Fy in compression in its second cycle at each strain of the core that the manufacturer gives them at: two
+ * cycles each at 1/4, 1/2, 3/4 and all of the largest strain, in tension first. Strains between are
+ * placed linearly between those of the protocol. Hardening never falls, so that the return mapping has one solution, exact
+ * along a monotone motion in one step. Memory: p, s. */
+#include "damper/laws.h"
+#include "damper/motions.h"
+#include "edcore.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { A_SC, F_YSC, E_SC, L_WP, L_Y, KF, ALPHA, R_Y, ROWS, ROW = 3, MOST_ROWS = 16 };
+enum { TENSION, COMPRESSION, SIDES };
+enum { PLASTIC, PATH, N_MEMORY };
+enum { STEPS = 4, CYCLES = 2 }; /* of the protocol */
+
+/* Hardening of a side: points (s, R), s ascending; linear from (0, 0) to the first, constant after the last. */
+typedef struct {
+  double path[MOST_ROWS], force[MOST_ROWS];
+} hardening;
+
+typedef struct {
+  double stiffness, yield, kinematic; /* K, Fy, H */
+  int points;
+  hardening side[SIDES];
+} brace;
+
+_Static_assert(sizeof(brace) % sizeof(double) == 0, "kept as the derived constants of a damper");
+
+/* R at s, the slope of its segment, and where that ends (infinite after the last). */
+static double hardened(const hardening *of, int points, double s, double *slope, double *end)
+{
+  double before = 0.0, at = 0.0;
+  for (int i = 0; i < points; i++) {
+    if (s < of->path[i]) {
+      *slope = (of->force[i] - before) / (of->path[i] - at);
+      *end = of->path[i];
+      return before + *slope * (s - at);
+    }
+    before = of->force[i];
+    at = of->path[i];
+  }
+  *slope = 0.0;
+  *end = INFINITY;
+  return before;
+}
+
+/* State of the flow and its derivatives to the two unknowns of a path. */
+typedef struct {
+  double plastic, path;
+  double plastic_slope[2], path_slope[2];
+} flow;
+
+/* Moves the flow by a monotone motion to u; the force there, `slope` its derivatives. stiffness: of the spring in series with the flow. */
+static double follow(const brace *of, double stiffness, double u, const double u_slope[2], flow *now, double slope[2])
+{
+  const double elastic = stiffness * (u - now->plastic), beyond = elastic - of->kinematic * now->plastic;
+  const double sign = copysign(1.0, beyond);
+  const hardening *side = &of->side[beyond > 0.0 ? TENSION : COMPRESSION];
+  double rise, end, limit = of->yield + hardened(side, of->points, now->path, &rise, &end);
+  double excess = fabs(beyond) - limit;
+  if (!(excess > 0.0)) {
+    for (int j = 0; j < 2; j++)
+      slope[j] = stiffness * (u_slope[j] - now->plastic_slope[j]);
+    return elastic;
+  }
+  double total = stiffness + of->kinematic + rise, plastic = now->plastic, path = now->path;
+  double plastic_slope[2], path_slope[2];
+  for (int j = 0; j < 2; j++) {
+    plastic_slope[j] = now->plastic_slope[j];
+    path_slope[j] = now->path_slope[j];
+  }
+  while (excess > total * (end - path)) { /* over the end of a segment */
+    const double way = end - path;
+    excess -= total * way;
+    plastic += sign * way;
+    for (int j = 0; j < 2; j++) { /* to a fixed path */
+      plastic_slope[j] -= sign * path_slope[j];
+      path_slope[j] = 0.0;
+    }
+    path = end;
+    (void)hardened(side, of->points, path, &rise, &end);
+    total = stiffness + of->kinematic + rise;
+  }
+  const double way = excess / total;
+  for (int j = 0; j < 2; j++) {
+    const double grows = sign * (stiffness * u_slope[j] - (stiffness + of->kinematic) * plastic_slope[j]) - rise * path_slope[j];
+    plastic_slope[j] += sign * grows / total;
+    path_slope[j] += grows / total;
+    now->plastic_slope[j] = plastic_slope[j];
+    now->path_slope[j] = path_slope[j];
+    slope[j] = stiffness * (u_slope[j] - plastic_slope[j]);
+  }
+  now->plastic = plastic + sign * way;
+  now->path = path + way;
+  return stiffness * (u - now->plastic);
+}
+
+/* Plastic path at the peaks of the second cycle at each strain of the protocol. The core alone is a spring E A_sc / L_y in series with the flow. */
+static void protocol(const brace *of, const double *p, const double strain[STEPS], double path[SIDES][STEPS])
+{
+  flow now = {0};
+  const double none[2] = {0.0, 0.0};
+  double ignored[2];
+  for (int i = 0; i < STEPS; i++)
+    for (int cycle = 0; cycle < CYCLES; cycle++)
+      for (int side = 0; side < SIDES; side++) {
+        (void)follow(of, p[E_SC] * p[A_SC] / p[L_Y], (side == TENSION ? 1.0 : -1.0) * strain[i] * p[L_Y], none, &now, ignored);
+        path[side][i] = now.path;
+      }
+}
+
+/* The path at a strain beyond that of yielding, `yield`: linear from there, where it is 0, over the steps of the protocol. */
+static double path_at(double strain, double yield, const double steps[STEPS], const double path[STEPS])
+{
+  double before = yield, at = 0.0;
+  int i = 0;
+  while (i < STEPS - 1 && (steps[i] <= yield || steps[i] < strain)) {
+    if (steps[i] > yield) {
+      before = steps[i];
+      at = path[i];
+    }
+    i++;
+  }
+  return at + (path[i] - at) * (strain - before) / (steps[i] - before);
+}
+
+/* Finds the places of the hardening: they set the plastic path of the protocol, and follow from it. Forces at peaks hardly change the
+ * path, so that each round gains about three digits. */
+static int place(brace *of, const double *p)
+{
+  enum { ROUNDS = 60 };
+  const double yield = p[F_YSC] / p[E_SC], largest = p[ROWS + ROW * (of->points - 1)];
+  double steps[STEPS], path[SIDES][STEPS];
+  for (int i = 0; i < STEPS; i++)
+    steps[i] = largest * (i + 1) / STEPS;
+  for (int side = 0; side < SIDES; side++)
+    for (int i = 0; i < of->points; i++) /* any to begin with */
+      of->side[side].path[i] = p[ROWS + ROW * i] * p[L_Y] * 4.0 * CYCLES * STEPS;
+  for (int round = 0; round < ROUNDS; round++) {
+    double change = 0.0;
+    protocol(of, p, steps, path);
+    for (int side = 0; side < SIDES; side++)
+      for (int i = 0; i < of->points; i++) {
+        const double at = path_at(p[ROWS + ROW * i], yield, steps, path[side]);
+        change = fmax(change, fabs(at - of->side[side].path[i]) / at);
+        of->side[side].path[i] = at;
+      }
+    if (change <= 1e-13)
+      return 1;
+  }
+  return 0;
+}
+
+static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
+{
+  static const char *const name[] = {"A_sc", "F_ysc", "E", "L_wp", "L_y", "KF", "alpha", "R_y"};
+  for (int i = 0; i < ALPHA; i++)
+    if (!(p[i] > 0.0))
+      return ed_refuse_parameter(message, name[i], p[i], "greater than 0");
+  char allowed[ED_DAMPER_MESSAGE / 2];
+  if (p[L_Y] > p[L_WP]) {
+    snprintf(allowed, sizeof allowed, "at most L_wp = %g", p[L_WP]);
+    return ed_refuse_parameter(message, "L_y", p[L_Y], allowed);
+  }
+  if (!(p[KF] >= 1.0 && p[KF] <= p[L_WP] / p[L_Y] * (1.0 + 1e-9))) { /* rounding of who writes the quotient */
+    snprintf(allowed, sizeof allowed, "1 (core all along) to L_wp / L_y = %g (rigid beside it)", p[L_WP] / p[L_Y]);
+    return ed_refuse_parameter(message, "KF", p[KF], allowed);
+  }
+  if (!(p[ALPHA] >= 0.0 && p[ALPHA] < 1.0))
+    return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and less than 1");
+  if (!(p[R_Y] >= 1.0))
+    return ed_refuse_parameter(message, "R_y", p[R_Y], "at least 1");
+  for (int i = 0; i < rows; i++) {
+    const double *row = p + ROWS + ROW * i;
+    char of[24];
+    for (int j = 1; j < ROW; j++)
+      if (!(row[j] >= 1.0)) {
+        snprintf(of, sizeof of, "%s%d", j == 1 ? "omega" : "beta", i + 1);
+        return ed_refuse_parameter(message, of, row[j], "at least 1");
+      }
+    const double elastic = row[1] * row[2] * p[F_YSC] / p[E_SC];
+    snprintf(of, sizeof of, "strain%d", i + 1);
+    if (!(row[0] > elastic)) {
+      snprintf(allowed, sizeof allowed, "greater than that of an elastic core, beta omega F_ysc / E = %g", elastic);
+      return ed_refuse_parameter(message, of, row[0], allowed);
+    }
+    if (i > 0 && !(row[0] > row[-ROW]))
+      return ed_refuse_parameter(message, of, row[0], "greater than the one before: strains ascend");
+  }
+  return ED_OK;
+}
+
+static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  const double *p = damper->parameter;
+  const int rows = (damper->n_parameters - ROWS) / ROW;
+  if ((damper->n_parameters - ROWS) % ROW != 0) {
+    snprintf(message, ED_DAMPER_MESSAGE, "law buckling_restrained: strain, omega and beta are needed for each point");
+    return ED_E_ARGUMENT;
+  }
+  const int status = check(p, rows, message);
+  if (status != ED_OK)
+    return status;
+  brace of = {.points = rows, .stiffness = p[KF] * p[E_SC] * p[A_SC] / p[L_WP], .yield = p[F_YSC] * p[A_SC]};
+  of.kinematic = p[ALPHA] * of.stiffness / (1.0 - p[ALPHA]);
+  for (int side = 0; side < SIDES; side++) {
+    double before = 0.0, plastic_before = 0.0, force_before = of.yield;
+    for (int i = 0; i < rows; i++) {
+      const double *row = p + ROWS + ROW * i;
+      const double force = row[1] * (side == COMPRESSION ? row[2] : 1.0) * of.yield;
+      const double plastic = p[L_Y] * (row[0] - force / (p[E_SC] * p[A_SC]));
+      const double isotropic = force - of.yield - of.kinematic * plastic;
+      char name[24], allowed[ED_DAMPER_MESSAGE / 2];
+      snprintf(name, sizeof name, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
+      if (!(plastic > plastic_before)) {
+        snprintf(allowed, sizeof allowed, "from the point before, the force would rise faster with the strain than an elastic core");
+        return ed_refuse_parameter(message, name, row[side == TENSION ? 1 : 2], allowed);
+      }
+      if (isotropic < before - 1e-12 * of.yield) { /* beyond the rounding of who computed the largest alpha */
+        const double most = (force - force_before) / (plastic - plastic_before);
+        snprintf(allowed, sizeof allowed, "at most %.4g, or kinematic hardening alone exceeds %s", fmax(0.0, most / (of.stiffness + most)),
+                 name);
+        return ed_refuse_parameter(message, "alpha", p[ALPHA], allowed);
+      }
+      of.side[side].force[i] = before = fmax(before, isotropic);
+      plastic_before = plastic;
+      force_before = force;
+    }
+  }
+  if (!place(&of, p)) {
+    snprintf(message, ED_DAMPER_MESSAGE, "law buckling_restrained: no hardening was found that reaches omega and beta");
+    return ED_E_NOT_CONVERGED;
+  }
+  damper->n_memory = N_MEMORY;
+  damper->derived = malloc(sizeof of);
+  if (!damper->derived)
+    return ED_E_MEMORY;
+  damper->n_derived = (int)(sizeof of / sizeof(double));
+  memcpy(damper->derived, &of, sizeof of);
+  return ED_OK;
+}
+
+static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
+                ed_damper_force *out)
+{
+  brace of;
+  memcpy(&of, damper->derived, sizeof of);
+  ed_motion motion[3];
+  const int n = ed_path_motions(path, direction, motion);
+  flow now = {.plastic = committed[PLASTIC], .path = committed[PATH]};
+  for (int i = 0; i < n; i++)
+    out->force = follow(&of, of.stiffness, motion[i].u, motion[i].slope, &now, out->slope);
+  trial[PLASTIC] = now.plastic;
+  trial[PATH] = now.path;
+  return isfinite(out->force + now.path) ? ED_OK : ED_E_NOT_FINITE;
+}
+
+const ed_law ed_buckling_restrained = {.name = "buckling_restrained",
+                                       .least_parameters = ROWS + ROW,
+                                       .most_parameters = ROWS + ROW * MOST_ROWS,
+                                       .rate_independent = 1,
+                                       .plastic_path = PATH + 1,
+                                       .prepare = prepare,
+                                       .step = step};
