@@ -16,6 +16,10 @@ from edesign.project.project import Project
 
 HISTORY_OF = {"floor_spectral_acceleration": "floor_acceleration", "damper_velocity": "damper_deformation"}
 """Variables over time that a quantity is computed from."""
+OF_CORES = ("core_strain", "core_ductility", "cumulative_ductility")
+"""Quantities of buckling-restrained braces alone."""
+SUMS = ("damper_work", "cumulative_ductility")
+"""Quantities whose value at the end counts."""
 
 
 def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -> Located | None:
@@ -64,6 +68,8 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
         return f"there is no {quantity.place} in the places chosen"
     if asked.quantity == "damper_strain" and "damper_strain_max" not in group.variables:
         return "no damper has layers"
+    if asked.quantity in OF_CORES and "core_strain_max" not in group.variables:
+        return "no damper is a buckling-restrained brace"
     return ""
 
 
@@ -117,8 +123,8 @@ def _values(group: Group, asked: QuantityCriterion, chosen: list[int]) -> np.nda
         return _COMPUTED[asked.quantity](time, over_time, asked)
     if asked.quantity.startswith("residual_"):
         found = residual(group, asked.quantity.removeprefix("residual_"))
-    elif asked.quantity == "damper_work":
-        final = group.variables.get("damper_work_final")
+    elif asked.quantity in SUMS:
+        final = group.variables.get(f"{asked.quantity}_final")
         found = None if final is None else np.asarray(final.values, dtype=float)
     elif asked.side is not None:
         found = _one_side(group, asked)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from edesign.building.building_sections import BuildingSections
 from edesign.building.named_section import cross_section
+from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE, BraceSection, BraceStiffness, DamperBetween, DamperRun
@@ -37,6 +38,11 @@ class DeviceLaw:
     layer_thickness: float | None = None
     tested_strain: float | None = None
     property_factor: float = 1.0
+
+    @property
+    def restrained(self) -> RestrainedBrace | None:
+        """The buckling-restrained brace that its parameters are of; None: they are of another damper."""
+        return RestrainedBrace.of_law(self.law.values) if self.law.law == "buckling_restrained" else None
 
 
 @dataclass(frozen=True)
@@ -110,6 +116,7 @@ class Device:
         tested_strain: of its law.
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
+        restrained: all braces that stand at its place, of its length; None: its law is another.
     """
 
     name: str
@@ -127,6 +134,7 @@ class Device:
     tested_strain: float | None = None
     brace_bar: BraceBar | None = None
     design_deformation: float | None = None
+    restrained: RestrainedBrace | None = None
 
 
 @dataclass(frozen=True)
@@ -183,9 +191,16 @@ def add_devices(
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
         if law.layers is not None and run.scale is not None:
             raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(run.law)}")
+        restrained = law.restrained
+        if restrained is not None:
+            _check_restrained(run, where)
         for place in _places(project, run, nodes, where):
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)
+            own_brace = None
+            if restrained is not None:
+                deformation_scale = restrained.length / place.length
+                own_brace = restrained.at(force_scale, place.length)
             brace = _brace(project, run, place, i)
             play = run.brace.play or 0.0 if isinstance(run.brace, BraceStiffness) else 0.0
             name = names.free_name(place.name, taken)
@@ -199,8 +214,17 @@ def add_devices(
             scales = (force_scale, deformation_scale, brace, play, law.tested_strain, _brace_bar(run, place))
             amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
             own = (place.storey, place.terms, thickness, size, *scales, amplitude)
-            found.append(Device(name, number, run.law, law.law, *own))
+            found.append(Device(name, number, run.law, law.law, *own, own_brace))
     return tuple(found)
+
+
+def _check_restrained(run: DamperRun | DamperBetween, where: str) -> None:
+    """Check that a buckling-restrained brace stands along its own length, whose ends its stiffness factor counts."""
+    if run.kind in ("chevron", "storey"):
+        message = "a buckling-restrained brace stands along its length; take `chevron_braces`, `rising`, `falling`, `nodes`"
+        raise InputError(f"{where}: kind: `{run.kind}` acts horizontally; {message}")
+    if run.brace != "rigid":
+        raise InputError(f"{where}: brace: the ends of a buckling-restrained brace are in its `KF`; leave this key out")
 
 
 def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:
@@ -231,7 +255,7 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
             width, height = frame.bay_widths[bay - 1], frame.storey_heights[storey - 1]
             low_left, low_right = corner[left, storey - 1], corner[right, storey - 1]
             top_left, top_right = corner[left, storey], corner[right, storey]
-            name = names.damper_name(run.kind, bay, storey)
+            name, *others = names.damper_names(run.kind, bay, storey)
             top: tuple[Term, ...] = ((0.5, top_left, UX), (0.5, top_right, UX))
             if run.kind == "storey":
                 terms = (*top, (-0.5, low_left, UX), (-0.5, low_right, UX))
@@ -242,6 +266,13 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
                 feet = ((-0.5, low_left, UX), (-0.5, low_right, UX), (-tilt, low_left, UY), (tilt, low_right, UY))
                 length = math.hypot(0.5 * width, height)
                 yield _Place(name, storey, index, (*top, *feet), length, 0.5 * width / length, 2)
+            elif run.kind == "chevron_braces":
+                length = math.hypot(0.5 * width, height)
+                apex = _node(nodes, names.beam_name(bay, storey), where)
+                for one, foot, way in ((name, low_left, 1.0), (*others, low_right, -1.0)):
+                    c, s = way * 0.5 * width / length, height / length
+                    terms = ((c, apex, UX), (s, apex, UY), (-c, foot, UX), (-s, foot, UY))
+                    yield _Place(one, storey, index, terms, length, 1.0, 1)
             else:
                 length = math.hypot(width, height)
                 low, high = (low_left, top_right) if run.kind == "rising" else (low_right, top_left)

@@ -8,7 +8,7 @@ from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 
-_K, _C, _F, _T = "N/m", "N*s/m", "N", "s"
+_K, _C, _F, _T, _STRESS = "N/m", "N*s/m", "N", "s", "Pa"
 
 
 def _alpha(name: str, meaning: str, upper_allowed: bool = False) -> Parameter:
@@ -227,6 +227,50 @@ _ALL = (
         "F = k u up to Fy, then (1 - b) Fy + b k u; back by (1 - b) beta Fy lower",
         "Christopoulos, Filiatrault & Folz (2002)",
         False,
+    ),
+    Law(
+        "buckling_restrained",
+        "buckling-restrained brace by its manufacturer's omega and beta",
+        (
+            Parameter("A_sc", "area of the steel core in its yielding length", "m^2"),
+            Parameter("F_ysc", "yield stress of the steel core", _STRESS),
+            Parameter("E", "modulus of elasticity of the core", _STRESS, default=200e9),
+            Parameter("L_wp", "length between work points", "m"),
+            Parameter("L_y", "yielding length of the core, at most L_wp", "m"),
+            Parameter(
+                "KF",
+                "stiffness factor K / (E A_sc / L_wp), at most L_wp / L_y",
+                "",
+                lower=1.0,
+                lower_allowed=True,
+            ),
+            Parameter(
+                "alpha",
+                "kinematic hardening: stiffness after yielding / before",
+                "",
+                upper=1.0,
+                lower_allowed=True,
+                upper_allowed=False,
+            ),
+            Parameter(
+                "R_y",
+                "expected / given yield stress, for adjusted strengths alone",
+                "",
+                lower=1.0,
+                lower_allowed=True,
+                default=1.0,
+                fitted=False,
+            ),
+        ),
+        "F = K (u - p), -(P_ysc + R_C(s)) <= F - H p <= P_ysc + R_T(s), s = sum of |dp|, "
+        "P_ysc = F_ysc A_sc, K = KF E A_sc / L_wp, H = alpha K / (1 - alpha)",
+        "AISC 341-16, F4 and K3; hardening as of Zona & Dall'Asta (2012)",
+        False,
+        branch=(
+            Parameter("strain", "strain of the core at which hold omega and beta", ""),
+            Parameter("omega", "strain-hardening adjustment factor", "", lower=1.0, lower_allowed=True),
+            Parameter("beta", "compression strength adjustment factor", "", lower=1.0, lower_allowed=True),
+        ),
     ),
     Law(
         "gap",

@@ -18,8 +18,8 @@ from edesign.project.reading.problems import did_you_mean, listed
 __all__ = ["PARAMETER_SETS", "ParameterError", "ParameterSet", "parameter_set", "read_parameters", "write_parameters"]
 
 _EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
-_BASE = re.compile(r"\b[Nm]\b")
-_PRACTICAL = {"N": "kN", "m": "mm"}
+_BASE = re.compile(r"\b(?:N|m|Pa)\b")
+_PRACTICAL = {"N": "kN", "m": "mm", "Pa": "MPa"}
 _CELSIUS = "degC"
 _DIGITS = 15  # of numbers written; they read back to 1e-14
 _EXPONENT_TOLERANCE = 1e-9  # of the exponent in a unit against the parameter it stands for
@@ -46,7 +46,8 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         law: the law.
         values: by name, text with unit (`0.515 kN/mm`), a plain number where there is no dimension; or the name of a
             set in PARAMETER_SETS. An exponent in a unit is that of the law: a number, or the name of the parameter
-            (`kN*(s/mm)^0.374`, `kN*(s/mm)^alpha`).
+            (`kN*(s/mm)^0.374`, `kN*(s/mm)^alpha`). A parameter of branches may be given for all of them: `k: [3 kN/mm,
+            1 kN/mm]` is k1 and k2, and `k: 3 kN/mm` is k1.
 
     Returns:
         All parameters in the order of the core, SI units, with defaults.
@@ -57,8 +58,11 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
     """
     if isinstance(values, str):
         values = parameter_set(law, values).values
+    values, problems, given_as = _branches_apart(law, values)
+    if problems:
+        raise ParameterError(law, problems)
     known = {parameter.name: parameter for parameter in law.all_parameters(dict.fromkeys(values, 0.0))}
-    problems = [
+    problems += [
         (name, f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)})")
         for name in values
         if name not in known
@@ -81,8 +85,34 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         if p.name in found and not p.allows(found[p.name])
     ]
     if problems:
-        raise ParameterError(law, problems)
+        raise ParameterError(law, [(given_as.get(name, name), message) for name, message in problems])
     return law.complete(found)
+
+
+def _branches_apart(
+    law: Law, values: Mapping[str, object]
+) -> tuple[Mapping[str, object], list[tuple[str, str]], dict[str, str]]:
+    """The values with those that stand for all branches as k1, k2 ...; what is wrong; where these were given."""
+    own = {parameter.name for parameter in law.parameters}
+    found: dict[str, object] = {}
+    problems, given_as = [], {}
+    shared = {p.name: values[p.name] for p in law.branch if p.name in values and p.name not in own}
+    lists = {name: value if isinstance(value, (list, tuple)) else (value,) for name, value in shared.items()}
+    for name, value in values.items():
+        if name not in lists:
+            found[name] = value
+            continue
+        if len(lists[name]) > law.most_branches or not lists[name]:
+            problems.append((name, f"{len(lists[name])} values; 1 to {law.most_branches} are allowed"))
+        for i, one in enumerate(lists[name], start=1):
+            if f"{name}{i}" in values:
+                problems.append((f"{name}{i}", f"`{name}` gives this too; leave one of them out"))
+            found[f"{name}{i}"], given_as[f"{name}{i}"] = one, name
+    counts = {name: len(several) for name, several in lists.items()}
+    if len(set(counts.values())) > 1:
+        told = listed([f"{name} {count}" for name, count in counts.items()])
+        problems.append((next(iter(counts)), f"the branches need as many values of each: {told}"))
+    return found, problems, given_as
 
 
 def parameter_set(law: Law, name: str) -> ParameterSet:

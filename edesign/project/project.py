@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
 
-from pydantic import Field, PrivateAttr
+from pydantic import Field, PrivateAttr, model_validator
 
 from edesign.project.actions.hazard import AnyHazard
 from edesign.project.actions.loads import Loads
@@ -17,7 +17,7 @@ from edesign.project.analysis.damping import Damping
 from edesign.project.analysis.integration import Integration
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.validity import Validity
-from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.frame.elements import Elements
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
@@ -61,6 +61,20 @@ class Project(RecordFiles, FileModel):
     _path: Path = PrivateAttr(default=Path("project.yaml"))
     _more_folders: tuple[Path, ...] = PrivateAttr(default=())
     _choices: Mapping[str, RecordChoice] = PrivateAttr(default_factory=dict)
+
+    @model_validator(mode="after")
+    def _meet_beams(self) -> Self:
+        """Dampers in place of a chevron's braces meet the middle of the beam above."""
+        grid = self.frame
+        runs = self.dampers.devices if self.dampers is not None else ()
+        grid.meet_by_dampers(
+            (bay, storey)
+            for run in runs
+            if isinstance(run, DamperRun) and run.kind == "chevron_braces"
+            for storey in run.storeys.numbers(1, grid.n_storeys)
+            for bay in run.bays.numbers(1, grid.n_bays)
+        )
+        return self
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
         """Return what the file would be with other values; see `FileModel.with_values`."""

@@ -83,6 +83,26 @@ def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[Analy
     return found
 
 
+def core_strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
+    """Buckling-restrained braces whose core strained beyond what their manufacturer gives omega and beta for.
+
+    Args:
+        devices: of the frame.
+        strain: (n_devices,) largest strain of each core.
+    """
+    ratios = {i: strain[i] / d.restrained.tested_strain for i, d in enumerate(devices) if d.restrained is not None}
+    beyond = [i for i, ratio in ratios.items() if ratio > 1.0]
+    if not beyond:
+        return []
+    most = max(beyond, key=lambda i: ratios[i])
+    count = "1 core strains" if len(beyond) == 1 else f"{len(beyond)} cores strain"
+    text = (
+        f"{count} beyond the largest strain that omega and beta are given at: {devices[most].name} to "
+        f"{100.0 * strain[most]:.3g} %, {ratios[most]:.3g} times its own"
+    )
+    return [AnalysisWarning("core_strain", text, float(ratios[most]))]
+
+
 def attachments(project: Project) -> list[Attached]:
     """Tuned masses, and tuned liquid dampers as the tuned masses that they are equivalent to."""
     found = []

@@ -16,7 +16,7 @@ from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.collapse import collapse_reason, drift_limits
-from edesign.study.dampers import strain_warnings
+from edesign.study.dampers import core_strain_warnings, strain_warnings
 from edesign.study.recording import SINGLE, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
@@ -110,6 +110,9 @@ class HistoryResults:
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
+        if "core_strain_max" in group.variables:
+            largest, least = (group.variables[f"core_strain_{which}"].values for which in ("max", "min"))
+            warnings += core_strain_warnings(frame.devices, np.maximum(largest, -least))
         warnings += fracture_warnings(group)
         store_warnings(group, [] if doubts is None else [*doubts, *warnings])
         _store_energy(group, response, self.energies)

@@ -40,6 +40,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
             if any(values):
                 known = [np.nan if value is None else value for value in values]
                 group.add(f"damper_{name}", ("damper",), known, unit, label)
+        _restrained_coordinates(group, frame)
     for kind in ("column", "beam", "brace"):
         found = [member.name for member in frame.of_kind(kind)]
         if found:
@@ -52,6 +53,32 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         group.add("rigid_end", ("member", "end"), rigid, "m", label)
     group.add("floor_level", ("floor",), frame.frame.y[1:], "m", "level of the floor above the base")
     group.add("storey_height", ("storey",), frame.frame.storey_heights, "m", "height of the storey")
+
+
+RESTRAINED = (
+    ("length", "length", "m", "length of the buckling-restrained brace between work points"),
+    ("yield_force", "yield_force", "N", "yield force of its core, F_ysc A_sc"),
+    ("yield_deformation", "yield_deformation", "m", "its yield deformation"),
+    ("tested_core_strain", "tested_strain", "1", "strain of its core up to which omega and beta are known"),
+    ("adjusted_tension", "adjusted_tension", "N", "its adjusted strength in tension, omega R_y F_ysc A_sc"),
+    (
+        "adjusted_compression",
+        "adjusted_compression",
+        "N",
+        "its adjusted strength in compression, beta omega R_y F_ysc A_sc",
+    ),
+)
+"""Variables of buckling-restrained braces, without `damper_`: name, attribute of `RestrainedBrace`, unit, meaning."""
+
+
+def _restrained_coordinates(group: Group, frame: FrameModel) -> None:
+    """Add what the manufacturer's values say of buckling-restrained braces; nan of other dampers."""
+    braces = [device.restrained for device in frame.devices]
+    if not any(braces):
+        return
+    for name, attribute, unit, label in RESTRAINED:
+        values = [np.nan if brace is None else getattr(brace, attribute) for brace in braces]
+        group.add(f"damper_{name}", ("damper",), values, unit, f"{label}; nan: the damper is another")
 
 
 def bending_members(frame: FrameModel) -> list[Member]:
@@ -280,17 +307,46 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
         )
         label = "shear strain of the damper's layers"
         found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
+    found += _restrained_braces(frame)
     work = tuple(((1.0, "damper_work", n, 0),) for n in numbers)
     label = "work done on the damper and its brace"
     found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",)))
     storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
     for device in frame.devices:
         if device.storey:
-            top = {frame.nodes[name] for name in frame.floor_nodes(device.storey)}
+            level = frame.frame.y[device.storey]
+            top = {node for name, node in frame.nodes.items() if frame.frame.nodes[name][1] == level}
             across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
             storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
     found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
+    return found
+
+
+def _restrained_braces(frame: FrameModel) -> list[Quantity]:
+    """Strain of the core and ductilities of the dampers that are buckling-restrained braces; of others 0."""
+    if not any(device.restrained for device in frame.devices):
+        return []
+    strains: list[Terms] = []
+    ductilities: list[Terms] = []
+    cumulated: list[Terms] = []
+    for device in frame.devices:
+        brace, n = device.restrained, device.number
+        if brace is None:
+            for cells in (strains, ductilities, cumulated):
+                cells.append(())
+            continue
+        by_force, by_deformation = brace.strain_of_core
+        strains.append(((by_force, "damper_force", n, 0), (by_deformation, "damper_deformation", n, 1)))
+        ductilities.append(((1.0 / brace.yield_deformation, "damper_deformation", n, 1),))
+        cumulated.append(((1.0 / brace.yield_deformation, "damper_deformation", n, 2),))
+    shape = (len(strains),)
+    label = "strain of the steel core of a buckling-restrained brace, in its yielding length"
+    found = [Quantity("core_strain", ("damper",), shape, tuple(strains), "1", label, keep=("max", "min"))]
+    label = "deformation of a buckling-restrained brace / its yield deformation"
+    found.append(Quantity("core_ductility", ("damper",), shape, tuple(ductilities), "1", label, keep=("max", "min")))
+    label = "sum of the plastic deformations of a buckling-restrained brace either way / its yield deformation"
+    found.append(Quantity("cumulative_ductility", ("damper",), shape, tuple(cumulated), "1", label, keep=("final",)))
     return found
 
 

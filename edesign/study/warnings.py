@@ -15,6 +15,7 @@ ATTRIBUTE = "warnings"
 Kind = Literal[
     "energy_error",
     "damper_strain",
+    "core_strain",
     "brace_buckling",
     "column_buckling",
     "brace_fracture",
@@ -26,6 +27,7 @@ Kind = Literal[
 ALIKE: Mapping[Kind, str] = {
     "energy_error": "the energy balance is doubtful",
     "damper_strain": "dampers strain beyond the tests of their law",
+    "core_strain": "cores of buckling-restrained braces strain beyond the manufacturer's values",
     "brace_buckling": "braces carry more compression than their buckling resistance",
     "brace_fracture": "fibres of braces have broken",
     "column_buckling": "columns carry more compression than their buckling resistance",

@@ -217,6 +217,8 @@ def _damper(file: RtsFile, device: Device | None) -> TestedDamper | None:
         law = DeviceLaw(found.for_core, *layers, property_factor=placed.law.property_factor)
         of_law = Specimen(said.law if isinstance(said.law, str) else "specimen", *layers)
     force, deformation, _ = size.scales(law)
+    if law.restrained is not None and device is not None and device.restrained is not None:
+        deformation = law.restrained.length / device.restrained.length
     return TestedDamper(
         values=found.for_core,
         scales=(force, deformation),

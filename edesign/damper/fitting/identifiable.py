@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
+from edesign.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -15,12 +16,12 @@ class Held:
 
     Attributes:
         why: for people.
-        value: SI, where neither start nor law gives one; in the unit of `of` if that is said.
+        value: SI, where neither start nor law gives one; in the unit of `of` if that is said; None: it must be given.
         of: "force": largest force of the tests; "frequency": their mean circular frequency; "": SI.
     """
 
     why: str
-    value: float
+    value: float | None
     of: str = ""
 
 
@@ -29,7 +30,16 @@ _BOUC_WEN = {
     "gamma": Held("gamma, beta and the yield deformation scale together; the yield deformation is fitted", 0.5),
 }
 
+_CORE = "it is measured on the brace; force and deformation tell F_ysc A_sc and KF E A_sc / L_wp alone"
+
 HELD: dict[str, dict[str, Held]] = {
+    "buckling_restrained": {
+        "A_sc": Held(_CORE, None),
+        "E": Held(_CORE, 200e9),
+        "L_wp": Held(_CORE, None),
+        "L_y": Held(_CORE, None),
+        "strain1": Held("it is where omega1 and beta1 are asked for", None),
+    },
     "friction": {"N": Held("only the slip force mu N acts on the damper", 1.0, "force")},
     "friction_pendulum": {"W": Held("only W/R, f_slow W and f_fast W act on the damper", 10.0, "force")},
     "ramberg_osgood": {"a": Held("only a / Fy^(n-1) enters the law", 1.0)},
@@ -59,9 +69,17 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
 
     Returns:
         By name, SI; choices of the law that are no numbers for data to tell are among them.
+
+    Raises:
+        InputError: one of them must be given.
     """
     given = dict(start or {})
-    holds = {name: given.get(name, _value(held, scales, force)) for name, held in HELD.get(law.name, {}).items()}
+    holds = {}
+    for name, held in HELD.get(law.name, {}).items():
+        value = given.get(name, _value(held, scales, force))
+        if value is None:
+            raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {held.why}")
+        holds[name] = value
     for parameter in law.parameters:
         if not parameter.fitted and parameter.default is not None:
             holds[parameter.name] = given.get(parameter.name, parameter.default)
@@ -74,5 +92,7 @@ def why_held(law: Law, name: str) -> str:
     return held.why if held else ""
 
 
-def _value(held: Held, scales: Scales, force: float) -> float:
+def _value(held: Held, scales: Scales, force: float) -> float | None:
+    if held.value is None:
+        return None
     return held.value * {"": 1.0, "force": force, "frequency": 1.0 / scales.time}[held.of]

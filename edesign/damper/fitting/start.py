@@ -31,6 +31,7 @@ _RELATIVE: dict[str, dict[str, float]] = {
     "lead_rubber": {"Q": 0.6, "K_d": 0.4, "Y": 0.15},
     "friction_pendulum": {"W": 10.0, "R": 25.0, "f_slow": 0.04, "f_fast": 0.08, "a": 1.0, "Y": 0.1},
     "self_centring": {"k": 4.0, "Fy": 0.7, "b": 0.1, "beta": 0.7},
+    "buckling_restrained": {"alpha": 0.002},
     "gap": {"k": 2.0, "gap": 0.5, "d": 0.1},
     "ramberg_osgood": {"k": 4.0, "Fy": 0.7, "a": 1.0, "n": 5.0},
     "bouc_wen": {"Fy": 0.8, "Y": 0.3, "alpha": 0.1, "A": 1.0, "beta": 0.5, "gamma": 0.5, "n": 1.5},
@@ -82,11 +83,29 @@ def start_values(
     parameters = law.with_branches(branches_of(law, known, branches))
     relative = {**_RELATIVE.get(law.name, {}), **_branch_starts(law, observed, len(parameters), branches)}
     values = {p.name: known[p.name] for p in parameters if p.name in known}
+    if law.name == "buckling_restrained":
+        values = {**_start_of_brace(values, observed), **values}  # identifiable.py wants what it needs
     for parameter in sorted(parameters, key=lambda p: bool(p.unit)):  # exponents before units with them
         if parameter.name not in values:
             size = observed.scales.of(parameter.unit, values)
             values[parameter.name] = _inside(parameter, relative.get(parameter.name, parameter.default or 1.0) * size)
     return {parameter.name: values[parameter.name] for parameter in parameters}
+
+
+def _start_of_brace(known: Mapping[str, float], observed: Observed) -> dict[str, float]:
+    """Start of a brace whose core and strains are known.
+
+    The rms force of full loops is near the yield force times omega; the stiffness factor lies between that of a core all
+    along and that of rigid ends; hardening grows with the strain.
+    """
+    strains = {name.removeprefix("strain"): value for name, value in known.items() if name.startswith("strain")}
+    most = max(strains.values())
+    return {
+        "F_ysc": 0.8 * observed.scales.force / known["A_sc"],
+        "KF": 0.5 * (1.0 + known["L_wp"] / known["L_y"]),
+        **{f"omega{i}": 1.1 + 0.25 * strain / most for i, strain in strains.items()},
+        **dict.fromkeys((f"beta{i}" for i in strains), 1.1),
+    }
 
 
 def branches_of(law: Law, given: Mapping[str, float], branches: int) -> int:

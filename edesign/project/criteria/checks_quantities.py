@@ -81,16 +81,18 @@ def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
             continue
         for storey in run.storeys.numbers(1, frame.n_storeys):
             for bay in run.bays.numbers(1, frame.n_bays):
-                found.append(names.free_name(names.damper_name(run.kind, bay, storey), found))
+                for name in names.damper_names(run.kind, bay, storey):
+                    found.append(names.free_name(name, found))
     return tuple(found)
 
 
 def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
     """Return the names of the dampers that a design places."""
     return tuple(
-        names.damper_name(design.kind, bay, storey)
+        name
         for storey in design.storeys.numbers(1, frame.n_storeys)
         for bay in design.bays.numbers(1, frame.n_bays)
+        for name in names.damper_names(design.kind, bay, storey)
     )
 
 

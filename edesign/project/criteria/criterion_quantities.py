@@ -84,6 +84,13 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     "damper_deformation": ArchivedQuantity(LENGTH, "damper", "its stroke, without its brace"),
     "damper_velocity": ArchivedQuantity(VELOCITY, "damper", "of its deformation, without its brace", kept="dampers"),
     "damper_strain": ArchivedQuantity(RATIO, "damper", "shear strain of its layers"),
+    "core_strain": ArchivedQuantity(RATIO, "damper", "of the steel core of a buckling-restrained brace", sides=True),
+    "core_ductility": ArchivedQuantity(
+        RATIO, "damper", "deformation of a buckling-restrained brace over its yield deformation", sides=True
+    ),
+    "cumulative_ductility": ArchivedQuantity(
+        RATIO, "damper", "plastic deformations of a buckling-restrained brace, summed, over its yield deformation"
+    ),
     "damper_work": ArchivedQuantity(ENERGY, "damper", "done on it and its brace until the end"),
     "support_vertical_reaction": ArchivedQuantity(FORCE, "support", "gravity included", sides=True, kept="supports"),
     "support_horizontal_reaction": ArchivedQuantity(FORCE, "support", "gravity included", kept="supports"),

@@ -13,6 +13,7 @@ from edesign.project.dampers.dampers import (
     Device,
 )
 from edesign.project.frame.checks_frame import Selections
+from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 
@@ -111,7 +112,17 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
     check = Selections(project.frame, problems)
     inside = check.numbers((*keys, "bays"), device.bays, "bay", project.frame.n_bays)
     if check.numbers((*keys, "storeys"), device.storeys, "storey", project.frame.n_storeys) and inside:
-        _lists(problems, keys, device, len(device.storeys.numbers(1, project.frame.n_storeys)))
+        storeys = device.storeys.numbers(1, project.frame.n_storeys)
+        _lists(problems, keys, device, len(storeys))
+        absent = [
+            names.beam_name(bay, storey)
+            for storey in storeys
+            for bay in device.bays.numbers(1, project.frame.n_bays)
+            if device.kind == "chevron_braces" and (bay, storey) not in project.frame.beam_at
+        ]
+        if absent:
+            message = f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing"
+            problems.at_value((*keys, "kind"), message)
 
 
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:

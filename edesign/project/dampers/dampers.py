@@ -141,11 +141,12 @@ class _Sized(Model):
 class DamperRun(_Sized):
     """Dampers in some bays and storeys; lists go up with the storeys.
 
-    chevron: horizontal between the apex of a chevron brace and the beam above; rising, falling: along the diagonal,
+    chevron: horizontal between the apex of a chevron brace and the beam above; chevron_braces: two in place of the
+    braces of a chevron, from the feet of the bay to the middle of the beam above; rising, falling: along the diagonal,
     seen from left to right; storey: horizontal between the floors above and below.
     """
 
-    kind: Literal["chevron", "rising", "falling", "storey"]
+    kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
     bays: Numbers
     storeys: Numbers
 
@@ -159,6 +160,7 @@ class DamperBetween(_Sized):
 
 Device = Annotated[
     Annotated[DamperRun, Tag("?kind=chevron")]
+    | Annotated[DamperRun, Tag("?kind=chevron_braces")]
     | Annotated[DamperRun, Tag("?kind=rising")]
     | Annotated[DamperRun, Tag("?kind=falling")]
     | Annotated[DamperRun, Tag("?kind=storey")]

@@ -185,7 +185,7 @@ def _floors(frame: Frame, problems: Problems) -> None:
 def _met_beams(frame: Frame, problems: Problems) -> None:
     """Every beam that braces meet in the middle is there."""
     for (bay, floor), run in frame.met_beams.items():
-        if (bay, floor) not in frame.beam_at:
+        if run is not None and (bay, floor) not in frame.beam_at:
             beam = f"{names.beam_name(bay, floor)} is missing" if floor else f"bay {bay} has no beam at the base"
             message = f"a `{run.kind}` meets a beam in the middle, and {beam}"
             problems.at_value(("frame", "braces", frame.braces.index(run), "kind"), message)

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import Discriminator, Field, PrivateAttr, Tag
 
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
@@ -25,7 +25,7 @@ Lengths = Annotated[tuple[PositiveLength, ...], Field(min_length=1)]
 
 @dataclass(frozen=True)
 class BeamMember:
-    """A member of the frame that is a beam, or the half of one that braces meet in the middle.
+    """A member of the frame that is a beam, or the half of one that braces or dampers meet in the middle.
 
     Attributes:
         bay, floor: of the beam.
@@ -75,6 +75,12 @@ class Frame(Model):
     missing: Missing = Missing()
     releases: tuple[Release, ...] = ()
     leaning_column: LeaningColumn | None = None
+
+    _met_by_dampers: frozenset[tuple[int, int]] = PrivateAttr(default=frozenset())
+
+    def meet_by_dampers(self, beams: Iterable[tuple[int, int]]) -> None:
+        """Tell the frame, once, which beams dampers meet in the middle, by (bay, floor)."""
+        self._met_by_dampers = frozenset(beams)
 
     # --- grid
 
@@ -166,9 +172,10 @@ class Frame(Model):
         return {(b, s, way): run for (b, s), run in places for way in ways.get(run.kind, "rf")}
 
     @cached_property
-    def met_beams(self) -> dict[tuple[int, int], BraceRun]:
-        """The beams that braces meet in the middle, by (bay, floor), with one of the runs that do."""
-        found = {}
+    def met_beams(self) -> dict[tuple[int, int], BraceRun | None]:
+        """The beams that braces or dampers meet in the middle, by (bay, floor), with one of the runs of braces that
+        do."""
+        found: dict[tuple[int, int], BraceRun | None] = dict.fromkeys(sorted(self._met_by_dampers))
         for (bay, storey, _), run in self.brace_at.items():
             if run.kind in ("chevron", "v"):
                 found[bay, storey if run.kind == "chevron" else storey - 1] = run

@@ -52,10 +52,15 @@ def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
     return f"{name}_1", f"{name}_2"
 
 
-def damper_name(kind: str, bay: int, storey: int) -> str:
-    """Damper in a bay and storey by its kind, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S)."""
+def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
+    """Dampers of a kind in a bay and storey, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S).
+
+    In place of the braces of a chevron are two: V_2_5_r, which rises from left to right, and V_2_5_f.
+    """
+    if kind == "chevron_braces":
+        return f"V_{bay}_{storey}_r", f"V_{bay}_{storey}_f"
     letter = {"chevron": "V", "rising": "R", "falling": "F", "storey": "S"}[kind]
-    return f"{letter}_{bay}_{storey}"
+    return (f"{letter}_{bay}_{storey}",)
 
 
 def damper_between_name(start: str, end: str) -> str:

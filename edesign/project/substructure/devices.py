@@ -31,7 +31,8 @@ def _places(project: Project, device: Device) -> Iterator[tuple[str, int]]:
         return
     for storey in device.storeys.numbers(1, project.frame.n_storeys):
         for bay in device.bays.numbers(1, project.frame.n_bays):
-            yield names.damper_name(device.kind, bay, storey), storey
+            for name in names.damper_names(device.kind, bay, storey):
+                yield name, storey
 
 
 def _free(name: str, taken: dict[str, tuple[Device, int]]) -> str:

@@ -1,0 +1,1 @@
+"""AISC 341-16, Seismic Provisions for Structural Steel Buildings."""
