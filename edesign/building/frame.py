@@ -138,8 +138,13 @@ class FrameModel:
         return [member for member in self.members.values() if member.kind == kind]
 
     def floor_nodes(self, floor: int) -> list[str]:
-        """Names of the nodes at a floor from the left."""
+        """Names of the nodes at a floor on column lines, from the left."""
         return [name for line in self.frame.lines if (name := names.node_name(line, floor)) in self.nodes]
+
+    def level_nodes(self, floor: int) -> list[str]:
+        """Names of all nodes at a floor, those in the middle of beams too."""
+        level = self.frame.y[floor]
+        return [name for name in self.nodes if self.frame.nodes[name][1] == level]
 
     @cached_property
     def leading_nodes(self) -> list[str]:

@@ -59,7 +59,7 @@ def floor_masses(frame: FrameModel) -> np.ndarray:
 def by_floor(frame: FrameModel, values: dict[str, float]) -> np.ndarray:
     """Sum values of nodes over each floor, from the lowest; the base counts nowhere."""
     floors = range(1, frame.frame.n_storeys + 1)
-    return np.array([sum(values.get(name, 0.0) for name in frame.floor_nodes(floor)) for floor in floors])
+    return np.array([sum(values.get(name, 0.0) for name in frame.level_nodes(floor)) for floor in floors])
 
 
 def _shapes(project: Project, count: int) -> np.ndarray:
@@ -91,6 +91,6 @@ def _spread(frame: FrameModel, floors: tuple[float, ...] | np.ndarray, name: str
     for floor, (force, mass) in enumerate(zip(floors, masses, strict=True), start=1):
         if force and not mass:
             raise AnalysisError(f"pattern {name}: floor {floor} has a share of the lateral loads, and no mass")
-        there = [node for node in frame.floor_nodes(floor) if node in frame.masses]
+        there = [node for node in frame.level_nodes(floor) if node in frame.masses]
         found |= {node: float(force * frame.masses[node] / mass) for node in there}
     return found

@@ -314,8 +314,7 @@ def dampers(frame: FrameModel, history: bool) -> list[Quantity]:
     storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
     for device in frame.devices:
         if device.storey:
-            level = frame.frame.y[device.storey]
-            top = {node for name, node in frame.nodes.items() if frame.frame.nodes[name][1] == level}
+            top = {frame.nodes[name] for name in frame.level_nodes(device.storey)}
             across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
             storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
