@@ -172,7 +172,7 @@ def add_devices(
         project: the validated project.
         model: has the nodes already.
         nodes: ids by name.
-        laws: by name.
+        laws: by name; dampers of others are left out.
         outside: names of dampers that stand elsewhere, in a laboratory.
 
     Raises:
@@ -186,6 +186,8 @@ def add_devices(
     devices = project.dampers.devices if project.dampers is not None else ()
     for i, run in enumerate(devices):
         where = f"{project.where('dampers', 'devices', i)}: dampers.devices[{i}]"
+        if run.law not in laws:
+            continue
         law = laws[run.law]
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")

@@ -168,7 +168,7 @@ def build_frame(
     Args:
         project: the validated project.
         model: an empty model to build in; a new one by default.
-        laws: of the dampers, by name; None: the frame without them.
+        laws: of the dampers, by name; those of other laws are left out; None: the frame without dampers.
         attachments: tuned masses.
         outside: names of dampers that stand elsewhere, in a laboratory.
 

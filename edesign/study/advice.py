@@ -9,6 +9,7 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.dampers.checks_designs import design_warnings
@@ -20,7 +21,7 @@ from edesign.project.records.chosen_records import ChosenRecords
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
 from edesign.study.buckling import slender_braces
-from edesign.study.dampers import law_warnings
+from edesign.study.dampers import device_laws, law_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.plan import Task
 from edesign.study.plausibility import implausible
@@ -45,6 +46,17 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     return [*frame_warnings(project, records), *law_warnings(project), *pattern_warnings(pushed)]
 
 
+def _damping_warnings(project: Project) -> list[str]:
+    """The doubt about damping by a stiffness matrix in a frame on buckling-restrained braces."""
+    braced = any(law.restrained is not None for law in device_laws(project).values())
+    if not braced or not isinstance(project.damping, (RayleighDamping, StiffnessDamping)):
+        return []
+    return [
+        f"damping: the stiffness that `{project.damping.kind}` is proportional to is that of the members, without "
+        "buckling-restrained braces, so modes that these stiffen get less than the ratio; `modal` gives it to each mode"
+    ]
+
+
 def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
     """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`."""
     try:
@@ -52,6 +64,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]
     except AnalysisError:
         period = None  # the analyses will say why
     found = implausible(project, period) + slender_braces(project, make_frame(project, dampers=True))
+    found += _damping_warnings(project)
     staying = [
         name
         for name, run in project.frame.members.items()

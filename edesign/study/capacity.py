@@ -24,7 +24,7 @@ from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
 from edesign.study.lateral_patterns import by_floor, floor_masses, lateral_loads
 from edesign.study.push import Progress, Push, Stop, push
-from edesign.study.structure import make_frame, make_structure
+from edesign.study.structure import frame_alone, make_frame
 
 PASSES = 8
 """Pushes until one reaches far enough; each goes as far as the last one asked, which two or three do."""
@@ -58,15 +58,15 @@ class Basis:
 
     def __init__(self, project: Project, spec: PushoverAnalysis | TargetAnalysis) -> None:
         frame = make_frame(project)
-        self._project = project
-        self.loads = lateral_loads(project, frame, spec.pattern[0])
+        self._project, self._dampers = project, spec.dampers
+        self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
         self.forces, self.masses = by_floor(frame, self.loads), floor_masses(frame)
         self.mass = frame.mass
 
     @cached_property
     def first_mode(self) -> tuple[float, float]:
-        """Period under gravity of the frame without dampers, s, and participation factor of its control node."""
-        structure = make_structure(self._project)
+        """Period under gravity of the frame without dampers but buckling-restrained braces, s, and participation factor of its control node."""
+        structure = frame_alone(self._project, self._dampers)
         structure.apply_gravity()
         modes = structure.modes(1)
         node = structure.frame.nodes[structure.frame.leading_nodes[-1]]

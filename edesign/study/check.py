@@ -35,7 +35,7 @@ from edesign.study.modal import fundamental_period, mode_count
 from edesign.study.motions import Motion, check_fits, expected_scale
 from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
-from edesign.study.structure import make_frame, make_structure
+from edesign.study.structure import frame_alone, make_frame, make_structure
 from edesign.study.study_plan import make_study_plan, recordings
 from edesign.study.suitability import scale_warnings
 from edesign.study.variants import variant_warnings
@@ -188,7 +188,7 @@ def _check_series(project: Project) -> None:
     damping = project.damping
     if not isinstance(damping, CaugheyDamping):
         return
-    alone = make_structure(project)
+    alone = frame_alone(project)
     if damping.state == "gravity":
         alone.apply_gravity()
     try:

@@ -22,7 +22,7 @@ from edesign.study.history_results import HistoryResults
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.residual import period_steps
-from edesign.study.structure import Structure, make_structure
+from edesign.study.structure import Structure, frame_alone, make_structure
 from edesign.study.vertical_motion import ground_motion
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
@@ -143,7 +143,7 @@ def load_and_damp(project: Project, structure: Structure) -> float:
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
     """
-    alone = make_structure(project) if structure.frame.attached else structure
+    alone = frame_alone(project) if structure.frame.attached else structure
     damping = None if isinstance(project.damping, NoDamping) else project.damping
     count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
     modes: Modes | None = None

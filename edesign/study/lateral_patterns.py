@@ -9,12 +9,12 @@ from edesign.errors import AnalysisError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
 from edesign.project.project import Project
-from edesign.study.structure import make_structure
+from edesign.study.structure import frame_alone
 
 NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally
 
 
-def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern) -> dict[str, float]:
+def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True) -> dict[str, float]:
     """Return horizontal loads on the nodes that have a mass, by name; their sum is 1 N.
 
     Args:
@@ -23,6 +23,7 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern) -> dict
         pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), "first_mode"
             (mass times horizontal displacement in the first mode under gravity), or another mode, the storey shears of
             several modes, or shares of the floors.
+        dampers: whether it has its dampers, of which buckling-restrained braces count in modes.
 
     Raises:
         AnalysisError: no node has a mass, a floor with a share has none, or the loads have no resultant.
@@ -38,11 +39,11 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern) -> dict
     elif pattern == "triangular":
         weights = {name: mass * frame.frame.nodes[name][1] for name, mass in frame.masses.items()}
     elif isinstance(pattern, GivenPattern) and pattern.mode is None:
-        floors = pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1)
+        floors = pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
         weights = _spread(frame, floors, pattern.name)
     else:
         mode = pattern.mode if isinstance(pattern, GivenPattern) and pattern.mode is not None else 1
-        shape = _shapes(project, mode)[mode - 1]
+        shape = _shapes(project, mode, dampers)[mode - 1]
         weights = {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()}
     total = sum(weights.values())
     if abs(total) <= NO_RESULTANT * sum(abs(weight) for weight in weights.values()):
@@ -62,16 +63,16 @@ def by_floor(frame: FrameModel, values: dict[str, float]) -> np.ndarray:
     return np.array([sum(values.get(name, 0.0) for name in frame.level_nodes(floor)) for floor in floors])
 
 
-def _shapes(project: Project, count: int) -> np.ndarray:
+def _shapes(project: Project, count: int, dampers: bool) -> np.ndarray:
     """Horizontal displacements of the nodes in the first modes under gravity, (count, nodes)."""
-    structure = make_structure(project)  # a second model, which has no lateral loads yet
+    structure = frame_alone(project, dampers)  # a second model, which has no lateral loads yet
     structure.apply_gravity()
     return structure.modes(count).shapes[:, :, 0]
 
 
-def _of_modes(project: Project, frame: FrameModel, count: int) -> np.ndarray:
+def _of_modes(project: Project, frame: FrameModel, count: int, dampers: bool) -> np.ndarray:
     """Forces of the floors whose storey shears are those of modes, combined by the root of the sum of squares."""
-    structure = make_structure(project)
+    structure = frame_alone(project, dampers)
     structure.apply_gravity()
     modes = structure.modes(count)
     S_e = elastic_spectrum(checked_hazard(project)).acceleration(modes.period)

@@ -11,7 +11,7 @@ from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
 from edesign.study.recording import coordinate
-from edesign.study.structure import Structure, make_structure
+from edesign.study.structure import Structure, frame_alone, make_structure
 
 _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
 
@@ -40,7 +40,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
 
 
 def fundamental_period(project: Project) -> float | None:
-    """Return the first period of the frame under gravity, s; None if it has no masses.
+    """Return the first period of the frame under gravity with its buckling-restrained braces, s; None if it has no masses.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.
@@ -48,7 +48,7 @@ def fundamental_period(project: Project) -> float | None:
     if project.masses is None:
         return None
     try:
-        structure = make_structure(project)
+        structure = frame_alone(project)
         structure.apply_gravity()
         return float(structure.modes(1).period[0])
     except AnalysisError as error:

@@ -32,9 +32,15 @@ class Structure:
     def modes(self, count: int, damper_stiffness: np.ndarray | None = None) -> Modes:
         """The lowest modes in the present state, with stiffness of the dampers (n_dampers,) N/m if it is given.
 
+        Without, buckling-restrained braces have that before they yield, and other dampers have none.
+
         Raises:
             AnalysisError: there are not so many modes, or the structure is unstable.
         """
+        braces = {d.number: d.restrained.stiffness for d in self.frame.devices if d.restrained is not None}
+        if damper_stiffness is None and braces:
+            damper_stiffness = np.zeros(len(self.frame.model.damper_names))
+            damper_stiffness[list(braces)] = list(braces.values())
         try:
             return self.analysis.modes(count, damper_stiffness)
         except (ValueError, RuntimeError) as error:
@@ -56,6 +62,21 @@ class Structure:
         if not response.finite:
             raise AnalysisError("under the gravity loads: a result is not a finite number")
         return response
+
+
+def frame_alone(project: Project, dampers: bool = True) -> Structure:
+    """Build the frame whose modes are meant by damping, lateral forces and periods: without tuned masses and dampers.
+
+    Args:
+        project: the validated project.
+        dampers: whether it has its dampers, of which buckling-restrained braces are part of the frame.
+
+    Raises:
+        InputError, CoreError: as `make_structure`.
+    """
+    laws = device_laws(project) if dampers else {}
+    braces = {name: law for name, law in laws.items() if law.restrained is not None}
+    return make_structure(project, build_frame(project, laws=braces or None))
 
 
 def tolerance(project: Project) -> float:

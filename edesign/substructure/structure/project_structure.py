@@ -16,7 +16,7 @@ from edesign.project.project import Project
 from edesign.project.reading.problems import unknown_name
 from edesign.study.damper_stiffness import device_stiffness
 from edesign.study.dampers import attachments
-from edesign.study.structure import Structure, make_structure
+from edesign.study.structure import Structure, frame_alone, make_structure
 from edesign.substructure.structure.linear_building import LinearBuilding, building_of_frame
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix
 
@@ -239,7 +239,7 @@ def _inherent_damping(
     damping = project.damping
     if damping is None or isinstance(damping, NoDamping):
         return np.zeros_like(mass)
-    alone = make_structure(project)
+    alone = frame_alone(project)
     if damping.state == "gravity":
         alone.apply_gravity()
     count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
