@@ -223,8 +223,9 @@ def add_devices(
 def _check_restrained(run: DamperRun | DamperBetween, where: str) -> None:
     """Check that a buckling-restrained brace stands along its own length, whose ends its stiffness factor counts."""
     if run.kind in ("chevron", "storey"):
-        message = "a buckling-restrained brace stands along its length; take `chevron_braces`, `rising`, `falling`, `nodes`"
-        raise InputError(f"{where}: kind: `{run.kind}` acts horizontally; {message}")
+        allowed = "`chevron_braces`, `rising`, `falling`, `nodes`"
+        message = f"`{run.kind}` acts horizontally, and a buckling-restrained brace along its length; take {allowed}"
+        raise InputError(f"{where}: kind: {message}")
     if run.brace != "rigid":
         raise InputError(f"{where}: brace: the ends of a buckling-restrained brace are in its `KF`; leave this key out")
 
@@ -271,7 +272,7 @@ def _places(project: Project, run: DamperRun | DamperBetween, nodes: Mapping[str
             elif run.kind == "chevron_braces":
                 length = math.hypot(0.5 * width, height)
                 apex = _node(nodes, names.beam_name(bay, storey), where)
-                for one, foot, way in ((name, low_left, 1.0), (*others, low_right, -1.0)):
+                for one, foot, way in zip((name, *others), (low_left, low_right), (1.0, -1.0), strict=True):
                     c, s = way * 0.5 * width / length, height / length
                     terms = ((c, apex, UX), (s, apex, UY), (-c, foot, UX), (-s, foot, UY))
                     yield _Place(one, storey, index, terms, length, 1.0, 1)

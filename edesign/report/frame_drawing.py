@@ -54,6 +54,9 @@ def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
         return None
     left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.y[storey - 1], frame.y[storey]
     apex = (0.5 * (left + right), high)
+    if kind == "V" and name.endswith(("_r", "_f")):  # in place of a brace
+        line = ((left, low), apex) if name.endswith("_r") else (apex, (right, low))
+        return DamperDrawing((line,), _middle(*line))
     if kind == "V":
         return DamperDrawing((((left, low), apex), ((right, low), apex)), apex)
     lines: dict[str, Line] = {

@@ -15,6 +15,7 @@ from edesign.report.damper_results import damper_stiffness_table, dampers_table,
 from edesign.report.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
 from edesign.report.pushover_tables import events_table, target_tables
 from edesign.report.record_tables import tables_of
+from edesign.report.restrained_braces import restrained_tables
 from edesign.report.study_tables import study_tables
 from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.table import Table, number, seconds, whole
@@ -70,7 +71,7 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     tables = [_heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
     tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
-    tables += [measures_table(entries), dampers_table(groups), statistics_table(entries)]
+    tables += [measures_table(entries), dampers_table(groups), *restrained_tables(groups), statistics_table(entries)]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -96,6 +97,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
         events_table({name: group}),
         *target_tables(None, {name: group}),
         each_damper_table(name, group),
+        *restrained_tables({name: group}),
     ]
     tables += [statistics_table(entries), fallbacks_table(name, group)]
     return [table for table in tables if table.rows or table.notes]

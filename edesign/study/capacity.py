@@ -65,7 +65,8 @@ class Basis:
 
     @cached_property
     def first_mode(self) -> tuple[float, float]:
-        """Period under gravity of the frame without dampers but buckling-restrained braces, s, and participation factor of its control node."""
+        """Period under gravity, s, and participation factor of the control node, of the frame with no dampers but its
+        buckling-restrained braces."""
         structure = frame_alone(self._project, self._dampers)
         structure.apply_gravity()
         modes = structure.modes(1)

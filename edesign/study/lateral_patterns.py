@@ -39,7 +39,9 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
     elif pattern == "triangular":
         weights = {name: mass * frame.frame.nodes[name][1] for name, mass in frame.masses.items()}
     elif isinstance(pattern, GivenPattern) and pattern.mode is None:
-        floors = pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
+        floors = (
+            pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
+        )
         weights = _spread(frame, floors, pattern.name)
     else:
         mode = pattern.mode if isinstance(pattern, GivenPattern) and pattern.mode is not None else 1

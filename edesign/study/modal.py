@@ -40,7 +40,9 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
 
 
 def fundamental_period(project: Project) -> float | None:
-    """Return the first period of the frame under gravity with its buckling-restrained braces, s; None if it has no masses.
+    """Return the first period of the frame under gravity, s; None if it has no masses.
+
+    Of its dampers it has its buckling-restrained braces.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.

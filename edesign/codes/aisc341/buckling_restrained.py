@@ -8,8 +8,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-_FIXED = 8  # parameters of the law `buckling_restrained` before its points
-
 
 @dataclass(frozen=True)
 class RestrainedBrace:
@@ -40,16 +38,15 @@ class RestrainedBrace:
     @classmethod
     def of_law(cls, values: Sequence[float]) -> RestrainedBrace:
         """The brace of parameters of the law `buckling_restrained`, in the order of the core, SI units."""
-        rows = values[_FIXED:]
-        return cls(*values[:_FIXED], tuple(zip(rows[::3], rows[1::3], rows[2::3], strict=True)))
+        area, yield_stress, modulus, length, yielding_length, factor, alpha, overstrength, *rows = values
+        points = tuple(zip(rows[::3], rows[1::3], rows[2::3], strict=True))
+        return cls(area, yield_stress, modulus, length, yielding_length, factor, alpha, overstrength, points)
 
     def at(self, force_scale: float, length: float) -> RestrainedBrace:
         """The brace with `force_scale` times the area and at another length between work points, m, whose parts keep
         their shares."""
         share = length / self.length
-        return replace(
-            self, area=force_scale * self.area, length=length, yielding_length=share * self.yielding_length
-        )
+        return replace(self, area=force_scale * self.area, length=length, yielding_length=share * self.yielding_length)
 
     @property
     def yield_force(self) -> float:

@@ -80,6 +80,9 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
         if value is None:
             raise InputError(f"fit of law {law.name}: `{name}` is needed from you: {held.why}")
         holds[name] = value
+    for name, value in given.items():  # of further branches, whose first is held
+        if _first(name) in holds:
+            holds.setdefault(name, value)
     for parameter in law.parameters:
         if not parameter.fitted and parameter.default is not None:
             holds[parameter.name] = given.get(parameter.name, parameter.default)
@@ -88,8 +91,13 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
 
 def why_held(law: Law, name: str) -> str:
     """Reason for which a parameter is held by default; "" if it is not."""
-    held = HELD.get(law.name, {}).get(name)
+    held = HELD.get(law.name, {}).get(name) or HELD.get(law.name, {}).get(_first(name))
     return held.why if held else ""
+
+
+def _first(name: str) -> str:
+    """The name that a parameter of a branch has in the first one."""
+    return f"{name.rstrip('0123456789')}1"
 
 
 def _value(held: Held, scales: Scales, force: float) -> float | None:

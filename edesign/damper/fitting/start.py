@@ -95,8 +95,8 @@ def start_values(
 def _start_of_brace(known: Mapping[str, float], observed: Observed) -> dict[str, float]:
     """Start of a brace whose core and strains are known.
 
-    The rms force of full loops is near the yield force times omega; the stiffness factor lies between that of a core all
-    along and that of rigid ends; hardening grows with the strain.
+    The rms force of full loops is near the yield force times omega; the stiffness factor lies between that of a core
+    all along and that of rigid ends; hardening grows with the strain.
     """
     strains = {name.removeprefix("strain"): value for name, value in known.items() if name.startswith("strain")}
     most = max(strains.values())

@@ -1,4 +1,4 @@
-"""Dampers: their largest strain, deformation, force and work, and their loops."""
+"""Dampers: their largest strain, deformation, force and work, strengths of buckling-restrained braces, and loops."""
 
 from __future__ import annotations
 
@@ -6,6 +6,7 @@ from edesign.report.damper_loops import damper_figures
 from edesign.report.damper_results import dampers_table
 from edesign.report.page.section import Folded, Section
 from edesign.report.page.source import Source, headed
+from edesign.report.restrained_braces import restrained_tables
 
 MANY = 24  # rows, from which a table is folded
 
@@ -17,4 +18,5 @@ def dampers(source: Source) -> Section:
     if not table.rows:
         return Section("dampers", "Dampers")
     shown = Folded(f"{table.title}: {len(table.rows)} analyses", (table,)) if len(table.rows) > MANY else table
-    return Section("dampers", "Dampers", (), (shown, *headed(source.pictures(damper_figures), source.levels)))
+    braces = restrained_tables(ordinary)
+    return Section("dampers", "Dampers", (), (shown, *braces, *headed(source.pictures(damper_figures), source.levels)))

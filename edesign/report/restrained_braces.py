@@ -1,0 +1,140 @@
+"""Buckling-restrained braces: what analyses ask of them, and the forces that what holds them is designed for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.report.histories import names_of
+from edesign.report.table import Table, number
+
+LARGEST = "core_strain_max"
+"""Variable that only analyses with buckling-restrained braces have."""
+STRENGTHS = (
+    ("damper_length", 1.0),
+    ("damper_yield_force", 1e3),
+    ("damper_yield_deformation", 1e-3),
+    ("damper_adjusted_tension", 1e3),
+    ("damper_adjusted_compression", 1e3),
+)
+"""What is said of each brace, and the unit it is shown in, in SI."""
+QUALIFYING = 200
+"""Cumulative plastic deformation / yield deformation that a brace has to stand in the tests (AISC 341-16, K3.4c)."""
+
+
+def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
+    """Return the tables of the buckling-restrained braces of all analyses, one set for those with the same braces.
+
+    Args:
+        groups: results of analyses by name; those that failed, or have no such braces, are left out.
+    """
+    alike: dict[tuple[str, ...], dict[str, Group]] = {}
+    for name, group in groups.items():
+        if LARGEST in group.variables and group.attributes.get("status") == "completed":
+            numbers = [f"{value:.9g}" for variable, _ in STRENGTHS for value in _values(group, variable)]
+            alike.setdefault((*names_of(group, "damper"), *numbers), {})[name] = group
+    tables = []
+    for several in alike.values():
+        one = next(iter(several.values()))
+        tables += [demand_table(several), strength_table(one), beam_table(one)]
+        if len(alike) > 1:
+            for table in tables[-3:]:
+                table.title += f" ({', '.join(several)})"
+    return [table for table in tables if table.rows]
+
+
+def demand_table(groups: Mapping[str, Group]) -> Table:
+    """Return the largest demand on each brace in any of the analyses, with the share of its capacity.
+
+    Args:
+        groups: results of one analysis at least, of the same braces.
+    """
+    columns = ("brace", "T [kN]", "T/T_adj", "C [kN]", "C/C_adj", "strain [%]", "strain/given", "mu", "sum mu")
+    count = next(iter(groups)) if len(groups) == 1 else f"{len(groups)} analyses"
+    table = Table(f"Buckling-restrained braces: largest demand in {count}", columns)
+
+    def largest(of: Callable[[Group], np.ndarray]) -> np.ndarray:
+        return np.max([of(group) for group in groups.values()], axis=0)
+
+    def size(name: str) -> np.ndarray:
+        return largest(lambda group: np.maximum(_values(group, f"{name}_max"), -_values(group, f"{name}_min")))
+
+    one = next(iter(groups.values()))
+    tension = np.maximum(largest(lambda group: _values(group, "damper_force_max")), 0.0)
+    compression = np.maximum(largest(lambda group: -_values(group, "damper_force_min")), 0.0)
+    strain, ductility = size("core_strain"), size("core_ductility")
+    cumulated = largest(lambda group: _values(group, "cumulative_ductility_final"))
+    shares = (
+        tension / _values(one, "damper_adjusted_tension"),
+        compression / _values(one, "damper_adjusted_compression"),
+        strain / _values(one, "damper_tested_core_strain"),
+    )
+    for i, name in _braces(one):
+        cells = (
+            number(float(tension[i]), scale=1e3),
+            number(float(shares[0][i]), 3),
+            number(float(compression[i]), scale=1e3),
+            number(float(shares[1][i]), 3),
+            number(float(strain[i]), 3, scale=0.01),
+            number(float(shares[2][i]), 3),
+            number(float(ductility[i]), 3),
+            number(float(cumulated[i]), 3),
+        )
+        table.rows.append([name, *cells])
+    table.notes += [
+        "T_adj = omega R_y P_ysc and C_adj = beta omega R_y P_ysc are the adjusted strengths; given: the largest "
+        "strain that omega and beta are known at.",
+        "mu: deformation / yield deformation; sum mu: plastic deformations either way / yield deformation, of which "
+        f"braces stand at least {QUALIFYING} in their tests (AISC 341-16, K3.4).",
+    ]
+    return table
+
+
+def strength_table(group: Group) -> Table:
+    """Return yield force and adjusted strengths of each brace, for its connections, the beams and the columns."""
+    columns = ("brace", "L_wp [m]", "P_ysc [kN]", "u_y [mm]", "T_adj [kN]", "C_adj [kN]")
+    table = Table("Buckling-restrained braces: strengths for the design of connections, beams and columns", columns)
+    for i, name in _braces(group):
+        cells = [number(float(_values(group, variable)[i]), scale=unit) for variable, unit in STRENGTHS]
+        table.rows.append([name, *cells])
+    table.notes.append("AISC 341-16, F4.2a: T_adj = omega R_y P_ysc, C_adj = beta omega R_y P_ysc, P_ysc = F_ysc A_sc.")
+    return table
+
+
+def beam_table(group: Group) -> Table:
+    """Return the forces of adjusted braces on the beams that they meet in the middle."""
+    columns = ("beam", "up [kN]", "along [kN]", "moment [kN m]")
+    table = Table("Beams above chevrons of buckling-restrained braces, with both braces at adjusted strength", columns)
+    braces, heights = dict((name, i) for i, name in _braces(group)), _values(group, "storey_height")
+    tension, compression = (_values(group, f"damper_adjusted_{side}") for side in ("tension", "compression"))
+    for name, i in braces.items():
+        kind, bay, storey, *way = name.split("_")
+        other = braces.get(f"V_{bay}_{storey}_f")
+        if kind != "V" or way != ["r"] or other is None:
+            continue
+        length = float(_values(group, "damper_length")[i])
+        sine = float(heights[int(storey) - 1]) / length
+        cosine = float(np.sqrt(1.0 - sine**2))
+        # whichever of the two is compressed
+        up = max(compression[i] - tension[other], compression[other] - tension[i]) * sine
+        along = max(compression[i] + tension[other], compression[other] + tension[i]) * cosine
+        moment = up * 2.0 * length * cosine / 4.0
+        table.rows.append([f"B_{bay}_{storey}", *(number(float(value), scale=1e3) for value in (up, along, moment))])
+    if table.rows:
+        table.notes.append(
+            "AISC 341-16, F4.4a. up: the compressed brace pushes more than the other one pulls; along: what both bring "
+            "into the beam; moment: of `up` in the middle of a beam on hinges, without other loads."
+        )
+    return table
+
+
+def _braces(group: Group) -> list[tuple[int, str]]:
+    """Position and name of every damper that is a buckling-restrained brace."""
+    known = np.isfinite(_values(group, "damper_yield_force"))
+    return [(i, name) for i, name in enumerate(names_of(group, "damper")) if known[i]]
+
+
+def _values(group: Group, name: str) -> np.ndarray:
+    return np.asarray(group.variables[name].values, dtype=float)
