@@ -234,7 +234,7 @@ _ALL = (
         (
             Parameter("A_sc", "area of the steel core in its yielding length", "m^2"),
             Parameter("F_ysc", "yield stress of the steel core", _STRESS),
-            Parameter("E", "modulus of elasticity of the core", _STRESS, default=200e9),
+            Parameter("E", "modulus of elasticity of the core", _STRESS),
             Parameter("L_wp", "length between work points", "m"),
             Parameter("L_y", "yielding length of the core, at most L_wp", "m"),
             Parameter(

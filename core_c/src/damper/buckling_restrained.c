@@ -3,11 +3,10 @@
  *   -(Fy + R_C(s)) <= F - H p <= Fy + R_T(s),  Fy = F_ysc A_sc,  H = alpha K / (1 - alpha),
  *
  * p the plastic deformation and s the sum of its sizes so far. R_T and R_C, the isotropic hardening under tension and compression, are
- * linear between points and constant beyond the last. They are those with which the protocol of AISC 341-16, K3.4, reaches the
- * forces omega Fy in tension and beta omega Fy in compression in its second cycle at each strain of the core that the manufacturer gives them at: two
- * cycles each at 1/4, 1/2, 3/4 and all of the largest strain, in tension first. Strains between are
- * placed linearly between those of the protocol. Hardening never falls, so that the return mapping has one solution, exact
- * along a monotone motion in one step. Memory: p, s. */
+ * linear between points and constant beyond the last. They are those with which the protocol of AISC 341-16, K3.4, two cycles each at
+ * 1/4, 1/2, 3/4 and all of the largest strain that the manufacturer gives, in tension first, reaches the forces omega Fy and beta omega Fy in
+ * its second cycle at each strain: those given, linear in the strain between them and from Fy at first yielding. Hardening never
+ * falls, so that the return mapping has one solution, exact along a monotone motion in one step. Memory: p, s. */
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
@@ -17,14 +16,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { A_SC, F_YSC, E_SC, L_WP, L_Y, KF, ALPHA, R_Y, ROWS, ROW = 3, MOST_ROWS = 16 };
+enum { A_SC, F_YSC, E_SC, L_WP, L_Y, KF, ALPHA, R_Y, ROWS, STRAIN = 0, OMEGA, BETA, ROW, MOST_ROWS = 16 };
 enum { TENSION, COMPRESSION, SIDES };
 enum { PLASTIC, PATH, N_MEMORY };
 enum { STEPS = 4, CYCLES = 2 }; /* of the protocol */
 
 /* Hardening of a side: points (s, R), s ascending; linear from (0, 0) to the first, constant after the last. */
 typedef struct {
-  double path[MOST_ROWS], force[MOST_ROWS];
+  double path[STEPS], force[STEPS];
 } hardening;
 
 typedef struct {
@@ -104,59 +103,63 @@ static double follow(const brace *of, double stiffness, double u, const double u
   return stiffness * (u - now->plastic);
 }
 
-/* Plastic path at the peaks of the second cycle at each strain of the protocol. The core alone is a spring E A_sc / L_y in series with the flow. */
-static void protocol(const brace *of, const double *p, const double strain[STEPS], double path[SIDES][STEPS])
+/* Strain of a step of the protocol. */
+static double strain_of(const double *p, int rows, int step)
+{
+  return p[ROWS + ROW * (rows - 1) + STRAIN] * (step + 1) / STEPS;
+}
+
+/* What a side reaches at a strain beyond that of yielding, and the plastic deformation there. */
+static double reached(const double *p, int rows, int side, double strain, double *plastic)
+{
+  double from = p[F_YSC] / p[E_SC], before = 1.0, factor = 1.0;
+  for (int i = 0; i < rows; i++) {
+    const double *row = p + ROWS + ROW * i;
+    const double there = row[OMEGA] * (side == COMPRESSION ? row[BETA] : 1.0);
+    if (strain <= row[STRAIN] || i == rows - 1) {
+      factor = before + (there - before) * (strain - from) / (row[STRAIN] - from);
+      break;
+    }
+    from = row[STRAIN];
+    before = there;
+  }
+  *plastic = p[L_Y] * (strain - factor * p[F_YSC] / p[E_SC]);
+  return factor * p[F_YSC] * p[A_SC];
+}
+
+/* Goes through the protocol and notes the plastic path at the peaks of the second cycle at each strain. The core alone is a spring
+ * E A_sc / L_y in series with the flow. The largest change of a path noted, relative. */
+static double protocol(brace *of, const double *p, int rows)
 {
   flow now = {0};
   const double none[2] = {0.0, 0.0};
-  double ignored[2];
-  for (int i = 0; i < STEPS; i++)
+  double ignored[2], path[SIDES][STEPS], change = 0.0;
+  for (int i = STEPS - of->points; i < STEPS; i++)
     for (int cycle = 0; cycle < CYCLES; cycle++)
       for (int side = 0; side < SIDES; side++) {
-        (void)follow(of, p[E_SC] * p[A_SC] / p[L_Y], (side == TENSION ? 1.0 : -1.0) * strain[i] * p[L_Y], none, &now, ignored);
-        path[side][i] = now.path;
+        const double u = (side == TENSION ? 1.0 : -1.0) * strain_of(p, rows, i) * p[L_Y];
+        (void)follow(of, p[E_SC] * p[A_SC] / p[L_Y], u, none, &now, ignored);
+        path[side][i - (STEPS - of->points)] = now.path;
       }
-}
-
-/* The path at a strain beyond that of yielding, `yield`: linear from there, where it is 0, over the steps of the protocol. */
-static double path_at(double strain, double yield, const double steps[STEPS], const double path[STEPS])
-{
-  double before = yield, at = 0.0;
-  int i = 0;
-  while (i < STEPS - 1 && (steps[i] <= yield || steps[i] < strain)) {
-    if (steps[i] > yield) {
-      before = steps[i];
-      at = path[i];
+  for (int side = 0; side < SIDES; side++)
+    for (int i = 0; i < of->points; i++) {
+      change = fmax(change, fabs(path[side][i] - of->side[side].path[i]) / path[side][i]);
+      of->side[side].path[i] = path[side][i];
     }
-    i++;
-  }
-  return at + (path[i] - at) * (strain - before) / (steps[i] - before);
+  return change;
 }
 
 /* Finds the places of the hardening: they set the plastic path of the protocol, and follow from it. Forces at peaks hardly change the
  * path, so that each round gains about three digits. */
-static int place(brace *of, const double *p)
+static int place(brace *of, const double *p, int rows)
 {
   enum { ROUNDS = 60 };
-  const double yield = p[F_YSC] / p[E_SC], largest = p[ROWS + ROW * (of->points - 1)];
-  double steps[STEPS], path[SIDES][STEPS];
-  for (int i = 0; i < STEPS; i++)
-    steps[i] = largest * (i + 1) / STEPS;
   for (int side = 0; side < SIDES; side++)
     for (int i = 0; i < of->points; i++) /* any to begin with */
-      of->side[side].path[i] = p[ROWS + ROW * i] * p[L_Y] * 4.0 * CYCLES * STEPS;
-  for (int round = 0; round < ROUNDS; round++) {
-    double change = 0.0;
-    protocol(of, p, steps, path);
-    for (int side = 0; side < SIDES; side++)
-      for (int i = 0; i < of->points; i++) {
-        const double at = path_at(p[ROWS + ROW * i], yield, steps, path[side]);
-        change = fmax(change, fabs(at - of->side[side].path[i]) / at);
-        of->side[side].path[i] = at;
-      }
-    if (change <= 1e-13)
+      of->side[side].path[i] = strain_of(p, rows, i) * p[L_Y] * 4.0 * CYCLES * STEPS;
+  for (int round = 0; round < ROUNDS; round++)
+    if (protocol(of, p, rows) <= 1e-13)
       return 1;
-  }
   return 0;
 }
 
@@ -179,22 +182,33 @@ static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
     return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and less than 1");
   if (!(p[R_Y] >= 1.0))
     return ed_refuse_parameter(message, "R_y", p[R_Y], "at least 1");
+  double before[SIDES] = {1.0, 1.0}, from = p[F_YSC] / p[E_SC];
   for (int i = 0; i < rows; i++) {
     const double *row = p + ROWS + ROW * i;
     char of[24];
-    for (int j = 1; j < ROW; j++)
-      if (!(row[j] >= 1.0)) {
-        snprintf(of, sizeof of, "%s%d", j == 1 ? "omega" : "beta", i + 1);
-        return ed_refuse_parameter(message, of, row[j], "at least 1");
-      }
-    const double elastic = row[1] * row[2] * p[F_YSC] / p[E_SC];
     snprintf(of, sizeof of, "strain%d", i + 1);
-    if (!(row[0] > elastic)) {
-      snprintf(allowed, sizeof allowed, "greater than that of an elastic core, beta omega F_ysc / E = %g", elastic);
-      return ed_refuse_parameter(message, of, row[0], allowed);
+    const double elastic = row[OMEGA] * row[BETA] * p[F_YSC] / p[E_SC];
+    if (i > 0 && !(row[STRAIN] > from))
+      return ed_refuse_parameter(message, of, row[STRAIN], "greater than the one before: strains ascend");
+    for (int side = 0; side < SIDES; side++) {
+      snprintf(of, sizeof of, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
+      if (!(row[OMEGA + side] >= 1.0))
+        return ed_refuse_parameter(message, of, row[OMEGA + side], "at least 1");
     }
-    if (i > 0 && !(row[0] > row[-ROW]))
-      return ed_refuse_parameter(message, of, row[0], "greater than the one before: strains ascend");
+    snprintf(of, sizeof of, "strain%d", i + 1);
+    if (!(row[STRAIN] > elastic)) {
+      snprintf(allowed, sizeof allowed, "greater than that of an elastic core, beta omega F_ysc / E = %g", elastic);
+      return ed_refuse_parameter(message, of, row[STRAIN], allowed);
+    }
+    for (int side = 0; side < SIDES; side++) {
+      const double there = row[OMEGA] * (side == COMPRESSION ? row[BETA] : 1.0);
+      snprintf(of, sizeof of, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
+      if (!((there - before[side]) * p[F_YSC] / p[E_SC] < row[STRAIN] - from))
+        return ed_refuse_parameter(message, of, row[OMEGA + side],
+                                   "from the point before, the force would rise faster with the strain than an elastic core");
+      before[side] = there;
+    }
+    from = row[STRAIN];
   }
   return ED_OK;
 }
@@ -210,25 +224,21 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   const int status = check(p, rows, message);
   if (status != ED_OK)
     return status;
-  brace of = {.points = rows, .stiffness = p[KF] * p[E_SC] * p[A_SC] / p[L_WP], .yield = p[F_YSC] * p[A_SC]};
+  brace of = {.stiffness = p[KF] * p[E_SC] * p[A_SC] / p[L_WP], .yield = p[F_YSC] * p[A_SC]};
   of.kinematic = p[ALPHA] * of.stiffness / (1.0 - p[ALPHA]);
+  while (of.points < STEPS && strain_of(p, rows, STEPS - 1 - of.points) > p[F_YSC] / p[E_SC])
+    of.points++;
   for (int side = 0; side < SIDES; side++) {
     double before = 0.0, plastic_before = 0.0, force_before = of.yield;
-    for (int i = 0; i < rows; i++) {
-      const double *row = p + ROWS + ROW * i;
-      const double force = row[1] * (side == COMPRESSION ? row[2] : 1.0) * of.yield;
-      const double plastic = p[L_Y] * (row[0] - force / (p[E_SC] * p[A_SC]));
+    for (int i = 0; i < of.points; i++) {
+      double plastic;
+      const double strain = strain_of(p, rows, STEPS - of.points + i), force = reached(p, rows, side, strain, &plastic);
       const double isotropic = force - of.yield - of.kinematic * plastic;
-      char name[24], allowed[ED_DAMPER_MESSAGE / 2];
-      snprintf(name, sizeof name, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
-      if (!(plastic > plastic_before)) {
-        snprintf(allowed, sizeof allowed, "from the point before, the force would rise faster with the strain than an elastic core");
-        return ed_refuse_parameter(message, name, row[side == TENSION ? 1 : 2], allowed);
-      }
       if (isotropic < before - 1e-12 * of.yield) { /* beyond the rounding of who computed the largest alpha */
         const double most = (force - force_before) / (plastic - plastic_before);
-        snprintf(allowed, sizeof allowed, "at most %.4g, or kinematic hardening alone exceeds %s", fmax(0.0, most / (of.stiffness + most)),
-                 name);
+        char allowed[ED_DAMPER_MESSAGE / 2];
+        snprintf(allowed, sizeof allowed, "at most %.4g, or kinematic hardening alone exceeds %s at a strain of %g",
+                 fmax(0.0, most / (of.stiffness + most)), side == TENSION ? "omega" : "beta omega", strain);
         return ed_refuse_parameter(message, "alpha", p[ALPHA], allowed);
       }
       of.side[side].force[i] = before = fmax(before, isotropic);
@@ -236,7 +246,7 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
       force_before = force;
     }
   }
-  if (!place(&of, p)) {
+  if (!place(&of, p, rows)) {
     snprintf(message, ED_DAMPER_MESSAGE, "law buckling_restrained: no hardening was found that reaches omega and beta");
     return ED_E_NOT_CONVERGED;
   }

@@ -35,7 +35,7 @@ _CORE = "it is measured on the brace; force and deformation tell F_ysc A_sc and 
 HELD: dict[str, dict[str, Held]] = {
     "buckling_restrained": {
         "A_sc": Held(_CORE, None),
-        "E": Held(_CORE, 200e9),
+        "E": Held(_CORE, None),
         "L_wp": Held(_CORE, None),
         "L_y": Held(_CORE, None),
         "strain1": Held("it is where omega1 and beta1 are asked for", None),
