@@ -141,13 +141,21 @@ def resolve(
     try:
         CoreDamper(chosen.name, list(values.values()))
     except CoreError as error:
-        raise source.refuse(("parameters",), error) from error
+        raise source.refuse(("parameters", *_culprit(described, str(error))), error) from error
     for i, one in enumerate(amendments):
         try:
             CoreDamper(chosen.name, list(values.values()), amendments=(one.for_core(temperature_C),))
         except CoreError as error:  # inside a law that does not relax all of its forces
             raise source.refuse(("effects", i, "form"), error) from error
     return ResolvedLaw(chosen, values, amendments, temperature_C, warnings)
+
+
+def _culprit(described: LawDescription, message: str) -> tuple[str, ...]:
+    """The key of the parameter that a message of the core begins with, as it is given; () where that is not known."""
+    match = re.match(r"(\w+?)(\d*) = ", message)
+    given = described.parameters if isinstance(described.parameters, dict) else {}
+    names = (f"{match[1]}{match[2]}", match[1]) if match else ()
+    return next(((name,) for name in names if name in given), ())
 
 
 def strain_of_tests(described: LawDescription) -> float | None:

@@ -110,8 +110,8 @@ def _branches_apart(
             found[f"{name}{i}"], given_as[f"{name}{i}"] = one, name
     counts = {name: len(several) for name, several in lists.items()}
     if len(set(counts.values())) > 1:
-        told = listed([f"{name} {count}" for name, count in counts.items()])
-        problems.append((next(iter(counts)), f"the branches need as many values of each: {told}"))
+        told = ", ".join(f"{count} of `{name}`" for name, count in counts.items())
+        problems.append((next(iter(counts)), f"as many values of each are needed, and there are {told}"))
     return found, problems, given_as
 
 

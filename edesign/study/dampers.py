@@ -54,6 +54,10 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     resolved = resolve(described, source, spec.temperature, asked)
     numbers, warnings = resolved.for_core, resolved.warnings
     prototype = spec.prototype or described.prototype
+    if numbers.law == "buckling_restrained":  # a fit writes the specimen of its tests, whose layers mean nothing here
+        if spec.prototype is not None:
+            raise asked.refuse(("prototype",), "a buckling-restrained brace has no layers; leave this key out")
+        prototype = None
     if prototype is None:
         return DeviceLaw(numbers, property_factor=spec.property_factor), warnings
     size = (prototype.layers, prototype.layer_area, prototype.layer_thickness)
