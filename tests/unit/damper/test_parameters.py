@@ -107,3 +107,18 @@ def test_sets_by_name() -> None:
         read_parameters(LAWS["mgmm"], "thesis_table_42")
     with pytest.raises(InputError, match="is of law mgmm, not of zener"):
         read_parameters(LAWS["zener"], "thesis_table_4_2")
+
+
+def test_lists_are_of_branches() -> None:
+    listed = read_parameters(
+        LAWS["generalised_maxwell"], {"k0": "4 kN/mm", "k": ["6 kN/mm", "8 kN/mm"], "c": ["0.6 kN*s/mm", "150 kN*s/m"]}
+    )
+    assert listed == pytest.approx({"k0": 4e6, "k1": 6e6, "c1": 0.6e6, "k2": 8e6, "c2": 0.15e6})
+    one = {"k0": "4 kN/mm", "k": "6 kN/mm", "c": "0.6 kN*s/mm"}
+    assert read_parameters(LAWS["generalised_maxwell"], one)["k1"] == 6e6
+    with pytest.raises(
+        ParameterError, match="parameter `k`: as many values of each are needed, and there are 2 of `k`"
+    ):
+        read_parameters(LAWS["generalised_maxwell"], one | {"k": ["6 kN/mm", "8 kN/mm"]})
+    with pytest.raises(ParameterError, match="parameter `c`: `3 m` is a length"):
+        read_parameters(LAWS["generalised_maxwell"], one | {"c": "3 m"})

@@ -1,0 +1,135 @@
+"""Buckling-restrained braces of a project: what is refused, warned of, and tabulated."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+import pytest
+from cases.conftest import HERE
+
+from edesign import check_project
+from edesign.archive.dataset import Group
+from edesign.assess.quantities import lacking, located_quantity
+from edesign.building.building_sections import BuildingSections
+from edesign.building.frame import build_frame
+from edesign.errors import InputError
+from edesign.project import Project, parse_project
+from edesign.project.criteria.checks_quantities import names_of_dampers
+from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.report.restrained_braces import restrained_tables
+from edesign.study.history import run_history
+from edesign.study.lateral_patterns import floor_masses
+from edesign.study.modal import fundamental_period
+from edesign.study.structure import make_frame
+from edesign.study.warnings import warnings_of
+
+TEXT = (HERE / "brb_frame" / "project.yaml").read_text(encoding="utf-8").replace("../records", str(HERE / "records"))
+RISING = "{kind: rising, bays: 1, storeys: all, law: brb, scale: [1.7, 1.4, 0.8]}"
+
+
+def changed(*changes: tuple[str, str]) -> Project:
+    text = TEXT
+    for old, new in changes:
+        assert text.count(old) == 1, old
+        text = text.replace(old, new)
+    return parse_project(text, HERE / "brb_frame" / "brb.yaml", BuildingSections())
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "at", "said"),
+    [
+        ("kind: rising", "kind: chevron", "", ["dampers.devices[0]: kind", "`chevron` acts", "`chevron_braces`"]),
+        ("law: brb, scale: [1.7", "law: brb, brace: {stiffness: 1 kN/mm}, scale: [1.7", "", ["brace", "`KF`"]),
+        ("alpha: 0.4 %", "alpha: 4 %", "4 %", ["parameters.alpha", "alpha = 0.04", "at most 0.02"]),
+        ("[0.5 %, 1 %, 2 %]", "[1 %, 0.5 %, 2 %]", "[1 %", ["parameters.strain", "strains ascend"]),
+        ("[1.12, 1.28, 1.46]", "[1.12, 1.28]", "[0.5", ["parameters.strain", "3 of `strain`, 2 of `omega`"]),
+        ("[1.12, 1.28, 1.46]", "[1.12, 0.9, 1.46]", "[1.12, 0.9", ["parameters.omega", "`0.9`", "at least 1"]),
+        ("beta: [", "beta1: 1.1, beta: [", "1.1, beta", ["parameters.beta1", "`beta` gives this too"]),
+        ("KF: 1.35", "KF: 1.6", "1.6", ["parameters.KF", "KF = 1.6", "L_wp / L_y = 1.47"]),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_named_with_its_place(old: str, new: str, at: str, said: Sequence[str]) -> None:
+    with pytest.raises(InputError) as caught:
+        make_frame(changed((old, new)), dampers=True)
+    message = str(caught.value)
+    assert all(part in message for part in said), message
+    line, column = map(int, re.findall(r"brb\.yaml:(\d+):(\d+)", message)[0])
+    assert TEXT.replace(old, new).splitlines()[line - 1][column - 1 :].startswith(at)
+
+
+def test_a_beam_that_is_missing_cannot_be_met() -> None:
+    with pytest.raises(InputError, match=r"devices\[1\].kind: `chevron_braces` meet a beam in the middle, and `B_3_2`"):
+        changed(("  releases:", "  missing: {beams: [{floors: 2, bays: 3}]}\n  releases:"))
+
+
+def test_chevrons_split_their_beams() -> None:
+    project = changed()
+    frame = project.frame
+    assert [name for name in frame.beam_members if name.startswith("B_3")] == [
+        f"B_3_{floor}_{half}" for floor in (1, 2, 3) for half in (1, 2)
+    ]
+    assert frame.nodes["B_3_1"] == (15.5, 4.0)
+    assert names_of_dampers(frame, project.dampers)[3:5] == ("V_3_1_r", "V_3_1_f")
+    model = build_frame(project)
+    assert floor_masses(model).sum() == pytest.approx(model.mass, rel=1e-12)  # those in the middle of beams too
+
+
+def test_periods_count_the_braces_and_rayleigh_damping_is_warned_of() -> None:
+    assert fundamental_period(changed()) == pytest.approx(0.412, abs=0.001)
+    assert "warnings" not in check_project(changed())
+    told = check_project(changed(("kind: modal, ratio: 2 %, modes: 3", "kind: rayleigh, ratio: 2 %")))["warnings"]
+    assert told.startswith("damping: the stiffness that `rayleigh` is proportional to")
+
+
+@pytest.fixture(scope="module")
+def shaken() -> tuple[Project, Group]:
+    """So hard that cores strain beyond their table."""
+    project = changed(("scale: 2, free", "scale: 6, free"))
+    return project, run_history(project, project.analyses[2])  # type: ignore[arg-type]
+
+
+def test_strains_beyond_the_table_are_warned_of(shaken: tuple[Project, Group]) -> None:
+    _, group = shaken
+    told = [warning for warning in warnings_of(group) if warning.kind == "core_strain"]
+    strain = np.maximum(
+        group.variables["core_strain_max"].values, -np.asarray(group.variables["core_strain_min"].values)
+    )
+    assert len(told) == 1 and told[0].ratio == pytest.approx(np.max(strain) / 0.02)
+    assert "beyond the largest strain that omega and beta are given at" in told[0].text
+
+
+def test_criteria_take_their_quantities(shaken: tuple[Project, Group]) -> None:
+    project, group = shaken
+    for name, limit, variable in (
+        ("core_strain", "2.5 %", "core_strain_max"),
+        ("cumulative_ductility", "200", "cumulative_ductility_final"),
+    ):
+        side = {"side": "tension"} if name == "core_strain" else {}
+        asked = QuantityCriterion.model_validate({"name": "x", "quantity": name, "most": limit, "storeys": "2", **side})
+        found = located_quantity(group, asked, project)
+        values = np.asarray(group.variables[variable].values)[[1, 5, 6]]
+        assert found is not None and found.value == pytest.approx(np.max(values))
+        assert found.storey == 2
+    plain = Group(coords=group.coords, variables={"damper_storey": group.variables["damper_storey"]})
+    assert lacking(plain, asked, project) == "no damper is a buckling-restrained brace"
+
+
+def test_tables(shaken: tuple[Project, Group]) -> None:
+    _, group = shaken
+    demand, strength, beams = restrained_tables({"shake": group, "other": Group()})
+    assert [row[0] for row in demand.rows] == [str(name) for name in group.coords["damper"].values]
+    force = float(group.variables["damper_force_max"].values[0])
+    assert float(demand.rows[0][1]) == pytest.approx(force / 1e3, rel=1e-3)
+    assert float(demand.rows[0][2]) == pytest.approx(force / (1.1 * 1.46 * 1.7 * 262e3), rel=1e-2)
+    # by hand: P = 262 kN, T = 1.1 1.46 P, C = 1.12 T; (C - T) sin, (C + T) cos at 4 m over 3.5 m
+    tension, length = 1.1 * 1.46 * 262.0, np.hypot(3.5, 4.0)
+    row = strength.rows[3]
+    assert [float(cell) for cell in row[1:]] == pytest.approx(
+        [length, 262.0, 262e3 / (1.35 * 200e9 * 1e-3 / length) * 1e3, tension, 1.12 * tension], rel=1e-3
+    )
+    up, along = 0.12 * tension * 4.0 / length, 2.12 * tension * 3.5 / length
+    assert beams.rows[0][0] == "B_3_1"
+    assert [float(cell) for cell in beams.rows[0][1:]] == pytest.approx([up, along, up * 7.0 / 4.0], rel=1e-3)
+    assert not restrained_tables({"bare": Group()})
