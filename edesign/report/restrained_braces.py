@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.project.notation.names import line_name
 from edesign.report.histories import names_of
 from edesign.report.table import Table, number
 
@@ -38,9 +39,10 @@ def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
     tables = []
     for several in alike.values():
         one = next(iter(several.values()))
-        tables += [demand_table(several), strength_table(one), beam_table(one)]
+        made = [demand_table(several), strength_table(one), beam_table(one), column_table(one)]
+        tables += made
         if len(alike) > 1:
-            for table in tables[-3:]:
+            for table in made:
                 table.title += f" ({', '.join(several)})"
     return [table for table in tables if table.rows]
 
@@ -127,6 +129,49 @@ def beam_table(group: Group) -> Table:
             "AISC 341-16, F4.4a. up: the compressed brace pushes more than the other one pulls; along: what both bring "
             "into the beam; moment: of `up` in the middle of a beam on hinges, without other loads."
         )
+    return table
+
+
+def column_table(group: Group) -> Table:
+    """Return the axial forces of the columns with all braces at adjusted strength at once, swaying either way.
+
+    Diagonals push and pull at the nodes at their ends; both braces of a chevron at the beam, each of whose ends takes
+    half. Braces between two nodes anywhere are not counted.
+    """
+    table = Table(
+        "Columns with all buckling-restrained braces at adjusted strength, gravity not included",
+        ("column", "compression [kN]", "tension [kN]"),
+    )
+    columns = [name.split("_") for name in names_of(group, "column")]
+    heights, lengths = _values(group, "storey_height"), _values(group, "damper_length")
+    tension, compression = (_values(group, f"damper_adjusted_{side}") for side in ("tension", "compression"))
+    down: dict[
+        tuple[str, int], np.ndarray
+    ] = {}  # on the node of a line and floor, swaying to the right and to the left
+
+    def add(line: str, floor: int, forces: np.ndarray) -> None:
+        down[line, floor] = down.get((line, floor), np.zeros(2)) + forces
+
+    for i, name in _braces(group):
+        kind, *place = name.split("_")
+        if kind == "N":
+            continue
+        bay, storey = int(place[0]), int(place[1])
+        left, right = line_name(bay - 1), line_name(bay)
+        rises = kind == "R" or (kind == "V" and place[2] == "r")
+        pulls = np.array([tension[i], -compression[i]] if rises else [-compression[i], tension[i]])
+        pulls *= heights[storey - 1] / lengths[i]
+        add(left if rises else right, storey - 1, -pulls)
+        for line in (left, right) if kind == "V" else (right if rises else left,):
+            add(line, storey, pulls / (2.0 if kind == "V" else 1.0))
+    for _, line, storey_text in columns:
+        sums = sum((forces for (at, floor), forces in down.items() if at == line and floor >= int(storey_text)), 0.0)
+        pressed, pulled = max(float(np.max(sums)), 0.0), max(-float(np.min(sums)), 0.0)
+        if pressed or pulled:
+            cells = (number(value, scale=1e3, negligible=1.0) for value in (pressed, pulled))
+            table.rows.append([f"C_{line}_{storey_text}", *cells])
+    if table.rows:
+        table.notes.append("AISC 341-16, F4.3: E_cl, the axial forces of the columns; add those of the gravity loads.")
     return table
 
 

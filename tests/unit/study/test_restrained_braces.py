@@ -118,7 +118,7 @@ def test_criteria_take_their_quantities(shaken: tuple[Project, Group]) -> None:
 
 def test_tables(shaken: tuple[Project, Group]) -> None:
     _, group = shaken
-    demand, strength, beams = restrained_tables({"shake": group, "other": Group()})
+    demand, strength, beams, columns = restrained_tables({"shake": group, "other": Group()})
     assert [row[0] for row in demand.rows] == [str(name) for name in group.coords["damper"].values]
     force = float(group.variables["damper_force_max"].values[0])
     assert float(demand.rows[0][1]) == pytest.approx(force / 1e3, rel=1e-3)
@@ -132,4 +132,20 @@ def test_tables(shaken: tuple[Project, Group]) -> None:
     up, along = 0.12 * tension * 4.0 / length, 2.12 * tension * 3.5 / length
     assert beams.rows[0][0] == "B_3_1"
     assert [float(cell) for cell in beams.rows[0][1:]] == pytest.approx([up, along, up * 7.0 / 4.0], rel=1e-3)
+    # diagonals from A up to B at 4 and 3.5 m over 6 m; sway to the right pulls them, to the left presses them
+    each = {1: 1.7 * 4.0 / np.hypot(6.0, 4.0), 2: 1.4 * 3.5 / np.hypot(6.0, 3.5), 3: 0.8 * 3.5 / np.hypot(6.0, 3.5)}
+    found = {row[0]: [float(cell) for cell in row[1:]] for row in columns.rows}
+    for storey in (1, 2, 3):
+        above = sum(share for at, share in each.items() if at >= storey)
+        assert found[f"C_B_{storey}"] == pytest.approx([above * tension, 1.12 * above * tension], rel=1e-3)
+    assert found["C_A_1"] == pytest.approx(
+        [1.12 * (each[2] + each[3]) * tension, (each[2] + each[3]) * tension], rel=1e-3
+    )
+    assert "C_A_3" not in found
+    # chevrons, the compressed brace at the right when swaying to the right: its feet at floors 1 and 2, half of what
+    # lifts the beams at floors 1 to 3
+    sines = {1: 1.0 * 4.0 / np.hypot(3.5, 4.0), 2: 0.8 * 3.5 / np.hypot(3.5, 3.5), 3: 0.5 * 3.5 / np.hypot(3.5, 3.5)}
+    lift = 0.5 * 0.12 * sum(sines.values())
+    feet = sines[2] + sines[3]
+    assert found["C_D_1"] == pytest.approx([(1.12 * feet - lift) * tension, (feet + lift) * tension], rel=1e-3)
     assert not restrained_tables({"bare": Group()})
