@@ -34,6 +34,7 @@ UNITS = {
     "J": ("kJ", 1e3),
     "rad": ("rad", 1.0),
     "1": ("%", 0.01),
+    "": ("", 1.0),
 }
 """Unit in which values of an SI unit are shown to people, with its size in SI."""
 _ROUNDING = 1e-9  # in SI: far below what any measure means
@@ -166,7 +167,7 @@ def performance_requirement(
 def shown(value: float, unit: str) -> str:
     """Return a value in SI with the unit people read."""
     label, size = UNITS[unit]
-    return f"{0.0 if abs(value) < _ROUNDING else value / size:.4g} {label}"
+    return f"{0.0 if abs(value) < _ROUNDING else value / size:.4g} {label}".rstrip()
 
 
 def _worst(
@@ -193,4 +194,4 @@ def _range(criterion: MeasureCriterion | QuantityCriterion, unit: str) -> str:
     if criterion.least is None:
         return f"at most {shown(criterion.most, unit)}"
     label, size = UNITS[unit]
-    return f"{criterion.least / size:.4g} to {criterion.most / size:.4g} {label}"
+    return f"{criterion.least / size:.4g} to {criterion.most / size:.4g} {label}".rstrip()

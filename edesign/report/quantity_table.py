@@ -12,7 +12,7 @@ def quantities_table() -> Table:
     rows = [
         [
             name,
-            "-" if item.kind.unit == "1" else item.kind.unit,
+            "-" if item.kind.unit in ("", "1") else item.kind.unit,
             ", ".join(keys_of(name)) or "-",
             item.kept or "-",
             item.meaning,

@@ -42,8 +42,8 @@ def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
         made = [demand_table(several), strength_table(one), beam_table(one), column_table(one)]
         tables += made
         if len(alike) > 1:
-            for table in made:
-                table.title += f" ({', '.join(several)})"
+            for table in made[1:]:
+                table.title += f" ({_some(several)})"
     return [table for table in tables if table.rows]
 
 
@@ -54,8 +54,7 @@ def demand_table(groups: Mapping[str, Group]) -> Table:
         groups: results of one analysis at least, of the same braces.
     """
     columns = ("brace", "T [kN]", "T/T_adj", "C [kN]", "C/C_adj", "strain [%]", "strain/given", "mu", "sum mu")
-    count = next(iter(groups)) if len(groups) == 1 else f"{len(groups)} analyses"
-    table = Table(f"Buckling-restrained braces: largest demand in {count}", columns)
+    table = Table(f"Buckling-restrained braces: largest demand in {_some(groups)}", columns)
 
     def largest(of: Callable[[Group], np.ndarray]) -> np.ndarray:
         return np.max([of(group) for group in groups.values()], axis=0)
@@ -173,6 +172,12 @@ def column_table(group: Group) -> Table:
     if table.rows:
         table.notes.append("AISC 341-16, F4.3: E_cl, the axial forces of the columns; add those of the gravity loads.")
     return table
+
+
+def _some(names: Mapping[str, Group], most: int = 2) -> str:
+    """The first names, and how many more there are."""
+    more = len(names) - most
+    return ", ".join(list(names)[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def _braces(group: Group) -> list[tuple[int, str]]:

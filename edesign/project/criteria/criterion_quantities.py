@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from edesign.project.analysis.outputs import HistoryKind
-from edesign.project.criteria.measures import RATIO
+from edesign.project.criteria.measures import MULTIPLE, RATIO
 from edesign.project.notation.units import (
     ACCELERATION,
     ENERGY,
@@ -86,10 +86,10 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     "damper_strain": ArchivedQuantity(RATIO, "damper", "shear strain of its layers"),
     "core_strain": ArchivedQuantity(RATIO, "damper", "of the steel core of a buckling-restrained brace", sides=True),
     "core_ductility": ArchivedQuantity(
-        RATIO, "damper", "deformation of a buckling-restrained brace over its yield deformation", sides=True
+        MULTIPLE, "damper", "deformation of a buckling-restrained brace over its yield deformation", sides=True
     ),
     "cumulative_ductility": ArchivedQuantity(
-        RATIO, "damper", "plastic deformations of a buckling-restrained brace, summed, over its yield deformation"
+        MULTIPLE, "damper", "plastic deformations of a buckling-restrained brace, summed, over its yield deformation"
     ),
     "damper_work": ArchivedQuantity(ENERGY, "damper", "done on it and its brace until the end"),
     "support_vertical_reaction": ArchivedQuantity(FORCE, "support", "gravity included", sides=True, kept="supports"),

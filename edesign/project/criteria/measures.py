@@ -7,6 +7,8 @@ from typing import Any
 from edesign.project.notation.units import ACCELERATION, FORCE, LENGTH, ROTATION, Kind, parse_quantity, parse_ratio
 
 RATIO = Kind("ratio", "1", "1.3 %")
+MULTIPLE = Kind("multiple", "", "12")
+"""A ratio of which one is little, and which is not printed in per cent."""
 
 MEASURE_KINDS = {
     "roof_displacement_m": LENGTH,
@@ -56,6 +58,6 @@ def parse_limit(kind: Kind, value: Any) -> float:
     Raises:
         PydanticCustomError: no number, another unit, or a negative value; what is limited has no sign.
     """
-    if kind is RATIO:
+    if kind in (RATIO, MULTIPLE):
         return parse_ratio(value, 0.0, float("inf"))
     return parse_quantity(value, kind, "not negative")

@@ -9,6 +9,7 @@ from edesign.report.page.source import Source, headed
 from edesign.report.restrained_braces import restrained_tables
 
 MANY = 24  # rows, from which a table is folded
+ONE_SET = 4  # tables of buckling-restrained braces; of several sets all are folded
 
 
 def dampers(source: Source) -> Section:
@@ -18,5 +19,7 @@ def dampers(source: Source) -> Section:
     if not table.rows:
         return Section("dampers", "Dampers")
     shown = Folded(f"{table.title}: {len(table.rows)} analyses", (table,)) if len(table.rows) > MANY else table
-    braces = restrained_tables(ordinary)
+    tables = restrained_tables(ordinary)
+    several = len(tables) > ONE_SET
+    braces = [Folded(t.title, (t,)) if several or len(t.rows) > MANY else t for t in tables]
     return Section("dampers", "Dampers", (), (shown, *braces, *headed(source.pictures(damper_figures), source.levels)))
