@@ -11,6 +11,7 @@ from edesign.damper.fitting.minimise import Problem, descend
 from edesign.damper.fitting.moduli import LINEAR_LAWS, complex_stiffness
 from edesign.damper.fitting.observed import Observed
 from edesign.damper.law import Law, Parameter
+from edesign.errors import InputError
 
 # In the sizes of the tests (scales.py): 1 for a stiffness is the rms force over the rms deformation, and so on.
 _RELATIVE: dict[str, dict[str, float]] = {
@@ -78,12 +79,19 @@ def start_values(
         observed: of the tests.
         given: values that are taken as they are, SI.
         branches: of a law with branches; more if `given` names more.
+
+    Raises:
+        InputError: strains of a buckling-restrained brace are missing.
     """
     known = dict(given or {})
     parameters = law.with_branches(branches_of(law, known, branches))
     relative = {**_RELATIVE.get(law.name, {}), **_branch_starts(law, observed, len(parameters), branches)}
     values = {p.name: known[p.name] for p in parameters if p.name in known}
     if law.name == "buckling_restrained":
+        unknown = [p.name for p in parameters if p.name.startswith("strain") and p.name not in values]
+        if unknown:
+            why = "it is where omega and beta of its number are asked for"
+            raise InputError(f"fit of law {law.name}: `{unknown[0]}` is needed from you: {why}")
         values = {**_start_of_brace(values, observed), **values}  # identifiable.py wants what it needs
     for parameter in sorted(parameters, key=lambda p: bool(p.unit)):  # exponents before units with them
         if parameter.name not in values:
