@@ -2,11 +2,12 @@
  *
  *   -(Fy + R_C(s)) <= F - H p <= Fy + R_T(s),  Fy = F_ysc A_sc,  H = alpha K / (1 - alpha),
  *
- * p the plastic deformation and s the sum of its sizes so far. R_T and R_C, the isotropic hardening under tension and compression, are
- * linear between points and constant beyond the last. They are those with which the protocol of AISC 341-16, K3.4, two cycles each at
- * 1/4, 1/2, 3/4 and all of the largest strain that the manufacturer gives, in tension first, reaches the forces omega Fy and beta omega Fy in
- * its second cycle at each strain: those given, linear in the strain between them and from Fy at first yielding. Hardening never
- * falls, so that the return mapping has one solution, exact along a monotone motion in one step. Memory: p, s. */
+ * p the plastic deformation and s the sum of its sizes so far. R_T and R_C, the isotropic hardening under tension and
+ * compression, are linear between points and constant beyond the last. They are those with which the protocol of AISC 341-16,
+ * K3.4, two cycles each at 1/4, 1/2, 3/4 and all of the largest strain that the manufacturer gives, in tension first, reaches
+ * omega Fy and beta omega Fy in its second cycle at each strain: the forces given, linear in the strain between them and from
+ * Fy at first yielding. Hardening never falls, so that the return mapping has one solution, exact along a monotone motion in
+ * one step. Memory: p, s. */
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
