@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from edesign.archive.dataset import Group
 from edesign.building.devices import Attached, Device, DeviceLaw
 from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
@@ -87,13 +88,17 @@ def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[Analy
     return found
 
 
-def core_strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
+def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[AnalysisWarning]:
     """Buckling-restrained braces whose core strained beyond what their manufacturer gives omega and beta for.
 
     Args:
+        group: results of a history or a pushover.
         devices: of the frame.
-        strain: (n_devices,) largest strain of each core.
     """
+    if "core_strain_max" not in group.variables:
+        return []
+    largest, least = (np.asarray(group.variables[f"core_strain_{which}"].values) for which in ("max", "min"))
+    strain = np.maximum(largest, -least)
     ratios = {i: strain[i] / d.restrained.tested_strain for i, d in enumerate(devices) if d.restrained is not None}
     beyond = [i for i, ratio in ratios.items() if ratio > 1.0]
     if not beyond:

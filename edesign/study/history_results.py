@@ -110,9 +110,7 @@ class HistoryResults:
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
-        if "core_strain_max" in group.variables:
-            largest, least = (group.variables[f"core_strain_{which}"].values for which in ("max", "min"))
-            warnings += core_strain_warnings(frame.devices, np.maximum(largest, -least))
+        warnings += core_strain_warnings(group, frame.devices)
         warnings += fracture_warnings(group)
         store_warnings(group, [] if doubts is None else [*doubts, *warnings])
         _store_energy(group, response, self.energies)

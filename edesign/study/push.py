@@ -17,6 +17,7 @@ from edesign.study import quantities as q
 from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.capacity_events import EventChannels
+from edesign.study.dampers import core_strain_warnings
 from edesign.study.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.springs import spring_quantities
@@ -126,6 +127,7 @@ def push(
     store(group, recorded, response, "step")
     q.store_drift_extremes(group, frame, drifts, response)
     warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
+    warnings += core_strain_warnings(group, frame.devices)
     store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
