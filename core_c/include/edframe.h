@@ -84,6 +84,9 @@ int ed_model_damping_factor(ed_model *model, int element, double factor);
 int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters, const double *parameters, double brace,
                     double play, double force_scale, double deformation_scale, int n_terms, const int *node, const int *degree,
                     const double *coefficient);
+/* The damper acts from the beginning, under gravity too: a bearing that holds what stands on it. In static steps it answers slowly, and
+ * with its slope there it counts in the check whether the structure stands. */
+int ed_model_damper_carries(ed_model *model, int damper);
 /* Adds an amendment (eddamper.h) to a damper of the model, in the units of its law. */
 int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters);
 
@@ -132,7 +135,7 @@ int ed_rayleigh(ed_analysis *analysis, double mass_factor, double stiffness_fact
 /* n modes over the equations (n x n_equations, row by row, any scale), circular frequencies, ratios of critical. */
 int ed_modal_damping(ed_analysis *analysis, int n, const double *shape, const double *omega, const double *ratio);
 
-/* From now on the dampers act; their deformation counts from here. Before runs, e.g. after gravity. */
+/* From now on all dampers act; the deformation of those that did not counts from here. Before runs, e.g. after gravity. */
 int ed_install_dampers(ed_analysis *analysis);
 
 /* Recorded quantities: weighted sums of terms. Components in brackets. */

@@ -272,6 +272,65 @@ static void check_static_after(void)
   }
 }
 
+/* A mass that only dampers hold: without one that acts from the beginning it is a mechanism, with it the static load finds its long-term
+ * stiffness alone (Zener: k0), and what is installed later carries nothing of it; also in one system of SUNDIALS. */
+static void check_carrying(void)
+{
+  static const double zener[] = {1e6, 2e6, 1e5}, soft[] = {40e3, 5e-3, 0.05, 1.0, 0.5, 0.5, 1.0};
+  const double load = 2e3, one = 1.0;
+  const int degree = 0;
+  for (int carries = 0; carries < 3; carries++) { /* 2: a Bouc-Wen damper carries too */
+    ed_model *model = ed_model_new();
+    const int top = ed_model_node(model, "top", 0.0, 0.0);
+    ed_model_fix(model, top, 0, 1, 1);
+    ed_model_mass(model, top, 1e4, 0.0, 0.0);
+    ed_model_pattern(model);
+    ed_model_nodal_load(model, 0, top, 1.0, 0.0, 0.0);
+    CHECK_INT(ed_model_damper(model, "bearing", ED_LAW_ZENER, 3, zener, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
+    CHECK_INT(ed_model_damper(model, "later", ED_LAW_BOUC_WEN, 7, soft, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 1);
+    CHECK_INT(ed_model_damper(model, "other", ED_LAW_BOUC_WEN, 7, soft, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 2);
+    if (carries)
+      CHECK_STATUS(ed_model_damper_carries(model, 0), ED_OK);
+    if (carries == 2)
+      CHECK_STATUS(ed_model_damper_carries(model, 2), ED_OK);
+    CHECK_STATUS(ed_model_damper_carries(model, 3), ED_E_ID);
+    if (!carries) {
+      char message[512] = "";
+      int status = ED_OK;
+      CHECK(ed_analysis_new(model, &status, message, sizeof message) == NULL);
+      CHECK_STATUS(status, ED_E_MECHANISM);
+      CHECK_CONTAINS(message, "top.ux");
+      ed_model_free(model);
+      continue;
+    }
+    ed_analysis *a = frame_analysis(model);
+    CHECK_INT(ed_unstable_directions(a), 0);
+    add_channel(a, ED_DISPLACEMENT, top, 0);
+    add_channel(a, ED_DAMPER_FORCE, 0, 0);
+    add_channel(a, ED_DAMPER_FORCE, 1, 0);
+    add_channel(a, ED_DAMPER_FORCE, 2, 0);
+    double most[4], when[4], least[4], since[4], last[4];
+    CHECK_STATUS(ed_static_begin(a, 0, load, 2), ED_OK);
+    CHECK_STATUS(run_to_end(a, 2), ED_OK);
+    ed_run_end(a);
+    ed_extremes(a, most, when, least, since, last);
+    CHECK_NEAR(last[1] + last[3], load, 1e-6 * load);
+    CHECK_NEAR(last[1], zener[0] * last[0], 1e-6 * load);
+    CHECK(last[2] == 0.0);
+    CHECK(carries == 2 ? last[3] > 0.5 * load : last[3] == 0.0);
+    CHECK_STATUS(ed_install_dampers(a), ED_OK);
+    const double before = last[0];
+    CHECK_STATUS(ed_static_begin(a, 0, 2.0 * load, 2), ED_OK);
+    CHECK_STATUS(run_to_end(a, 2), ED_OK);
+    ed_extremes(a, most, when, least, since, last);
+    CHECK_NEAR(last[1] + last[2] + last[3], 2.0 * load, 1e-6 * load);
+    CHECK_NEAR(last[1], zener[0] * last[0], 1e-6 * load);
+    CHECK(last[2] > 0.0 && last[2] < 8e6 * (last[0] - before)); /* Fy / Y of what has moved since */
+    ed_analysis_free(a);
+    ed_model_free(model);
+  }
+}
+
 static void check_refusals(void)
 {
   ed_model *model = frame_model(FRAME);
@@ -308,6 +367,7 @@ int main(void)
   check_saved();
   check_hht();
   check_static_after();
+  check_carrying();
   check_refusals();
   return checks_end("dampers in a frame");
 }

@@ -243,8 +243,9 @@ class Model:
         force_scale: float = 1.0,
         deformation_scale: float = 1.0,
         play: float = 0.0,
+        carries: bool = False,
     ) -> int:
-        """Add a damper; it carries nothing before `Analysis.install_dampers`.
+        """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
         Args:
             law: the law with its parameters and amendments.
@@ -253,6 +254,7 @@ class Model:
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
             force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
             play: of the pins of the brace, from end to end, m.
+            carries: whether it acts from the beginning, gravity included: a bearing that holds what stands on it.
         """
         number = lib.ed_model_damper(
             self._c,
@@ -270,6 +272,8 @@ class Model:
             [coefficient for coefficient, _, _ in terms],
         )
         self._checked(number)
+        if carries:
+            self._checked(lib.ed_model_damper_carries(self._c, number))
         for amendment in law.amendments:
             kind, values = amendment_number(amendment.kind), list(amendment.values)
             self._checked(lib.ed_model_amend_damper(self._c, number, kind, amendment.inside, len(values), values))

@@ -60,7 +60,10 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
   double largest = 0.0; /* gives degrees without any stiffness some */
   for (int i = 0; i < n; i++)
     largest = fmax(largest, fabs(a->tangent[a->diagonal[i]]) / (a->rotational[i] ? a->length * a->length : 1.0));
+  if (largest == 0.0) /* none has any */
+    largest = 1.0;
   memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
+  ed_add_device_tangent(a, 1.0, a->effective);
   for (int i = 0; i < n; i++) {
     const double scale = a->rotational[i] ? a->length * a->length : 1.0;
     a->effective[a->diagonal[i]] += 1e-9 * fabs(a->tangent[a->diagonal[i]]) + 1e-18 * largest * scale;
@@ -97,12 +100,20 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
 
 int ed_check_structure(ed_analysis *a)
 {
-  const int status = check_connected(a);
+  int status = check_connected(a);
   if (status != ED_OK)
     return status;
   ed_assemble_tangent(a);
+  const double *matrix = a->tangent;
+  if ((status = ed_first_slopes(a)) != ED_OK)
+    return status;
+  if (ed_installed(a)) {
+    memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
+    ed_add_device_tangent(a, 1.0, a->effective);
+    matrix = a->effective;
+  }
   int repivoted;
-  const int factored = ed_solver_factor(a->solver, a->tangent, &repivoted);
+  const int factored = ed_solver_factor(a->solver, matrix, &repivoted);
   if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->solver) > 1e-12))
     return factored;
   char names[400];

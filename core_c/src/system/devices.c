@@ -2,7 +2,8 @@
  *
  * Over a step a damper sees the cubic through deformation and velocity at both ends, starting from its committed state in every
  * trial. Its tangent for Newton is dF/du + (dv/du of the step) dF/dv. Those whose law has no exact step go through SUNDIALS as one
- * system. Before ed_install_dampers they carry nothing; then the deformation of that moment is their zero. */
+ * system. Before ed_install_dampers they carry nothing; then the deformation of that moment is their zero. Those that carry from the
+ * beginning are installed in the structure without loads. */
 #include "damper/ode_system.h"
 #include "system/analysis.h"
 
@@ -55,6 +56,7 @@ int ed_devices_allocate(ed_analysis *a)
   for (int i = 0; status == ED_OK && i < n; i++) {
     const ed_device *device = &a->model->devices[i];
     ed_damper_start(&device->damper, block_of(a, &a->trial, i) + LAW_STATE);
+    block_of(a, &a->trial, i)[INSTALLED] = device->carries;
     if (!ed_damper_has_exact_step(&device->damper)) {
       by_ode[a->n_by_ode] = &device->damper;
       a->device_by_ode[a->n_by_ode++] = i;
@@ -127,6 +129,10 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
   const int slow = a->run.kind != ED_RUN_HISTORY;
   const double *before = block_of(a, &a->committed, i);
   double *now = block_of(a, &a->trial, i);
+  if (now[INSTALLED] == 0.0) {
+    ed_path_hermite(path, a->duration, 0.0, 0.0, 0.0, 0.0);
+    return;
+  }
   const double scale = device->deformation_scale, v0 = slow ? 0.0 : ed_along_device(a, i, a->committed.v);
   now[DEFORMATION] = ed_along_device(a, i, a->trial.u) - now[OFFSET];
   const double velocity = slow ? 0.0 : ed_along_device(a, i, a->trial.v);
@@ -140,6 +146,10 @@ static void take(ed_analysis *a, int i, const ed_damper_force *out)
 {
   const ed_device *device = &a->model->devices[i];
   double *now = block_of(a, &a->trial, i);
+  if (now[INSTALLED] == 0.0) { /* in one system with others that are */
+    memcpy(now, block_of(a, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
+    return;
+  }
   now[FORCE] = device->force_scale * out->force;
   now[FORCE_PACE] = (now[FORCE] - block_of(a, &a->committed, i)[FORCE]) / a->duration;
   now[FORCE_PACE_BEFORE] = block_of(a, &a->committed, i)[FORCE_PACE];
@@ -183,7 +193,7 @@ int ed_update_devices(ed_analysis *a, int rough)
   ed_path_hermite_directions(a->direction, a->duration);
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    if (!ed_damper_has_exact_step(&device->damper))
+    if (!ed_damper_has_exact_step(&device->damper) || block_of(a, &a->trial, i)[INSTALLED] == 0.0)
       continue;
     ed_damper_force out = {0};
     ed_path path;
@@ -219,7 +229,29 @@ void ed_add_device_forces(ed_analysis *a)
 
 int ed_installed(const ed_analysis *a)
 {
-  return a->model->n_devices > 0 && block_of(a, &a->trial, 0)[INSTALLED] != 0.0;
+  for (int i = 0; i < a->model->n_devices; i++)
+    if (block_of(a, &a->trial, i)[INSTALLED] != 0.0)
+      return 1;
+  return 0;
+}
+
+int ed_first_slopes(ed_analysis *a)
+{
+  if (!ed_installed(a))
+    return ED_OK;
+  ed_slowly(a);
+  const int status = ed_update_devices(a, 0);
+  if (status != ED_OK) {
+    char name[2 * ED_NAME];
+    ed_name_damper(a, name, sizeof name);
+    return ed_fail(a, status, "%s: no state was found at the start", name);
+  }
+  for (int i = 0; i < a->model->n_devices; i++) {
+    double *first = block_of(a, &a->committed, i), *slow = block_of(a, &a->trial, i);
+    memcpy(first + SLOPE, slow + SLOPE, 2 * sizeof *first);
+    memcpy(slow, first, (size_t)ed_device_block_size(&a->model->devices[i]) * sizeof *slow);
+  }
+  return ED_OK;
 }
 
 /* k times the slope of every device, into a matrix of the pattern (nnz + 1). */

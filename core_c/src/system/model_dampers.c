@@ -45,6 +45,14 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   return model->n_devices++;
 }
 
+int ed_model_damper_carries(ed_model *model, int damper)
+{
+  if (damper < 0 || damper >= model->n_devices)
+    return ed_model_refuse(model, ED_E_ID, "there is no damper %d", damper);
+  model->devices[damper].carries = 1;
+  return ED_OK;
+}
+
 int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters)
 {
   if (damper < 0 || damper >= model->n_devices)
