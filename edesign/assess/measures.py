@@ -143,7 +143,7 @@ def _components(group: Group, measure: str) -> list[float]:
         return []
     if measure == "roof_drift":
         height = group.attributes.get("height")
-        if not height:
+        if not height or group.attributes.get("isolated"):  # most of that displacement is the base's
             return []
         values = values / float(height)
     each: list[float] = values.reshape(len(values) if values.ndim else 1, -1).max(axis=1).tolist()

@@ -37,7 +37,8 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
         return _energy_share(group, str(asked.term))
     place = QUANTITIES[asked.quantity].place
     if place == "frame":
-        extreme = peak(group, asked.quantity)
+        left = asked.quantity.startswith("residual_")
+        extreme = residual(group, asked.quantity.removeprefix("residual_")) if left else peak(group, asked.quantity)
         return None if extreme is None else Located(float(extreme))
     chosen = _chosen(group, asked, project)
     each = _values(group, asked, chosen) if chosen else None
@@ -49,7 +50,7 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
         number = int(label)
     elif place == "damper":
         number = int(group.variables["damper_storey"].values[chosen[at]]) or None
-    elif place != "support":
+    elif place not in ("support", "isolator"):
         number = storey_of(str(label))
     value = float(each[at])
     if place == "floor":
@@ -62,6 +63,8 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
     quantity = QUANTITIES[asked.quantity]
     if is_of_dampers(asked) and "damper" not in group.coords:
         return "there are no dampers"
+    if quantity.isolated and not group.attributes.get("isolated"):
+        return "the base is not isolated"
     if quantity.place != "frame" and quantity.place not in group.coords:
         return f"there are no {quantity.place}s"
     if quantity.place != "frame" and not _chosen(group, asked, project):
@@ -97,9 +100,9 @@ def _chosen(group: Group, asked: QuantityCriterion, project: Project) -> list[in
     frame, places = project.frame, range(len(labels))
     if place == "floor":
         return [i for i in places if int(labels[i]) in asked.floors.numbers(1, frame.n_storeys)]
-    if place == "support":
+    if place in ("support", "isolator"):  # A0, I_A
         lines = asked.lines.names(frame.lines)
-        return [i for i in places if str(labels[i]).rstrip("0123456789") in lines]
+        return [i for i in places if str(labels[i]).removeprefix("I_").rstrip("0123456789") in lines]
     names = asked.dampers if place == "damper" else asked.members
     if place == "damper":
         storeys = [int(number) for number in group.variables["damper_storey"].values] if labels else []

@@ -117,6 +117,7 @@ class Device:
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
         restrained: all braces that stand at its place, of its length; None: its law is another.
+        foot: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
     """
 
     name: str
@@ -135,6 +136,7 @@ class Device:
     brace_bar: BraceBar | None = None
     design_deformation: float | None = None
     restrained: RestrainedBrace | None = None
+    foot: str = ""
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
 from edesign.building.hinges import EndSpring, MemberBuilder, MemberEnd, member_ends
+from edesign.building.isolation import IsolatedFeet, add_isolation, base_loads, base_masses, isolated_support
 from edesign.building.leaning_column import LeaningStruts, add_leaning_column
 from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_loads, node_loads
 from edesign.building.masses import node_masses, vertical_masses
@@ -23,12 +24,13 @@ from edesign.building.struts import equivalent_camber
 from edesign.building.supports import support_springs
 from edesign.errors import InputError
 from edesign.project.actions.beam_loads import breaks_of_members
+from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.braces import BraceBuckling, Fracture
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, SectionAxis
-from edesign.project.frame.supports import springs_of
+from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of
 from edesign.project.notation import names
 from edesign.project.project import Project
 
@@ -100,6 +102,7 @@ class FrameModel:
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
         leaning: its leaning column, whose nodes and struts are none of the above.
+        isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.
     """
 
     frame: Frame
@@ -115,6 +118,7 @@ class FrameModel:
     moving_with: dict[int, list[int]] = field(default_factory=dict)
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
     leaning: LeaningStruts | None = None
+    isolated: IsolatedFeet | None = None
 
     @property
     def mass(self) -> float:
@@ -124,8 +128,10 @@ class FrameModel:
     def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
         """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as terms of the core.
 
-        A column that stands on a hinge or joint pushes at a node of its own.
+        A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base.
         """
+        if degree == 0 and self.isolated is not None:
+            return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
         ground = self.grounds.get(support, (None, None, None))[degree]
         if ground is not None:
             return ((1.0, "reaction", ground, degree),)
@@ -158,6 +164,7 @@ def build_frame(
     laws: Mapping[str, DeviceLaw] | None = None,
     attachments: Sequence[Attached] = (),
     outside: Collection[str] = (),
+    weights: Mapping[str, float] | None = None,
 ) -> FrameModel:
     """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, leaning column and
     gravity loads.
@@ -171,6 +178,8 @@ def build_frame(
         laws: of the dampers, by name; those of other laws are left out; None: the frame without dampers.
         attachments: tuned masses.
         outside: names of dampers that stand elsewhere, in a laboratory.
+        weights: on the feet of an isolated base under the gravity combination, N, by node, where its isolators need
+            them; None: the base is held horizontally, and has no isolators.
 
     Raises:
         InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
@@ -182,13 +191,19 @@ def build_frame(
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
     members, moving_with, panels = _members(project, model, nodes)
-    supports, grounds = _supports(frame, model, nodes)
-    for floor in frame.diaphragm_floors:
+    isolation = project.isolation if laws is not None else None
+    supports, grounds = _supports(frame, model, nodes, isolation, held=weights is None)
+    rigid = frame.diaphragm_floors if isolation is None or weights is None else (0, *frame.diaphragm_floors)
+    for floor in rigid:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
         for node in tied[1:]:
             model.tie(node, tied[0], ux=True, uy=False, rz=False)
     masses = node_masses(project)
     vertical = vertical_masses(project)
+    if isolation is not None:
+        base = base_masses(project)
+        masses = base | masses
+        vertical = base | vertical if vertical else vertical
     for name, mass in masses.items():
         model.mass(nodes[name], mass, vertical.get(name, 0.0), 0.0)
     gravity = model.pattern("gravity")
@@ -198,8 +213,15 @@ def build_frame(
         _add_loads(model, gravity, nodes, members[name], MemberLoads(load), (1.0, 0.0))
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    if isolation is not None:
+        for name, load in base_loads(frame, isolation, project.loads.gravity).items():
+            model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     leaning = add_leaning_column(project, model, nodes, gravity)
+    isolated = None
+    if isolation is not None and laws is not None and weights is not None:
+        isolated = add_isolation(project, model, nodes, laws, weights)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
+    devices = (*(isolated.devices if isolated is not None else ()), *devices)
     attached = {}
     for item in attachments:
         leading = frame.leading_node(item.floor)
@@ -218,6 +240,7 @@ def build_frame(
         moving_with,
         panels,
         leaning,
+        isolated,
     )
 
 
@@ -253,23 +276,31 @@ def _add_loads(
 
 
 def _supports(
-    frame: Frame, model: Model, nodes: dict[str, int]
+    frame: Frame, model: Model, nodes: dict[str, int], isolation: Isolation | None, held: bool
 ) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, tuple[int | None, int | None, int | None]]]:
-    """Hold the feet of the columns; returns what is held, and where springs that hold it stand."""
-    held = _held_rotations(frame)
-    at_base = {names.node_name(line, 0): frame.support(line) for line in frame.lines}
+    """Hold the feet of the columns; returns what is held, and where springs that hold it stand.
+
+    An isolated base is held by its isolators, or with `held` by fixed supports in their place.
+    """
+    turning = _held_rotations(frame)
+    at_base: dict[str, SupportKind | SupportSprings] = {
+        names.node_name(line, 0): frame.support(line) if isolation is None else isolated_support(frame, isolation, line)
+        for line in frame.lines
+    }
     supports, grounds = {}, {}
     for name, node in nodes.items():
         support = at_base.get(name)
         if support is None:
-            if name not in held:
+            if name not in turning:
                 model.fix(node, rz=True)
             continue
         springs = springs_of(support)
-        directions = [springs.horizontal, springs.vertical, springs.rotation if name in held else "fixed"]
+        horizontal = "fixed" if isolation is not None and held else springs.horizontal
+        directions = [horizontal, springs.vertical, springs.rotation if name in turning else "fixed"]
         ux, uy, rz = (direction == "fixed" for direction in directions)
         model.fix(node, ux=ux, uy=uy, rz=rz)
         ux, uy, rz = (direction != "free" for direction in directions)
+        ux = ux or isolation is not None
         supports[name] = ux, uy, rz
         if not all(direction in ("fixed", "free") for direction in directions):
             grounds[name] = support_springs(model, name, node, frame.nodes[name], directions)

@@ -10,6 +10,7 @@ from edesign.project.actions.checks_hazard import check_hazard
 from edesign.project.analysis.checks_actions import check_actions
 from edesign.project.analysis.checks_outputs import check_outputs
 from edesign.project.dampers.checks_dampers import check_dampers
+from edesign.project.dampers.checks_isolation import check_isolation
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.frame.checks_frame import check_frame
 from edesign.project.frame.checks_hinges import check_hinges
@@ -63,6 +64,7 @@ def parse_project(
         check_hinges(project, problems)
         check_actions(project, problems, files)
         check_dampers(project, problems)
+        check_isolation(project, problems)
         check_hazard(project.hazard, project, problems, files)
         check_outputs(project, problems)
     if project is None or problems.found:

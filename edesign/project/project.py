@@ -18,6 +18,7 @@ from edesign.project.analysis.integration import Integration
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.validity import Validity
 from edesign.project.dampers.dampers import DamperRun, Dampers
+from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.elements import Elements
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
@@ -123,6 +124,11 @@ class Project(RecordFiles, FileModel):
         if self.validity.drift is not None:
             return self.validity.drift
         return None if self.elements.geometry.columns == "corotational" else self.validity.geometric_drift
+
+    @property
+    def isolation(self) -> Isolation | None:
+        """The isolated base of the building; None: it stands on its supports."""
+        return self.dampers.isolation if self.dampers is not None else None
 
     def record_choice(self, name: str) -> RecordChoice | None:
         """What was chosen for a record; None if nothing was yet."""

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 Line = tuple[Point, Point]
 STEEL, DAMPER = "#8a8f98", "#3aa08f"
+GAP = 0.025  # from the base of an isolated frame to the middle of its isolators, of its height
 _SHAPES = {"V": "chevron", "R": "rising", "F": "falling", "S": "storey"}
 
 
@@ -84,8 +85,12 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         axes.plot(*drawing.at, marker="s", ms=3.6, color=DAMPER, mec="white", mew=0.4, zorder=2)
     for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
         axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
+    isolated = any(name.startswith("I_") for name in dampers)
+    below = GAP * frame.height if isolated else 0.0
+    if isolated:
+        _draw_isolation(axes, frame, dampers, below)
     for line, x in zip(frame.lines, frame.x, strict=True):
-        if (line, 1) in frame.column_at:
+        if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
             marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D"}[support_name(frame.support(line))]
             axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
     margin = 0.04 * max(frame.x[-1], frame.height)
@@ -95,8 +100,20 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         _draw_leaning_column(axes, frame, right)
     axes.set_aspect("equal")
     axes.set_xlim(-margin, right + margin)
-    axes.set_ylim(-margin, frame.height + margin)
+    axes.set_ylim(-margin - 2.0 * below, frame.height + margin)
     axes.set_axis_off()
+
+
+def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: float) -> None:
+    """The base, isolators `below` it (m), and a mark beside each line where something else acts on the base."""
+    feet = [x for line, x in zip(frame.lines, frame.x, strict=True) if names.node_name(line, 0) in frame.nodes]
+    axes.plot((feet[0], feet[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
+    for line, x in zip(frame.lines, frame.x, strict=True):
+        if names.isolator_name(line) in dampers:
+            axes.plot(x, -below, marker="s", ms=5.0, color=DAMPER, mec="white", mew=0.4, zorder=2, clip_on=False)
+            axes.plot(x, -2.0 * below, marker="_", ms=10.0, color=MEAN, mew=0.9, zorder=2, clip_on=False)
+        if names.base_device_name(line) in dampers:
+            axes.plot(x + 2.0 * below, -below, marker="D", ms=3.4, color=DAMPER, mec="white", mew=0.4, clip_on=False)
 
 
 def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:

@@ -28,7 +28,7 @@ class Shapes:
     Attributes:
         label: its name.
         period: (modes,), s.
-        shape: (modes, floors), from the bottom, the base left out.
+        shape: (modes, floors), from the base up, which moves only if it is isolated.
         color: of its lines.
     """
 
@@ -51,7 +51,10 @@ def mode_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         variant = str(about.get("variant") or "")
         if "floor_shape" in variables and (variant or name) not in found:  # of several of a variant the first
             color = colors[variant] if variant else VARIANTS[len(found) % len(VARIANTS)]
-            shapes = Shapes(variant or name, variables["period"].values, variables["floor_shape"].values, color)
+            floors = variables["floor_shape"].values
+            base = variables["base_shape"].values if "base_shape" in variables else np.zeros(floors.shape[0])
+            shape = np.column_stack((base, floors))
+            shapes = Shapes(variant or name, variables["period"].values, shape, color)
             found[shapes.label] = shapes
     same = [one for one in found.values() if one.shape.shape[1] == next(iter(found.values())).shape.shape[1]]
     if same:
@@ -73,12 +76,12 @@ def mode_figure(structures: Sequence[Shapes]) -> Figure:
     count = min(MOST, max(one.period.size for one in structures))
     figure, (cells,) = new_figure(1, count, 0.6 + 1.45 * count, 3.3 + 0.14 * len(structures))
     for mode, axis in enumerate(cells):
-        floors = np.arange(structures[0].shape.shape[1] + 1)
+        floors = np.arange(structures[0].shape.shape[1])
         axis.axvline(0.0, color=MEAN, lw=0.6)
         for i, one in enumerate(structures):
             if mode >= one.period.size:
                 continue
-            shape = np.concatenate(([0.0], one.shape[mode])) / (np.max(np.abs(one.shape[mode])) or 1.0)
+            shape = one.shape[mode] / (np.max(np.abs(one.shape[mode])) or 1.0)
             shape = -shape if shape[-1] < 0.0 else shape  # the roof to the right
             style: Any = {"color": one.color, "lw": 1.5, "ls": _STYLES[i % len(_STYLES)], "marker": "o", "ms": 2.4}
             axis.plot(shape, floors, label=legend_label(one.label), **style)

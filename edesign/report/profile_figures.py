@@ -36,7 +36,8 @@ class Kind:
         unit: of the figure.
         factor: from SI to it.
         ordinate: "floor" or "storey".
-        base: attribute of a history with the value at the base; None: no value there; "": zero.
+        base: attribute of a history with the value at the base; None: no value there; "": zero. That of an isolated
+            base is its own.
         limits: of performance levels by name, SI.
     """
 
@@ -100,7 +101,7 @@ def _panels(
 ) -> Iterator[tuple[str, dict[str, np.ndarray]]]:
     """Title and records of the panels of a variant; of the shear also with the forces of its dampers."""
     parts = [(quantity, variant)]
-    if quantity == "storey_shear" and any(f"{DAMPERS}_max" in group.variables for _, group in found):
+    if quantity == "storey_shear" and any(np.any(peak(group, DAMPERS)) for _, group in found):
         both = all(DAMPERS in group.variables and quantity in group.variables for _, group in found)
         other = (TOTAL, "columns and dampers") if both else (DAMPERS, "dampers")
         parts = [(name, f"{variant}: {part}".strip(": ")) for name, part in ((quantity, "columns"), other)]
@@ -121,6 +122,10 @@ def _profile(group: Group, quantity: str, kind: Kind) -> np.ndarray | None:
         return None
     if kind.base is not None:
         base = float(str(group.attributes[kind.base])) if kind.base else 0.0
+        if group.attributes.get("isolated"):
+            of_base = name.replace("floor_", "base_")
+            own = residual(group, of_base) if name != quantity else peak(group, of_base)
+            base = base if own is None else float(own)
         profile = np.concatenate(([base], profile))
     return kind.factor * profile
 

@@ -12,6 +12,7 @@ from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project, is_building_archive, is_study_archive, is_substructure_archive
 from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
+from edesign.report.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
 from edesign.report.pushover_tables import events_table, target_tables
 from edesign.report.record_tables import tables_of
@@ -71,7 +72,9 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     tables = [_heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
     tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
-    tables += [measures_table(entries), dampers_table(groups), *restrained_tables(groups), statistics_table(entries)]
+    tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
+    tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
+    tables.append(statistics_table(entries))
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -92,7 +95,9 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
         Table("Warnings", notes=[warning.text for warning in warnings_of(group)]),
         periods_table(name, group),
         damper_stiffness_table(name, group),
+        isolation_estimate_table(name, group),
         measures_table(entries),
+        isolation_table({name: group}),
         profile_table(name, group),
         events_table({name: group}),
         *target_tables(None, {name: group}),

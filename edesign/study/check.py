@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.damping import modal_ratios, modes_needed
+from edesign.building.isolation import base_masses
 from edesign.building.masses import node_masses
 from edesign.core import CoreError
 from edesign.errors import InputError
@@ -231,7 +232,7 @@ def check_project(project: Project) -> dict[str, str]:
         **_mass(project),
         "members": _members(project),
         **({"dampers": _dampers(project)} if project.dampers is not None else {}),
-        "period": f"T1 = {period:.4f} s under gravity" if period is not None else "no masses",
+        "period": f"T1 = {period:.4f} s {_standing(project)}" if period is not None else "no masses",
         "records": _records(project, {**found, **others}),
         **_choices(project),
         "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
@@ -268,7 +269,9 @@ def check_study(study: Study) -> dict[str, str]:
         "project": str(study.base.path),
         "frame": _frame(study.base),
         **_mass(study.base),
-        "period": f"T1 = {period:.4f} s of the bare frame under gravity" if period is not None else "no masses",
+        "period": f"T1 = {period:.4f} s of the bare frame {_standing(study.base)}"
+        if period is not None
+        else "no masses",
         "records": _records(study.base, found),
         **_choices(study.base),
         "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
@@ -292,7 +295,9 @@ def _dampers(project: Project) -> str:
     """How many dampers there are of each law, and the tuned masses."""
     frame = make_frame(project, dampers=True)
     laws = Counter(device.law for device in frame.devices)
-    parts = [f"{_count(count, 'damper')} `{name}`" for name, count in laws.items()]
+    isolators = Counter(device.law for device in frame.isolated.isolators) if frame.isolated is not None else Counter()
+    parts = [f"{_count(count, 'isolator')} `{name}`" for name, count in isolators.items()]
+    parts += [f"{_count(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
     parts += [_count(len(frame.attached), "tuned mass")] if frame.attached else []
     return ", ".join(parts) or "none"
 
@@ -353,7 +358,16 @@ def _mass(project: Project) -> dict[str, str]:
         level = project.frame.nodes[name][1]
         of_floor[min(of_floor, key=lambda floor: abs(project.frame.y[floor] - level))] += mass
     floors = ", ".join(f"{mass / 1e3:.4g}" for mass in of_floor.values())
-    return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t"}
+    base = "" if project.isolation is None else f"; of the base {sum(base_masses(project).values()) / 1e3:.4g} t"
+    return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t{base}"}
+
+
+def _standing(project: Project) -> str:
+    """How the frame stands whose period is told."""
+    isolation = project.isolation
+    if isolation is None:
+        return "under gravity"
+    return f"under gravity, on its isolators at {1e3 * isolation.design_displacement:g} mm"
 
 
 def _members(project: Project) -> str:

@@ -7,7 +7,6 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.devices import Device
 from edesign.core import Modes
-from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
@@ -16,8 +15,6 @@ from edesign.study.structure import Structure
 
 SMALL_STRAIN = 1e-4
 SMALL_DEFORMATION = 1e-5  # m, of dampers without layers
-_AGREEMENT = 1e-9  # of two frequencies that follow each other
-_MOST_ROUNDS = 50
 _ROUNDING = 1e-9  # of a first harmonic, against the force itself
 
 
@@ -33,31 +30,16 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
     """
     devices = structure.frame.devices
     amplitudes = [_amplitude(project, spec, device) for device in devices]
-    frequency = float(structure.modes(1).omega[0]) / (2.0 * np.pi)
-    for _ in range(_MOST_ROUNDS):
-        found = np.array([device_stiffness(d, a, frequency) for d, a in zip(devices, amplitudes, strict=True)])
-        added = np.zeros(len(structure.frame.model.damper_names))
-        added[[device.number for device in devices]] = found.real
-        modes = structure.modes(spec.modes, added)
-        before, frequency = frequency, float(modes.omega[0]) / (2.0 * np.pi)
-        if abs(frequency - before) <= _AGREEMENT * frequency:
-            break
-    return modes, found
-
-
-def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
-    """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz)."""
-    scale = device.force_scale * device.deformation_scale
-    amplitude *= device.deformation_scale
-    play = device.play * device.deformation_scale
-    return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
+    return structure.steady_modes(spec.modes, devices, amplitudes)
 
 
 def store_damper_stiffness(group: Group, structure: Structure, modes: Modes, stiffness: np.ndarray) -> None:
     """Add the dampers' stiffness and loss factor to a group."""
     devices = structure.frame.devices
     coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")
-    label = "of the damper with its brace in steady vibration in the first mode"
+    label = (
+        "of the damper with its brace in steady vibration in the first mode; of an isolated base between the extremes"
+    )
     storing = np.abs(stiffness.real) > _ROUNDING * np.abs(stiffness)
     loss = np.full(stiffness.size, np.nan)  # of a dashpot, or a stop that stays open: there is none
     np.divide(stiffness.imag, stiffness.real, out=loss, where=storing)

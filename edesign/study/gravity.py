@@ -42,6 +42,8 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         q.base_shear(frame, history=False),
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
+        *q.base_displacement(frame, history=False),
+        *q.isolator_axial_forces(frame, keep=("final",)),
         *q.leaning_column(frame),
         *q.plastic_rotations(frame),
         *brace_quantities(project, frame, group),

@@ -19,11 +19,13 @@ from edesign.project.analysis.integration import HHTIntegration, Integration, Ne
 from edesign.project.project import Project
 from edesign.project.records.records import record_of
 from edesign.study.history_results import HistoryResults
+from edesign.study.isolators import isolator_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, frame_alone, make_structure
 from edesign.study.vertical_motion import ground_motion
+from edesign.study.warnings import store_warnings
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
@@ -77,6 +79,8 @@ def run_history(
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
     both.store(group, project.outputs.every)
+    if response.status == "completed":
+        store_warnings(group, isolator_warnings(group, structure.frame))
     return group
 
 

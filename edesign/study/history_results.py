@@ -60,6 +60,7 @@ class HistoryResults:
         self._displacements = replace(q.floor_displacements(frame, floors), tail=True)
         self._drift = replace(q.storey_drifts(frame, storeys), tail=True)
         self._drifts = q.line_drifts(frame)
+        self._base = q.base_displacement(frame, floors)
         self._others = [
             q.floor_accelerations(frame, floors),
             q.floor_relative_accelerations(frame),
@@ -72,12 +73,14 @@ class HistoryResults:
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),
             *q.dampers(frame, "dampers" in self._wanted),
+            *q.base_acceleration(frame, floors),
+            *q.isolator_axial_forces(frame),
             *(q.support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
         ]
         self._names = rotation_names(frame, self._drifts, self._others)
         drift = replace(self._drift, history=storeys or keep_drift)
-        self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._others])
+        self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._base, *self._others])
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
 
     def drift(self, response: Response) -> np.ndarray:
@@ -104,7 +107,7 @@ class HistoryResults:
         coordinate(group, "time", response.time, "s", "time from the start of the record")
         samples = acceleration[::every][: response.time.size]
         group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
-        store(group, [self._displacements, self._drift, *self._others], response, "time", SINGLE)
+        store(group, [self._displacements, self._drift, *self._base, *self._others], response, "time", SINGLE)
         q.store_drift_extremes(group, frame, self._drifts, response)
         warnings = buckling_warnings(group, self._project, frame)
         if "damper_strain_max" in group.variables:
@@ -117,6 +120,10 @@ class HistoryResults:
         if response.status == "completed":
             floors, drift = (quantity.last_values(response) for quantity in (self._displacements, self._drift))
             store_residuals(group, floors, drift, time_step, period)
+            for base in self._base:
+                left = residual(base.last_values(response), time_step, period)
+                label = f"residual displacement of the isolated base: {DEFINITION}"
+                group.add("residual_base_displacement", (), left, "m", label)
         store_run(group, response, "time", "s")
         return group
 

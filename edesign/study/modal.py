@@ -10,6 +10,7 @@ from edesign.errors import AnalysisError
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
+from edesign.study.isolation_estimate import store_isolation_estimate
 from edesign.study.recording import coordinate
 from edesign.study.structure import Structure, frame_alone, make_structure
 
@@ -35,6 +36,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     else:
         modes = structure.modes(spec.modes)
     store_modes(group, structure, modes)
+    store_isolation_estimate(group, project, structure)
     group.attributes |= {"status": "completed", "reason": "", "state": spec.state, "mass_kg": structure.frame.mass}
     return group
 
@@ -42,7 +44,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
 def fundamental_period(project: Project) -> float | None:
     """Return the first period of the frame under gravity, s; None if it has no masses.
 
-    Of its dampers it has its buckling-restrained braces.
+    Of its dampers it has its buckling-restrained braces and its isolators.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.
@@ -59,7 +61,7 @@ def fundamental_period(project: Project) -> float | None:
 
 def mode_count(project: Project) -> int:
     """Return how many modes a frame has: its degrees of freedom with mass."""
-    return int(np.count_nonzero(make_structure(project).analysis.masses()))
+    return int(np.count_nonzero(frame_alone(project).analysis.masses()))
 
 
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
@@ -84,6 +86,9 @@ def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     group.add("participation_factor_x", ("mode",), factors, "1", "participation factor for horizontal ground motion")
     label = "horizontal displacement of the floor in the mode, mean over its nodes"
     group.add("floor_shape", ("mode", "floor"), floors / scale[:, None], "1", label)
+    if frame.isolated is not None:
+        base = modes.shapes[:, frame.nodes[frame.isolated.isolators[0].foot], 0] / scale
+        group.add("base_shape", ("mode",), base, "1", "horizontal displacement of the isolated base in the mode")
     where = list(frame.nodes.values())
     group.add("node_shape_x", ("mode", "node"), shapes[:, where, 0], "1", "horizontal displacement in the mode")
     group.add("node_shape_y", ("mode", "node"), shapes[:, where, 1], "1", "vertical displacement in the mode")

@@ -41,6 +41,10 @@ def coordinates(group: Group, frame: FrameModel) -> None:
                 known = [np.nan if value is None else value for value in values]
                 group.add(f"damper_{name}", ("damper",), known, unit, label)
         _restrained_coordinates(group, frame)
+    if frame.isolated is not None:
+        isolators = [isolator.name for isolator in frame.isolated.isolators]
+        coordinate(group, "isolator", isolators, "", "name of the isolator")
+        group.attributes["isolated"] = True
     for kind in ("column", "beam", "brace"):
         found = [member.name for member in frame.of_kind(kind)]
         if found:
@@ -91,6 +95,37 @@ def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
     cells = _floor_means(frame, "displacement")
     name = "horizontal displacement of the floor relative to the ground, mean over its nodes"
     return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
+
+
+def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Horizontal displacement of an isolated base; nothing of a frame on its supports."""
+    name = "horizontal displacement of the isolated base relative to the ground"
+    terms = _of_base(frame, "displacement")
+    return [Quantity("base_displacement", (), (), terms, "m", name, history, tail=True)] if terms else []
+
+
+def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Total horizontal acceleration of an isolated base; nothing of a frame on its supports."""
+    name, keep = "total horizontal acceleration of the isolated base", ("max", "min")
+    terms = _of_base(frame, "total_acceleration")
+    return [Quantity("base_acceleration", (), (), terms, "m/s^2", name, history, keep)] if terms else []
+
+
+def _of_base(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
+    """A horizontal quantity of the base that all feet share; none of a frame on its supports."""
+    if frame.isolated is None:
+        return ()
+    return (((1.0, kind, frame.nodes[frame.isolated.isolators[0].foot], 0),),)
+
+
+def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "min", "final")) -> list[Quantity]:
+    """Axial force of each isolator, positive in tension, as of columns; nothing of a frame on its supports."""
+    if frame.isolated is None:
+        return []
+    feet = [isolator.foot for isolator in frame.isolated.isolators]
+    cells = tuple(tuple((-c, kind, i, at) for c, kind, i, at in frame.reaction(foot, 1)) for foot in feet)
+    name = "axial force of the isolator, positive in tension"
+    return [Quantity("isolator_axial_force", ("isolator",), (len(feet),), cells, "N", name, keep=keep)]
 
 
 def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:

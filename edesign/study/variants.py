@@ -90,7 +90,7 @@ def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = 
     temperature_C = temperature_C if temperature_C is not None else variant.temperature
     if temperature_C is not None:
         change["temperature"] = temperature_C
-    used = {device.law for device in dampers.devices}  # others may not know another temperature
+    used = dampers.used_laws  # others may not know another temperature
     laws = {
         key: law.model_copy(
             update={**change, "property_factor": law.property_factor * (variant.property_factor or 1.0) * factor}

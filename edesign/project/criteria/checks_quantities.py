@@ -73,9 +73,18 @@ def check_quantity(
 
 
 def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
-    """Return the names of the dampers of a project, as its frame has them."""
+    """Return the names of the dampers and isolators of a project, as its frame has them."""
+    if dampers is None:
+        return ()
     found: list[str] = []
-    for run in dampers.devices if dampers is not None else ():
+    if dampers.isolation is not None:
+        of_base = (names.isolator_name, dampers.isolation.isolators), (names.base_device_name, dampers.isolation.beside)
+        for named, items in of_base:
+            lines = [line for item in items for line in item.lines.names(frame.lines)]
+            for line in lines:
+                if names.node_name(line, 0) in frame.nodes:
+                    found.append(names.free_name(named(line), found))
+    for run in dampers.devices:
         if isinstance(run, DamperBetween):
             found.append(names.free_name(names.damper_between_name(*run.nodes), found))
             continue

@@ -18,7 +18,7 @@ from edesign.project.notation.units import (
     Kind,
 )
 
-Place = Literal["floor", "storey", "column", "beam", "brace", "member", "damper", "support", "frame"]
+Place = Literal["floor", "storey", "column", "beam", "brace", "member", "damper", "isolator", "support", "frame"]
 Side = Literal["tension", "compression"]
 EnergyTerm = Literal["kinetic", "damping", "elastic", "hysteretic", "p_delta", "dampers"]
 
@@ -30,6 +30,7 @@ SELECTIONS: dict[Place, tuple[str, ...]] = {
     "brace": ("storeys", "members"),
     "member": ("storeys", "members"),
     "damper": ("storeys", "dampers"),
+    "isolator": ("lines",),
     "support": ("lines",),
     "frame": (),
 }
@@ -47,6 +48,7 @@ class ArchivedQuantity:
         sides: whether tension and compression may be told apart; of a reaction, tension is uplift.
         own: keys of a criterion that it has beside the selection of places.
         kept: the histories that must be kept for it (`outputs: histories`); None: it is always archived.
+        isolated: whether only an isolated base has it.
     """
 
     kind: Kind
@@ -55,6 +57,7 @@ class ArchivedQuantity:
     sides: bool = False
     own: tuple[str, ...] = ()
     kept: HistoryKind | None = None
+    isolated: bool = False
 
 
 QUANTITIES: dict[str, ArchivedQuantity] = {
@@ -95,6 +98,16 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     "support_vertical_reaction": ArchivedQuantity(FORCE, "support", "gravity included", sides=True, kept="supports"),
     "support_horizontal_reaction": ArchivedQuantity(FORCE, "support", "gravity included", kept="supports"),
     "support_moment": ArchivedQuantity(MOMENT, "support", "gravity included", kept="supports"),
+    "isolator_axial_force": ArchivedQuantity(FORCE, "isolator", "gravity included", sides=True, isolated=True),
+    "base_displacement": ArchivedQuantity(
+        LENGTH, "frame", "horizontal, of an isolated base, relative to the ground", isolated=True
+    ),
+    "residual_base_displacement": ArchivedQuantity(
+        LENGTH, "frame", "of an isolated base, mean over the last fundamental period", isolated=True
+    ),
+    "base_acceleration": ArchivedQuantity(
+        ACCELERATION, "frame", "horizontal, total, of an isolated base", isolated=True
+    ),
     "base_shear": ArchivedQuantity(FORCE, "frame", "sum of the horizontal reactions, those of dampers included"),
     "overturning_moment": ArchivedQuantity(
         MOMENT, "frame", "of all reactions about the middle of the base, gravity included", kept="supports"

@@ -47,7 +47,9 @@ def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: Modal
         problems.at_key((*keys, given[1]), f"give either `{given[0]}` or `{given[1]}`, one of them")
         return
     devices = project.dampers.devices if project.dampers is not None and analysis.dampers else ()
-    if given and not devices:
+    if given == ["damper_strain"] and project.isolation is not None and analysis.dampers:
+        problems.at_key((*keys, given[0]), "isolators count at a deformation; give `damper_deformation`")
+    elif given and not devices and (project.isolation is None or not analysis.dampers):
         problems.at_key((*keys, given[0]), "this analysis has no dampers")
     elif given == ["damper_strain"] and project.dampers is not None:
         laws = project.dampers.laws

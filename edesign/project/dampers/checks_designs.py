@@ -32,6 +32,9 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
     _law(keys, spec, project, problems)
     _places(keys, spec, project, problems)
     _hazard(keys, spec, project, problems)
+    if project.isolation is not None:
+        message = f"{project.path} has an isolated base; a design sizes dampers of a frame on its supports"
+        problems.at_key(keys, message)
     if project.masses is None:
         problems.at_key(keys, "the project has no `masses`: its frame has no periods to design dampers for")
     if spec.bounds is not None:

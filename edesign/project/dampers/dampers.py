@@ -6,6 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
 
+from edesign.project.dampers.isolation import Isolation
 from edesign.project.notation.selections import Numbers
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
@@ -202,8 +203,20 @@ Attachment = Annotated[
 
 
 class Dampers(Model):
-    """All dampers of the building; analyses with `dampers: false` leave them out."""
+    """All dampers of the building, and its isolators; analyses with `dampers: false` leave them out."""
 
     laws: dict[str, DamperLaw] = {}
     devices: tuple[Device, ...] = ()
     attachments: tuple[Attachment, ...] = ()
+    isolation: Isolation | None = None
+
+    @property
+    def none(self) -> bool:
+        """Whether there are laws at most, and nothing that has them."""
+        return not (self.devices or self.attachments or self.isolation)
+
+    @property
+    def used_laws(self) -> frozenset[str]:
+        """Names of the laws that some damper or isolator has."""
+        base = () if self.isolation is None else (*self.isolation.isolators, *self.isolation.beside)
+        return frozenset(item.law for item in (*self.devices, *base))

@@ -63,6 +63,16 @@ def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
     return (f"{letter}_{bay}_{storey}",)
 
 
+def isolator_name(line: str) -> str:
+    """Isolator under a line: I_A."""
+    return f"I_{line}"
+
+
+def base_device_name(line: str) -> str:
+    """Damper or stop between the ground and an isolated base at a line: G_A."""
+    return f"G_{line}"
+
+
 def damper_between_name(start: str, end: str) -> str:
     """Damper between two nodes: N_A0_B1."""
     return f"N_{start}_{end}"

@@ -9,6 +9,7 @@ from edesign.project.analysis.pushover import Pushovers
 from edesign.project.criteria.checks_criteria import check_criteria
 from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
 from edesign.project.dampers.checks_designs import check_design
+from edesign.project.dampers.checks_isolation import NO_PUSHOVER
 from edesign.project.dampers.designs import AnyVerify
 from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -65,8 +66,9 @@ def _variant(study: Study, problems: Problems, keys: Keys, variant: Variant) -> 
     if variant.design is not None and variant.design not in study.designs:
         problems.at_value((*keys, "design"), unknown_name("design", variant.design, study.designs))
     dampers = study.base.dampers
-    if variant.dampers == "project" and (dampers is None or not (dampers.devices or dampers.attachments)):
-        problems.at_value((*keys, "dampers"), f"{study.base.path} has no devices and no attachments under `dampers`")
+    if variant.dampers == "project" and (dampers is None or dampers.none):
+        message = f"{study.base.path} has no devices, no attachments and no isolation under `dampers`"
+        problems.at_value((*keys, "dampers"), message)
     if variant.dampers == "none":
         for key in ("temperature", "property_factor"):
             if getattr(variant, key) is not None:
@@ -115,6 +117,11 @@ def _pushovers(study: Study, problems: Problems, keys: Keys, pushovers: Pushover
         check_names(problems, (*keys, "variants"), "variant", pushovers.variants, study.variants)
     check_drift(study.base, problems, (*keys, "roof_drift"), pushovers.roof_drift)
     check_pushover(study.base, problems, keys, pushovers)
+    isolated = study.base.isolation is not None
+    wanted = [name for name in study.variants_of(pushovers) if study.variants[name].dampers == "project"]
+    if isolated and wanted:
+        message = NO_PUSHOVER.replace("with `dampers: false` the frame", "a variant with `dampers: none`")
+        problems.at_key((*keys, "variants"), f"{listed(wanted)}: {message}")
 
 
 def _own_names(study: Study, problems: Problems) -> None:

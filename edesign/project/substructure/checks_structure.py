@@ -24,6 +24,9 @@ def check_structure(rts: RtsFile, problems: Problems) -> None:
     """Check what stands in the computer; the file has no schema problems."""
     if isinstance(rts.structure, ProjectStructure) and rts.project is not None:
         _physical(rts.structure, rts.project, problems)
+        if rts.project.isolation is not None:
+            message = f"{rts.project.path} has an isolated base, which tests of its dampers do not know"
+            problems.at_value((*_KEYS, "project"), message)
         _analysis(rts.structure, rts.project, problems)
         _frame(rts, rts.structure, rts.project, problems)
         for key in ("masses", "damping"):

@@ -24,6 +24,7 @@ from edesign.report.page.sections.hinges import hinges
 from edesign.report.page.sections.histories import histories
 from edesign.report.page.sections.incremental import incremental
 from edesign.report.page.sections.inputs import inputs
+from edesign.report.page.sections.isolation import isolation
 from edesign.report.page.sections.modes import modes
 from edesign.report.page.sections.moment_rotation import moment_rotation
 from edesign.report.page.sections.provenance import provenance
@@ -39,6 +40,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     inputs,
     ground_motion,
     modes,
+    isolation,
     design,
     pushover,
     response,

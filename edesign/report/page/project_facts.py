@@ -41,6 +41,7 @@ def project_rows(project: Project) -> Rows:
         ("Inherent damping", _damping(project)),
         ("Integration", _integration(project.integration) if project.integration is not None else ""),
         ("Dampers", _dampers(project)),
+        ("Isolation", _isolation(project)),
     ]
     return [(name, text) for name, text in rows if text]
 
@@ -89,6 +90,23 @@ def _over_height(sections: Iterable[tuple[int, str]], what: str) -> str:
         span = f"{what} {numbers[0]}" if len(numbers) == 1 else f"{what}s {numbers[0]}-{numbers[-1]}"
         spans.append(f"{span}: {', '.join(names)}")
     return "; ".join(spans)
+
+
+def _isolation(project: Project) -> str:
+    isolation = project.isolation
+    if isolation is None:
+        return ""
+    under = [f"{item.law} under {_at(str(item.lines))}" for item in isolation.isolators]
+    beside = [f"{item.law} at {_at(str(item.lines))}" for item in isolation.beside]
+    base = isolation.base
+    mass = "" if base.mass is None else f", {plain(base.mass / 1e3)} t"
+    loads = f"base: G = {plain(base.G / 1e3)} kN/m, Q = {plain(base.Q / 1e3)} kN/m{mass}"
+    at = f"design displacement {plain(1e3 * isolation.design_displacement)} mm"
+    return "; ".join([*under, *(["beside: " + ", ".join(beside)] if beside else []), loads, at])
+
+
+def _at(lines: str) -> str:
+    return "all lines" if lines == "all" else f"lines {lines}"
 
 
 def _supports(project: Project) -> str:

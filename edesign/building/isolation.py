@@ -1,0 +1,195 @@
+"""An isolated base in the frame model: its loads and mass, its supports, its isolators and what acts beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from edesign.building.devices import Device, DeviceLaw, DeviceSize
+from edesign.errors import InputError
+from edesign.project.actions.loads import Combination
+from edesign.project.dampers.dampers import PROTOTYPE_SCALE
+from edesign.project.dampers.isolation import BaseDevice, Isolation, Isolator
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.supports import SupportSprings, VerticalSpring
+from edesign.project.notation import names
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.project import Project
+
+if TYPE_CHECKING:
+    from edesign.core import Model
+
+UX = 0
+WEIGHED = "friction_pendulum"
+"""The law whose forces are proportional to the weight on it, which is its first parameter."""
+
+
+@dataclass(frozen=True)
+class IsolatedFeet:
+    """What an isolated base is in a model.
+
+    Attributes:
+        devices: all that acts between the ground and the base, isolators first.
+        isolators: those of them that carry a column.
+        weighed: of these the ones whose forces are proportional to the weight under gravity.
+    """
+
+    devices: tuple[Device, ...]
+    isolators: tuple[Device, ...]
+    weighed: frozenset[str]
+
+    def at(self, foot: str) -> tuple[int, ...]:
+        """Numbers in the core of all that acts at a foot, by the name of its node."""
+        return tuple(device.number for device in self.devices if device.foot == foot)
+
+
+def base_loads(frame: Frame, isolation: Isolation, factors: Combination) -> dict[str, float]:
+    """Return what the loads of an isolated base bring to the feet of the columns, N downwards, by node.
+
+    A foot carries half of what lies between it and its neighbours.
+    """
+    load = factors.G * isolation.base.G + factors.Q * isolation.base.Q
+    return {node: load * width for node, width in _widths(frame).items()}
+
+
+def base_masses(project: Project) -> dict[str, float]:
+    """Return the mass of an isolated base at the feet of the columns, kg, by node."""
+    frame, isolation, masses = project.frame, project.isolation, project.masses
+    if isolation is None:
+        return {}
+    base = isolation.base
+    if base.mass is not None:
+        widths = _widths(frame)
+        return {node: base.mass * width / sum(widths.values()) for node, width in widths.items()}
+    if masses is None or masses.from_loads is None:
+        return {}
+    return {node: load / STANDARD_GRAVITY for node, load in base_loads(frame, isolation, masses.from_loads).items()}
+
+
+def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSprings:
+    """Return how the foot of a line is held in other directions than the horizontal one."""
+    isolator = isolator_under(frame, isolation, line)
+    if isolator is None:  # it slides freely: checked
+        return SupportSprings(horizontal="free", vertical="fixed", rotation=isolation.base.rotation)
+    vertical = isolator.vertical
+    if isinstance(vertical, VerticalSpring):
+        resistance = None if vertical.resistance is None else isolator.number * vertical.resistance
+        change = {"stiffness": isolator.number * vertical.stiffness, "resistance": resistance}
+        vertical = vertical.model_copy(update=change)
+    elif isinstance(vertical, float):
+        vertical = isolator.number * vertical
+    return SupportSprings.model_construct(horizontal="free", vertical=vertical, rotation=isolation.base.rotation)
+
+
+def isolator_under(frame: Frame, isolation: Isolation, line: str) -> Isolator | None:
+    """Return the isolator under a line; None if there is none."""
+    return next((item for item in isolation.isolators if line in item.lines.names(frame.lines)), None)
+
+
+def goes_with_weight(isolator: Isolator, law: DeviceLaw) -> bool:
+    """Say whether the forces of an isolator follow from the weight that stands on it under gravity."""
+    return law.law.law == WEIGHED and isolator.weight != "law"
+
+
+def add_isolation(
+    project: Project,
+    model: Model,
+    nodes: Mapping[str, int],
+    laws: Mapping[str, DeviceLaw],
+    weights: Mapping[str, float],
+) -> IsolatedFeet:
+    """Add the isolators of a project, which act from the beginning, and what acts beside them.
+
+    Args:
+        project: the validated project, with an isolation.
+        model: has the nodes already.
+        nodes: ids by name.
+        laws: by name.
+        weights: on the feet under the gravity combination, N, by node; of those whose isolator needs it.
+
+    Raises:
+        InputError: a size or a weight that the law does not know, or an isolator without weight.
+    """
+    frame, isolation = project.frame, project.isolation
+    assert isolation is not None
+    found: list[Device] = []
+    isolators: list[Device] = []
+    weighed: set[str] = set()
+    taken: set[str] = set()
+    groups: tuple[tuple[str, Sequence[BaseDevice]], ...] = (
+        ("isolators", isolation.isolators),
+        ("beside", isolation.beside),
+    )
+    for group, items in groups:
+        for i, item in enumerate(items):
+            where = f"{project.where('dampers', 'isolation', group, i)}: dampers.isolation.{group}[{i}]"
+            law = laws[item.law]
+            _check_size(item, law, where)
+            for line in item.lines.names(frame.lines):
+                foot = names.node_name(line, 0)
+                if foot not in nodes:
+                    continue
+                size = DeviceSize(item.number, item.layers, item.layer_area, item.layer_thickness, item.scale or 1.0)
+                force_scale, deformation_scale, thickness = size.scales(law)
+                carries = isinstance(item, Isolator)
+                name = names.free_name((names.isolator_name if carries else names.base_device_name)(line), taken)
+                taken.add(name)
+                if isinstance(item, Isolator) and goes_with_weight(item, law):
+                    weighed.add(name)
+                    force_scale = law.property_factor * _weight(weights, foot, where) / law.law.values[0]
+                terms = ((1.0, nodes[foot], UX),)
+                number = model.damper(name, law.law, terms, 0.0, force_scale, deformation_scale, carries=True)
+                device = Device(
+                    name,
+                    number,
+                    item.law,
+                    law.law,
+                    0,
+                    terms,
+                    thickness,
+                    size,
+                    force_scale,
+                    deformation_scale,
+                    0.0,
+                    tested_strain=law.tested_strain,
+                    design_deformation=isolation.design_displacement,
+                    foot=foot,
+                )
+                found.append(device)
+                isolators += [device] if carries else []
+    return IsolatedFeet(tuple(found), tuple(isolators), frozenset(weighed))
+
+
+def _widths(frame: Frame) -> dict[str, float]:
+    """Half of the distances from each foot to its neighbours, m, by node; of an only foot 1 m."""
+    feet = [(names.node_name(line, 0), x) for line, x in zip(frame.lines, frame.x, strict=True)]
+    feet = [(node, x) for node, x in feet if node in frame.nodes]
+    if len(feet) == 1:
+        return {feet[0][0]: 1.0}
+    spans = [right - left for (_, left), (_, right) in zip(feet, feet[1:], strict=False)]
+    halves = zip([0.0, *spans], [*spans, 0.0], strict=True)
+    return {node: 0.5 * (before + after) for (node, _), (before, after) in zip(feet, halves, strict=True)}
+
+
+def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
+    """A size goes with a prototype, a scale without one and without the weight; law files are known only here."""
+    if law.layers is None and (item.layers or item.layer_area or item.layer_thickness):
+        raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed")
+    if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:
+        raise InputError(f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight")
+    if item.scale is None:
+        return
+    if law.layers is not None:
+        raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(item.law)}")
+    if isinstance(item, Isolator) and goes_with_weight(item, law):
+        message = "its forces follow from the weight on it; leave the `scale` out, or say `weight: law`"
+        raise InputError(f"{where}: scale: {message}")
+
+
+def _weight(weights: Mapping[str, float], foot: str, where: str) -> float:
+    weight = weights.get(foot, 0.0)
+    if not weight > 0.0:
+        message = f"the isolator under {foot} carries {weight:.4g} N under gravity; it needs a weight for its friction"
+        raise InputError(f"{where}: {message}")
+    return weight

@@ -1,0 +1,116 @@
+"""Cross checks of an isolated base: lines and laws that exist, every foot on an isolator or free to slide, its mass."""
+
+from __future__ import annotations
+
+from edesign.project.analysis.analyses import PushoverAnalysis
+from edesign.project.dampers.dampers import PROTOTYPE_SCALE
+from edesign.project.dampers.isolation import BaseDevice, Isolation, Isolator
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.frame.supports import springs_of, support_name
+from edesign.project.notation import names
+from edesign.project.project import Project
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+
+_WEIGHED = "friction_pendulum"
+_AT: Keys = ("dampers", "isolation")
+
+
+def check_isolation(project: Project, problems: Problems) -> None:
+    """Check the isolated base of a project; `project` has no schema problems, and may have no isolation."""
+    isolation = project.isolation
+    if isolation is None:
+        return
+    taken: dict[str, int] = {}
+    inside = True
+    for i, isolator in enumerate(isolation.isolators):
+        keys: Keys = (*_AT, "isolators", i)
+        inside &= _device(project, problems, keys, isolator)
+        _weight(project, problems, keys, isolator)
+        if isolator.vertical == "free":
+            problems.at_value((*keys, "vertical"), "an isolator carries the column; it is `fixed` or has a stiffness")
+        for line in isolator.lines.names(project.frame.lines):
+            if line in taken:
+                message = f"line {line} has an isolator already, isolators[{taken[line]}]; one carries the column"
+                problems.at_value((*keys, "lines"), f"{message} (give what acts beside it under `beside`)")
+                break
+            taken[line] = i
+    for i, item in enumerate(isolation.beside):
+        inside &= _device(project, problems, (*_AT, "beside", i), item)
+    if inside:
+        _other_feet(project, problems, isolation, taken)
+    _base(project, problems, isolation)
+    if project.frame.leaning_column is not None:
+        message = "a leaning column stands on the ground; with an isolated base give its loads at nodes of the frame"
+        problems.at_key(("frame", "leaning_column"), message)
+    for i, analysis in enumerate(project.analyses):
+        if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
+            problems.at_key(("analyses", i, "kind"), NO_PUSHOVER)
+
+
+NO_PUSHOVER = (
+    "a pushover of an isolated building is not offered: its roof moves with its base, which the targets do not know; "
+    "with `dampers: false` the frame is pushed on the supports that it has without isolators"
+)
+
+
+def _device(project: Project, problems: Problems, keys: Keys, item: BaseDevice) -> bool:
+    """Lines of the grid and a law that exists, with a size that it knows; returns whether the lines are so."""
+    assert project.dampers is not None
+    laws = project.dampers.laws
+    inside = Selections(project.frame, problems).lines((*keys, "lines"), item.lines)
+    if item.law not in laws:
+        problems.at_value((*keys, "law"), unknown_name("damper law", item.law, laws))
+        return inside
+    law = laws[item.law]
+    if law.prototype is None and law.file is None:
+        for key in ("layers", "layer_area", "layer_thickness"):
+            if getattr(item, key) is not None:
+                problems.at_key((*keys, key), f"the law `{item.law}` has no `prototype` whose size could be changed")
+    elif law.prototype is not None and item.scale is not None:
+        problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(item.law))
+    return inside
+
+
+def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator) -> None:
+    """A weight belongs to friction pendulums, whose forces follow from it or from a scale."""
+    assert project.dampers is not None
+    law = project.dampers.laws.get(isolator.law)
+    if law is None or law.type is None:
+        return
+    if law.type != _WEIGHED:
+        if isolator.weight is not None:
+            message = f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out"
+            problems.at_key((*keys, "weight"), message)
+    elif isolator.weight != "law" and isolator.scale is not None:
+        message = "the forces of this isolator follow from the weight on it; leave `scale` out, or say `weight: law`"
+        problems.at_key((*keys, "scale"), message)
+
+
+def _other_feet(project: Project, problems: Problems, isolation: Isolation, taken: dict[str, int]) -> None:
+    """Feet without an isolator do not hold the base; isolators stand under feet that exist."""
+    frame = project.frame
+    feet = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
+    held = [line for line in feet if line not in taken and springs_of(frame.support(line)).horizontal != "free"]
+    if held:
+        one = len(held) == 1
+        kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in held)
+        message = f"line{'s' * (not one)} {listed(held)} {'has' if one else 'have'} no isolator and would hold the base"
+        problems.at_key((*_AT, "isolators"), f"{message} ({kinds}); isolate them, or let them slide: `roller`")
+    for i, isolator in enumerate(isolation.isolators):
+        bare = [line for line in isolator.lines.names(frame.lines) if line not in feet]
+        if bare and not isolator.lines.is_all:
+            message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one"
+            problems.at_value((*_AT, "isolators", i, "lines"), message)
+
+
+def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
+    """The base has a mass in analyses that have masses."""
+    base, masses = isolation.base, project.masses
+    if base.mass is not None and masses is None:
+        message = "the frame itself has no `masses`, which analyses with masses need"
+        problems.at_key((*_AT, "base", "mass"), message)
+    if base.mass is None and masses is not None:
+        factors = masses.from_loads
+        if factors is None or not factors.G * base.G + factors.Q * base.Q > 0.0:
+            message = "the base has no mass; give `mass`, or loads `G` and `Q` with `masses.from_loads`"
+            problems.at_key((*_AT, "base"), message)

@@ -1,0 +1,62 @@
+"""Base isolation: isolators under the column lines, what acts beside them, and the base that stands on them."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from edesign.project.frame.supports import Turning, Vertical
+from edesign.project.notation.selections import ALL_LINES, Lines
+from edesign.project.notation.units import LineLoad, PositiveArea, PositiveFactor, PositiveLength, PositiveMass
+from edesign.project.reading.base import Model
+
+Count = Annotated[int, Field(ge=1, le=1000)]
+
+
+class BaseDevice(Model):
+    """A law between the ground and the base, horizontally, at some column lines; `number` of them at each.
+
+    Layers are those of the law's prototype unless given. `scale` multiplies the forces of a law without prototype.
+    """
+
+    lines: Lines = ALL_LINES
+    law: str
+    number: Count = 1
+    layers: Count | None = None
+    layer_area: PositiveArea | None = None
+    layer_thickness: PositiveLength | None = None
+    scale: PositiveFactor | None = None
+
+
+class Isolator(BaseDevice):
+    """An isolator under some column lines, which carries the column.
+
+    `vertical` is what one of them is in that direction. A friction pendulum has the `weight` that stands on it under
+    the gravity combination, or that of its law.
+    """
+
+    vertical: Vertical = "fixed"
+    weight: Literal["gravity", "law"] | None = None
+
+
+class IsolatedBase(Model):
+    """The slab or grid of beams on the isolators, rigid horizontally, at floor 0.
+
+    `G` and `Q` are its loads along the frame (N/m); `mass` (kg) is all of it, without it the base has that of its loads
+    if `masses.from_loads` says so. `rotation` holds the feet of the columns against it.
+    """
+
+    G: LineLoad = 0.0
+    Q: LineLoad = 0.0
+    mass: PositiveMass | None = None
+    rotation: Turning = "fixed"
+
+
+class Isolation(Model):
+    """An isolated base; its isolators count in natural modes at `design_displacement` (m)."""
+
+    isolators: Annotated[tuple[Isolator, ...], Field(min_length=1)]
+    beside: tuple[BaseDevice, ...] = ()
+    base: IsolatedBase
+    design_displacement: PositiveLength
