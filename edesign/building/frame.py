@@ -103,6 +103,7 @@ class FrameModel:
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
         leaning: its leaning column, whose nodes and struts are none of the above.
         isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.
+        on_feet: loads of the gravity combination on the feet of an isolated base, N downwards, by the name of the node.
     """
 
     frame: Frame
@@ -119,6 +120,7 @@ class FrameModel:
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
     leaning: LeaningStruts | None = None
     isolated: IsolatedFeet | None = None
+    on_feet: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -128,7 +130,8 @@ class FrameModel:
     def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
         """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as terms of the core.
 
-        A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base.
+        A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base, and what
+        loads it at a support goes there at once.
         """
         if degree == 0 and self.isolated is not None:
             return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
@@ -137,7 +140,9 @@ class FrameModel:
             return ((1.0, "reaction", ground, degree),)
         node = self.nodes[support]
         pushed = [node] if degree == 2 else [node, *self.moving_with.get(node, ())]
-        return tuple((1.0, "reaction", at, degree) for at in pushed)
+        terms = tuple((1.0, "reaction", at, degree) for at in pushed)
+        load = self.on_feet.get(support, 0.0) if degree == 1 else 0.0
+        return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
     def of_kind(self, kind: Kind) -> list[Member]:
         """Members of a kind in the order of `members`."""
@@ -213,9 +218,9 @@ def build_frame(
         _add_loads(model, gravity, nodes, members[name], MemberLoads(load), (1.0, 0.0))
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
-    if isolation is not None:
-        for name, load in base_loads(frame, isolation, project.loads.gravity).items():
-            model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    on_feet = {} if isolation is None else base_loads(frame, isolation, project.loads.gravity)
+    for name, load in on_feet.items():
+        model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     leaning = add_leaning_column(project, model, nodes, gravity)
     isolated = None
     if isolation is not None and laws is not None and weights is not None:
@@ -241,6 +246,7 @@ def build_frame(
         panels,
         leaning,
         isolated,
+        on_feet,
     )
 
 

@@ -1,0 +1,226 @@
+"""Isolated bases against closed forms, the oscillator of the same law, and statics.
+
+Superstructures are shear frames: columns fixed in rigid floors, masses that resist horizontal motion.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from shear_frames import MASS, STIFFNESS, shear_frame_text
+
+from edesign.archive.dataset import Group
+from edesign.codes.ec8.isolation import equivalent_linear
+from edesign.core import Analysis, Channel, LawValues, Model
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.project.loader import parse_project
+from edesign.project.project import Project
+from edesign.study.analyses import run_analysis
+from edesign.study.isolation_estimate import system_loop
+from edesign.study.structure import make_structure
+
+G = 9.80665  # m/s2
+BASE = 30e3  # kg
+ALL = MASS + BASE
+WEIGHT = 700e3  # N: 300 kN at each node of the floor, and 12.5 kN/m on 8 m of base
+REST = """\
+loads: {nodes: [{lines: all, floors: all, G: 300 kN}], gravity: {G: 1, Q: 0}}
+damping: {kind: none}
+integration: {method: newmark, time_step: 0.002 s, tolerance: 1e-10}
+dampers:
+  laws: {isolator: @law@}
+  isolation:
+    isolators: [{lines: all, law: isolator@more@}]
+    base: {G: 12.5 kN/m, mass: 30 t}
+    design_displacement: 150 mm
+analyses:
+  - {name: modes, kind: modal, modes: 2}
+  - {name: gravity, kind: gravity}
+"""
+LINEAR = "{type: kelvin_voigt, parameters: {k: @k@ N/m, c: 0 N*s/m}}"
+PENDULUM = (
+    "{type: friction_pendulum, parameters: {W: 1 MN, R: 1.5 m, f_slow: @slow@, f_fast: @fast@, a: 0 s/m, Y: 0.1 mm}}"
+)
+LEAD = "{type: lead_rubber, parameters: {Q: 18 kN, K_d: 0.35 kN/mm, Y: 8 mm}}"
+
+
+def isolated(law: str, more: str = "", storeys: int = 1, stiff: bool = False) -> Project:
+    text = shear_frame_text(storeys) + REST.replace("@law@", law).replace("@more@", more)
+    if stiff:  # a rigid body above the isolators: its columns are 1e7 times as stiff
+        text = text.replace("inertia: 1e-4 m^4", "inertia: 1e3 m^4")
+    return parse_project(text)
+
+
+def pendulum(slow: float, fast: float) -> str:
+    return PENDULUM.replace("@slow@", repr(slow)).replace("@fast@", repr(fast))
+
+
+def value(group: Group, name: str) -> np.ndarray:
+    return np.asarray(group.variables[name].values)
+
+
+@pytest.mark.parametrize("epsilon", [0.01, 0.05, 0.3])
+def test_two_degrees_of_naeim_and_kelly(epsilon: float) -> None:
+    """Naeim & Kelly (1999), Design of Seismic Isolated Structures, 2.2: base and one floor on linear isolators.
+
+    omega^2 = (omega_b^2 + omega_s^2 -+ sqrt((omega_b^2 - omega_s^2)^2 + 4 gamma omega_b^2 omega_s^2)) / (2 (1 - gamma))
+    with gamma = m / M, omega_b^2 = k_b / M, omega_s^2 = k_s / m and epsilon = omega_b^2 / omega_s^2; the floor moves by
+    omega^2 / (omega_s^2 - omega^2) of the base relative to it. The frame's floors are stiffer than its columns by 1e7.
+    """
+    gamma, square_s = MASS / ALL, STIFFNESS / MASS
+    square_b = epsilon * square_s
+    project = isolated(LINEAR.replace("@k@", repr(0.5 * square_b * ALL)))
+    group = run_analysis(project, project.analyses[0])
+    root = math.sqrt((square_b - square_s) ** 2 + 4.0 * gamma * square_b * square_s)
+    squares = np.array([square_b + square_s - root, square_b + square_s + root]) / (2.0 * (1.0 - gamma))
+    assert value(group, "circular_frequency") ** 2 == pytest.approx(squares, rel=2e-6)
+    relative = squares / (square_s - squares)
+    assert value(group, "floor_shape")[:, 0] / value(group, "base_shape") == pytest.approx(1.0 + relative, rel=1e-5)
+    # L = M (1 + gamma q), generalised mass M (1 + 2 gamma q + gamma q^2)
+    share = (1.0 + gamma * relative) ** 2 / (1.0 + 2.0 * gamma * relative + gamma * relative**2)
+    assert value(group, "effective_mass_ratio_x") == pytest.approx(share, rel=1e-5)
+    if epsilon < 0.02:  # their first-order solution, whose error is of the order of epsilon squared
+        assert squares[0] == pytest.approx(square_b * (1.0 - gamma * epsilon), rel=epsilon**2)
+        assert share[0] == pytest.approx(1.0, abs=epsilon**2)
+
+
+def test_period_of_a_pendulum_does_not_depend_on_the_weight() -> None:
+    """2 pi sqrt(R / g) without friction (Zayas, Low & Mahin 1990), for a rigid body whose mass is its weight / g."""
+    project = isolated(pendulum(1e-12, 1e-12), stiff=True)
+    project = project.with_values("masses.given[0].mass", f"{300e3 / G!r} kg")
+    project = project.with_values("dampers.isolation.base.mass", f"{100e3 / G!r} kg")
+    group = run_analysis(project, project.analyses[0])
+    assert value(group, "period")[0] == pytest.approx(2.0 * math.pi * math.sqrt(1.5 / G), rel=1e-6)
+
+
+def test_effective_stiffness_and_damping_of_a_pendulum() -> None:
+    """K_eff = W/R + mu W/D and xi = 2/pi mu / (mu + D/R) (Naeim & Kelly 1999, 4.5), but for the way before it slips.
+
+    Before it slips, Y = 0.1 mm, the loop misses 4 mu W Y of its energy: 0.07 % at 150 mm.
+    """
+    mu, R, D = 0.06, 1.5, 0.15
+    structure = make_structure(isolated(pendulum(mu, mu)), dampers=True)
+    assert structure.frame.isolated is not None
+    stiffness, energy = system_loop(structure.frame.isolated.devices)(D, 0.4)
+    assert stiffness == pytest.approx(WEIGHT / R + mu * WEIGHT / D, rel=1e-9)
+    damping = energy / (2.0 * math.pi * stiffness * D**2)
+    assert damping == pytest.approx(2.0 / math.pi * mu / (mu + D / R), rel=1e-3)
+
+
+def test_weights_follow_from_statics() -> None:
+    """Beams on hinges bring half of their load to each column, whatever else: 300 kN, and 50 kN of the base."""
+    project = isolated(pendulum(0.05, 0.05))
+    structure = make_structure(project, dampers=True)
+    assert structure.frame.isolated is not None
+    weights = [device.force_scale * 1e6 for device in structure.frame.isolated.devices]
+    assert weights == pytest.approx([0.5 * WEIGHT] * 2, rel=1e-9)
+    group = run_analysis(project, project.analyses[1])
+    assert value(group, "isolator_axial_force_final") == pytest.approx([-0.5 * WEIGHT] * 2, rel=1e-9)
+    assert abs(float(value(group, "base_displacement_final"))) < 1e-15
+    # the law's own weight instead, of 1 MN each
+    own = make_structure(isolated(pendulum(0.05, 0.05), ", weight: law"), dampers=True)
+    assert own.frame.isolated is not None
+    assert [device.force_scale for device in own.frame.isolated.devices] == [1.0, 1.0]
+
+
+def test_isolators_hold_the_base_under_horizontal_loads_of_gravity() -> None:
+    """Equal columns under 20 kN/m to the right on one of them: the isolators carry it with their stiffness at rest."""
+    project = isolated(LEAD)
+    project = project.with_values("loads.columns", [{"lines": "A", "storeys": 1, "G": "2 kN/m"}])
+    group = run_analysis(project, project.analyses[1])
+    stiffness = 2.0 * (0.35e6 + 18e3 / 8e-3)
+    assert float(value(group, "base_displacement_final")) == pytest.approx(8e3 / stiffness, rel=1e-6)
+    assert value(group, "reaction_x_final") == pytest.approx([-4e3, -4e3], rel=1e-6)
+
+
+MOTION = (
+    4.0 * np.sin(2.0 * np.pi * np.arange(0.0, 12.0, 0.002) / 1.6) * np.sin(np.pi * np.arange(0.0, 12.0, 0.002) / 12.0)
+)
+
+
+def oscillator(law: LawValues, scale: float) -> dict[str, np.ndarray]:
+    """Displacement and force of the whole mass on one device of the core; a stiff link says how large forces are."""
+    model = Model()
+    mass, other = model.node("mass", 0.0, 0.0), model.node("other half", 1.0, 0.0)
+    for node in (mass, other):
+        model.fix(node, False, True, True)
+        model.mass(node, 0.5 * ALL)
+    model.link("link", mass, other, (1e13, 0.0, 0.0))
+    model.damper("isolator", law, [(1.0, mass, 0)], force_scale=scale, carries=True)
+    channels = [
+        Channel("u", ((1.0, "displacement", mass, 0),)),
+        Channel("F", ((1.0, "damper_force", 0, 0),)),
+    ]
+    analysis = Analysis(model, tolerance=1e-10)
+    response = analysis.history(MOTION, 0.002, channels=channels)
+    assert response.status == "completed", response.reason
+    return response.values
+
+
+@pytest.mark.parametrize(
+    ("text", "law", "scale"),
+    [
+        (LEAD, LawValues("lead_rubber", (18e3, 0.35e6, 8e-3)), 2.0),
+        (
+            pendulum(0.04, 0.08).replace("a: 0", "a: 25"),
+            LawValues("friction_pendulum", (1e6, 1.5, 0.04, 0.08, 25.0, 1e-4)),
+            0.7,
+        ),
+    ],
+    ids=["lead_rubber", "friction_pendulum"],
+)
+def test_rigid_superstructure_is_an_oscillator(text: str, law: LawValues, scale: float) -> None:
+    """A rigid body, stiffer than its two isolators by 1e6, is as the mass on one of twice the force.
+
+    The weight of a pendulum stands for both: 700 kN where its law has 1 MN.
+    """
+    project = isolated(text, stiff=True)
+    structure = make_structure(project, dampers=True)
+    frame = structure.frame
+    assert frame.isolated is not None
+    structure.apply_gravity()
+    structure.install_dampers()
+    foot = frame.nodes[frame.isolated.isolators[0].foot]
+    numbers = [device.number for device in frame.isolated.devices]
+    channels = [
+        Channel("u", ((1.0, "displacement", foot, 0),)),
+        Channel("F", tuple((1.0, "damper_force", number, 0) for number in numbers)),
+    ]
+    response = structure.analysis.history(MOTION, 0.002, channels=channels)
+    assert response.status == "completed", response.reason
+    expected = oscillator(law, scale)
+    for name in ("u", "F"):
+        largest = float(np.max(np.abs(expected[name])))
+        assert np.max(np.abs(response.values[name] - expected[name])) < 1e-4 * largest
+    if law.law == "friction_pendulum":  # it stops where the dish cannot push it: within f R
+        assert abs(response.values["u"][-1]) < 0.08 * 1.5
+        assert np.max(np.abs(expected["u"])) > 0.1
+
+
+def test_equivalent_linear_displacement_on_the_branch_of_constant_displacement() -> None:
+    """Beyond T_D the displacement of the spectrum is 2.5 a_g S eta T_C T_D / (4 pi^2), whatever the period.
+
+    So d follows from eta(xi(d)) alone, here by repeated substitution (EN 1998-1, Eqs. 3.5, 3.6, 3.7 and 10.5).
+    """
+    mu, R, mass = 0.05, 4.0, 1e5
+    hazard = "hazard: {code: ec8-2004, a_gR: 3 m/s2, ground: A, spectrum: 1, parameters: {T_C: 0.8 s, T_D: 1.2 s}}\n"
+    project = parse_project(shear_frame_text(1) + hazard + "analyses: [{name: modes, kind: modal, modes: 1}]\n")
+    assert project.hazard is not None
+    W = mass * G
+
+    def loop(amplitude: float, frequency: float) -> tuple[float, float]:
+        return W / R + mu * W / amplitude, 4.0 * mu * W * amplitude
+
+    d = 0.1
+    for _ in range(200):
+        xi = 2.0 / math.pi * mu / (mu + d / R)
+        d = 2.5 * 3.0 * max(math.sqrt(10.0 / (5.0 + 100.0 * xi)), 0.55) * 0.8 * 1.2 / (4.0 * math.pi**2)
+    found = equivalent_linear(loop, mass, elastic_spectrum(project.hazard), G)
+    assert found.period > 1.2
+    assert found.displacement == pytest.approx(d, rel=1e-6)
+    assert found.damping == pytest.approx(2.0 / math.pi * mu / (mu + d / R), rel=1e-6)
+    assert found.shear == pytest.approx(found.mass * found.acceleration, rel=1e-6)
+    assert found.restoring == pytest.approx(0.5 * d / R, rel=1e-6)
+    assert found.stiffness_ratio == pytest.approx((1.0 / R + mu / d) / (1.0 / R + mu / (0.2 * d)), rel=1e-6)
