@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -59,6 +60,11 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
         if spec.prototype is not None:
             raise asked.refuse(("prototype",), "a buckling-restrained brace has no layers; leave this key out")
         prototype = None
+    if prototype is None and numbers.law == "friction_pendulum":
+        # what changes is the friction; the dish that brings it back keeps its radius
+        W, R, f_slow, f_fast, *others = numbers.values
+        friction = (spec.property_factor * f_slow, spec.property_factor * f_fast)
+        return DeviceLaw(replace(numbers, values=(W, R, *friction, *others))), warnings
     if prototype is None:
         return DeviceLaw(numbers, property_factor=spec.property_factor), warnings
     size = (prototype.layers, prototype.layer_area, prototype.layer_thickness)

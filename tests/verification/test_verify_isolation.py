@@ -125,6 +125,15 @@ def test_weights_follow_from_statics() -> None:
     assert [device.force_scale for device in own.frame.isolated.devices] == [1.0, 1.0]
 
 
+def test_property_factor_of_a_pendulum_is_one_on_its_friction() -> None:
+    """The dish keeps its radius: EN 15129 and ASCE/SEI 7-16, 17.2.8.4 change the friction of sliders."""
+    project = isolated(pendulum(0.04, 0.06)).with_values("dampers.laws.isolator.property_factor", 1.5)
+    structure = make_structure(project, dampers=True)
+    assert structure.frame.isolated is not None
+    stiffness, _ = system_loop(structure.frame.isolated.devices)(0.15, 0.4)
+    assert stiffness == pytest.approx(WEIGHT / 1.5 + 1.5 * 0.04 * WEIGHT / 0.15, rel=1e-9)
+
+
 def test_isolators_hold_the_base_under_horizontal_loads_of_gravity() -> None:
     """Equal columns under 20 kN/m to the right on one of them: the isolators carry it with their stiffness at rest."""
     project = isolated(LEAD)

@@ -98,6 +98,7 @@ def test_every_key_is_documented() -> None:
         "hazard",
         "record_choice",
         "hinges_and_springs",
+        "isolation",
         "study_file",
         "damper_design",
         "viscous_design",
