@@ -1,4 +1,4 @@
-"""Horizontal elastic response spectrum, EN 1998-1:2004, 3.2.2.2."""
+"""Elastic response spectra, EN 1998-1:2004, 3.2.2.2: what both components share, and the horizontal one."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from edesign.codes.ec8.accelerograms import SET_RULES
 from edesign.codes.ec8.branches import checked_action, displacement_of, four_branches
-from edesign.codes.ec8.parameters import HorizontalParameters
+from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameters
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 
@@ -34,39 +34,37 @@ def damping_correction(damping: float) -> float:
 
 
 @dataclass(frozen=True)
-class ElasticSpectrum:
-    """Elastic response spectrum S_e(T) of the horizontal components.
+class ComponentSpectrum:
+    """Elastic response spectrum of one component of the ground motion, horizontal or vertical.
 
     EN 1998-1 states it up to 4 s. Here its last branch, 1/T2, that is constant displacement, goes on without an end.
-    Annex A says the same up to T_E (type 1: 4.5 s on ground A, 5 s on B, 6 s on C, D and E) and lower displacements
-    beyond, for which there is `LongPeriodSpectrum`.
 
     The action enters as a last factor gamma_I, so spectra of two levels differ by it to the last bit.
 
     Attributes:
-        a_gR: reference peak ground acceleration on ground A, m/s2.
-        parameters: soil factor and corner periods.
+        a_gR: reference peak ground acceleration on ground A, m/s2 (horizontal).
+        parameters: factor of the peak and corner periods.
         gamma_I: importance factor; a_g = gamma_I a_gR.
         damping: ratio of critical.
         label: for plots and tables.
 
-    Source: EN 1998-1:2004, 3.2.2.2(1)P, Eqs. 3.2-3.5.
+    Source: EN 1998-1:2004, 3.2.2.2(1)P and 3.2.2.3(1)P, whose equations are alike.
     """
 
     a_gR: float
-    parameters: HorizontalParameters
+    parameters: HorizontalParameters | VerticalParameters
     gamma_I: float = 1.0
     damping: float = 0.05
-    label: str = "EN 1998-1 elastic"
+    label: str = ""
 
     def __post_init__(self) -> None:
         checked_action(self.a_gR, self.gamma_I)
         damping_correction(self.damping)
 
     @property
-    def a_g(self) -> float:
-        """Design ground acceleration on ground A, m/s2: gamma_I a_gR (3.2.1(3))."""
-        return self.gamma_I * self.a_gR
+    def peak_factor(self) -> float:
+        """Peak acceleration of the component over that of the horizontal one on ground A."""
+        raise NotImplementedError
 
     @property
     def eta(self) -> float:
@@ -75,8 +73,8 @@ class ElasticSpectrum:
 
     @property
     def zero_period(self) -> float:
-        """a_g S, m/s2."""
-        return self.gamma_I * (self.a_gR * self.parameters.S)
+        """Peak acceleration, m/s2: a_g S, or a_vg."""
+        return self.gamma_I * (self.a_gR * self.peak_factor)
 
     @property
     def last_period(self) -> float:
@@ -99,11 +97,35 @@ class ElasticSpectrum:
         return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_e(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5."""
+        """Return S_e(T) or S_ve(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5, 3.8-3.11."""
         p = self.parameters
         shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=p.F_0 * self.eta)
-        return self.gamma_I * (self.a_gR * p.S * shape)
+        return self.gamma_I * (self.a_gR * self.peak_factor * shape)
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return S_De(T), m, in the shape of `period` (s); Eq. 3.7, which EN 1998-1 applies up to 4 s."""
+        """Return the displacement, m, in the shape of `period` (s); Eq. 3.7, which EN 1998-1 applies up to 4 s."""
         return displacement_of(self.acceleration(period), period)
+
+
+@dataclass(frozen=True)
+class ElasticSpectrum(ComponentSpectrum):
+    """Elastic response spectrum S_e(T) of the horizontal components.
+
+    Annex A says the same up to T_E (type 1: 4.5 s on ground A, 5 s on B, 6 s on C, D and E) and lower displacements
+    beyond, for which there is `LongPeriodSpectrum`.
+
+    Source: EN 1998-1:2004, 3.2.2.2(1)P, Eqs. 3.2-3.5.
+    """
+
+    parameters: HorizontalParameters
+    label: str = "EN 1998-1 elastic"
+
+    @property
+    def a_g(self) -> float:
+        """Design ground acceleration on ground A, m/s2: gamma_I a_gR (3.2.1(3))."""
+        return self.gamma_I * self.a_gR
+
+    @property
+    def peak_factor(self) -> float:
+        """The soil factor S."""
+        return self.parameters.S
