@@ -29,6 +29,7 @@ def run_analysis(
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
     motion: Motion | None = None,
+    vertical: Motion | None = None,
 ) -> Group:
     """Run one analysis of a project.
 
@@ -38,6 +39,7 @@ def run_analysis(
         progress: called now and then with (steps done, steps) of a history or pushover.
         stop: asked now and then; True ends a history or pushover with the status "interrupted".
         motion: the record of a history, made ready; None reads it.
+        vertical: likewise that of its vertical motion.
 
     Returns:
         The results, ready for the archive. Attributes: name, kind, variant, record, level (None where there is none),
@@ -48,7 +50,7 @@ def run_analysis(
         InputError: the frame cannot be built, the record cannot be read, or a requested output does not exist.
     """
     try:
-        group = _run(project, spec, progress, stop, motion)
+        group = _run(project, spec, progress, stop, motion, vertical)
     except AnalysisError as error:
         group = Group(attributes={"status": "failed", "reason": str(error)})
     group.attributes |= {**labels(spec), "height": project.frame.height}
@@ -61,13 +63,14 @@ def _run(
     progress: Callable[[int, int], None] | None,
     stop: Callable[[], bool] | None,
     motion: Motion | None,
+    vertical: Motion | None,
 ) -> Group:
     if isinstance(spec, ModalAnalysis):
         return run_modal(project, spec)
     if isinstance(spec, GravityAnalysis):
         return run_gravity(project, spec)
     if isinstance(spec, HistoryAnalysis):
-        return run_history(project, spec, progress, stop, motion)
+        return run_history(project, spec, progress, stop, motion, vertical)
     if isinstance(spec, TargetAnalysis):
         return run_target(project, spec, progress, stop)
     return run_pushover(project, spec, progress, stop)

@@ -131,7 +131,7 @@ def _respond(
                 free_vibration=verify.free_vibration,
             )
             specs[spec.name] = spec
-            works.append(Work(spec.name, analyse, (project, spec, run.motions[reference])))
+            works.append(Work(spec.name, analyse, (project, spec, run.motions[reference], None)))
     found: dict[str, Group] = {}
     try:
         for result in run.results(works):

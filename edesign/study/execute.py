@@ -145,7 +145,8 @@ def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
             _archive(run, task, Result(task.name, reason=str(error)))
             continue
         how = analyse if task.stripe is None else analyse_stripe
-        works.append(Work(task.name, how, (project, spec, run.motions.get(task.record or ""))))
+        motions = run.motions.get(task.record or ""), run.motions.get(task.vertical_record or "")
+        works.append(Work(task.name, how, (project, spec, *motions)))
     by_name = {task.name: task for task in tasks}
     for result in run.results(works):
         _archive(run, by_name[result.key], result)

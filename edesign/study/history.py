@@ -36,6 +36,7 @@ def run_history(
     progress: Callable[[int, int], None] | None = None,
     stop: Callable[[], bool] | None = None,
     motion: Motion | None = None,
+    vertical: Motion | None = None,
 ) -> Group:
     """Compute the response of a frame under gravity to a record along x, and to its vertical motion if it has one.
 
@@ -45,6 +46,7 @@ def run_history(
         progress: called with (steps done, steps).
         stop: asked now and then; True ends the history.
         motion: the record made ready; None reads it here.
+        vertical: likewise the other record of its vertical motion, if it has one.
 
     Raises:
         InputError: the record cannot be read, or a requested output does not exist.
@@ -56,8 +58,15 @@ def run_history(
     motion = motion or _motion(project, spec.record)
     factor = scale_factor(project, spec, motion.record)
     step = project.integration.time_step or motion.record.time_step
+    if spec.vertical is not None and spec.vertical.record is not None:
+        vertical = vertical or _motion(project, spec.vertical.record)
     both = ground_motion(
-        project, spec, motion.record, factor, lambda record, scale, after: input_motion(record, scale, step, after)
+        project,
+        spec,
+        motion.record,
+        factor,
+        vertical,
+        lambda record, scale, after: input_motion(record, scale, step, after),
     )
     ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
@@ -94,7 +103,7 @@ def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> flo
     """Return the factor on a record: to its peak, as given, or the importance factor of its hazard level."""
     if spec.pga is not None:
         return spec.pga / record.pga
-    return level_factor(project, spec) if spec.scale is None else spec.scale
+    return level_factor(project, spec.record, spec.level) if spec.scale is None else spec.scale
 
 
 def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:

@@ -9,7 +9,7 @@ from edesign.codes.motion_sets import DAMPING
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import EdesignError, InputError
 from edesign.ground_motion.component_pairs import PairFit, fit_pair
-from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
+from edesign.ground_motion.hazard import action_of, elastic_spectrum, factor_of_level
 from edesign.ground_motion.matching import Match, MatchOptions, match_record
 from edesign.ground_motion.matching.match import check_band, check_record, constant_factor
 from edesign.ground_motion.matching.raising import raised, suite_factor
@@ -17,7 +17,6 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
-from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
 from edesign.project.records.checks_records import fitted_level
 from edesign.project.records.records import PairRecord, Suite, component_references, record_of
@@ -168,10 +167,14 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
     """Return the spectrum that the project fits a recording to: one shape for all levels, or that of a level.
 
     Raises:
-        InputError: the hazard of the project is wrong.
+        InputError: the hazard of the project is wrong, or its code has no vertical spectrum here.
     """
     assert project.hazard is not None, "match_options tells"
-    return elastic_spectrum(project.hazard, fitted_level(project, record_of(reference)))
+    name = record_of(reference)
+    match, level = project.records[name].match, fitted_level(project, name)
+    if match is not None and match.component == "vertical":
+        return action_of(project.hazard).vertical(level)
+    return elastic_spectrum(project.hazard, level)
 
 
 def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) -> PairFit | None:
@@ -229,8 +232,8 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
         raise InputError("\n".join(faults))
 
 
-def level_factor(project: Project, spec: HistoryAnalysis) -> float:
-    """Return the factor of the history's hazard level on what recordings are fitted to; 1 for those that are not."""
-    if project.hazard is None or match_options(project, spec.record) is None:
+def level_factor(project: Project, reference: str, level: str) -> float:
+    """Return the factor of a hazard level on what a recording is fitted to; 1 for one that is not."""
+    if project.hazard is None or match_options(project, reference) is None:
         return 1.0
-    return factor_of_level(project.hazard, spec.level)
+    return factor_of_level(project.hazard, level)

@@ -74,6 +74,12 @@ class Task:
         return getattr(self.spec, "record", None)
 
     @property
+    def vertical_record(self) -> str | None:
+        """Reference of the record of its vertical motion, if that is another one."""
+        vertical = getattr(self.spec, "vertical", None)
+        return None if vertical is None else vertical.record
+
+    @property
     def labels(self) -> dict[str, str | int | float | None]:
         """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable).
 

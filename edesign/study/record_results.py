@@ -50,7 +50,10 @@ def project_record_groups(
     for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
         spec = project.records[name]
         if not isinstance(spec, RecordSet):
-            yield f"{RECORDS}/{name}", record_group(motions[name], order, warnings.get(name, ()))
+            group = record_group(motions[name], order, warnings.get(name, ()))
+            if spec.match is not None and spec.match.component == "vertical" and not motions[name].failure:
+                group.attributes["match_notes"] = [*group.attributes["match_notes"], "fitted to the vertical spectrum"]
+            yield f"{RECORDS}/{name}", group
             continue
         members = [motion for reference, motion in motions.items() if reference.startswith(f"{name}/")]
         target = target_spectrum(project, name) if project.hazard and spec.fitted else None

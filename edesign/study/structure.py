@@ -128,8 +128,8 @@ def tolerance(project: Project) -> float:
 def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
     """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz).
 
-    The real part is that of the first harmonic; on an isolated base it is the effective stiffness, between the extremes,
-    as codes have it (EN 1998-1, 10.9.2(2)).
+    The real part is that of the first harmonic; on an isolated base it is the effective stiffness, between the
+    extremes, as codes have it (EN 1998-1, 10.9.2(2)).
     """
     scale = device.force_scale * device.deformation_scale
     amplitude *= device.deformation_scale

@@ -118,6 +118,7 @@ def _history(
         free_vibration=asked.free_vibration,
         collapse_drift=asked.collapse_drift,
         level=level,
+        vertical=asked.vertical if isinstance(asked, Histories) else None,
     )
 
 

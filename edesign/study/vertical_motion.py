@@ -9,10 +9,10 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
-from edesign.ground_motion.project_records import find_recordings
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
+from edesign.study.motions import Motion, level_factor
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -56,6 +56,7 @@ def ground_motion(
     spec: HistoryAnalysis,
     record: Record,
     factor: float,
+    vertical: Motion | None,
     applied: Callable[[Record, float, float], Record],
 ) -> GroundMotion:
     """Return what a history applies.
@@ -67,10 +68,11 @@ def ground_motion(
         spec: the history.
         record: horizontal, before its scaling.
         factor: on it.
+        vertical: the other record made ready, if the history has one for its vertical motion.
         applied: of a record, a factor and a time after its end (s), what the integration sees at its step.
 
     Raises:
-        InputError: the vertical record cannot be read, or is zero throughout and is to be scaled to a peak.
+        InputError: the vertical record could not be fitted, or is zero throughout and is to be scaled to a peak.
     """
     given = spec.vertical
     if given is None:
@@ -81,8 +83,11 @@ def ground_motion(
         return GroundMotion(
             applied(record, factor, spec.free_vibration), applied(record, both, spec.free_vibration), both
         )
-    other = find_recordings(project, [given.record])[given.record].record
-    if given.pga is not None:
+    assert vertical is not None
+    other = vertical.record
+    if vertical.match is not None:
+        own = level_factor(project, given.record, spec.level)
+    elif given.pga is not None:
         if other.pga == 0.0:
             place = project.where("records", given.record)
             raise InputError(f"{place}: records.{given.record}: the record is zero throughout; it has no peak to scale")
@@ -91,10 +96,10 @@ def ground_motion(
         own = factor if given.scale is None else given.scale
     last = max(record.duration, other.duration) + spec.free_vibration
     horizontal = applied(record, factor, last - record.duration)
-    vertical = applied(other, own, last - other.duration)
-    missing = horizontal.acceleration.size - vertical.acceleration.size  # of one step, by rounding of durations
+    upwards = applied(other, own, last - other.duration)
+    missing = horizontal.acceleration.size - upwards.acceleration.size  # of one step, by rounding of durations
     if missing > 0:
-        vertical = vertical.with_zeros(missing * vertical.time_step)
+        upwards = upwards.with_zeros(missing * upwards.time_step)
     elif missing < 0:
         horizontal = horizontal.with_zeros(-missing * horizontal.time_step)
-    return GroundMotion(horizontal, vertical, own)
+    return GroundMotion(horizontal, upwards, own)

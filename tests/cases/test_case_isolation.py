@@ -92,7 +92,7 @@ def test_moat_stops_the_base_and_the_frame_lifts_off(tmp_path: Path) -> None:
 
 
 def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:
-    """Criteria of an isolated base apply to isolated variants, with their bounds, and not to the frame on its supports."""
+    """Criteria of an isolated base apply to isolated variants with their bounds, not to the frame on its supports."""
     study = load_study(HERE / CASE / "study.yaml")
     archive = run_study(study, tmp_path / "study.h5").archive
     with open_archive(archive) as opened:

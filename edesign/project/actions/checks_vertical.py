@@ -1,16 +1,34 @@
-"""Cross checks of vertical ground motion: one source, a record that is as recorded, masses that it moves."""
+"""Cross checks of vertical ground motion: one source, a record that is of the component, masses that it moves."""
 
 from __future__ import annotations
 
-from edesign.project.analysis.analyses import HistoryAnalysis
+from collections.abc import Sequence
+
+from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.project import Project
-from edesign.project.reading.problems import Keys, Problems, unknown_name
+from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
+from edesign.project.records.checks_records import check_fitted_levels
 from edesign.project.records.records import RecordSet, record_of
 
 
-def check_vertical(project: Project, problems: Problems, keys: Keys, history: HistoryAnalysis) -> None:
-    """Check the vertical motion of a history; `project` has no schema problems."""
-    motion = history.vertical
+def check_vertical(
+    project: Project,
+    problems: Problems,
+    keys: Keys,
+    motion: VerticalMotion | None,
+    records: Sequence[str],
+    levels: Sequence[str],
+) -> None:
+    """Check the vertical motion of histories; `project` has no schema problems.
+
+    Args:
+        project: whose records it is of.
+        problems: of the file in which it stands.
+        keys: its place there.
+        motion: beside the horizontal one; None: there is none.
+        records: references of the horizontal records.
+        levels: of the hazard, at which the histories are; empty: none is said.
+    """
     if motion is None:
         return
     if (motion.ratio is None) == (motion.record is None):
@@ -38,11 +56,48 @@ def check_vertical(project: Project, problems: Problems, keys: Keys, history: Hi
         )
         problems.at_value((*keys, "record"), message)
     elif record.match is not None:
-        message = f"`{motion.record}` is fitted to the horizontal spectrum; a vertical record is used as recorded"
-        problems.at_value((*keys, "record"), message)
-    horizontal = project.records.get(record_of(history.record))
-    if horizontal is not None and horizontal.match is not None and motion.pga is None and motion.scale is None:
-        message = (
-            f"this key is missing; `{history.record}` is fitted, and has no factor that the vertical record could share"
-        )
-        problems.under(keys, "scale", message)
+        _fitted(project, problems, keys, motion, motion.record, levels)
+    elif motion.pga is None and motion.scale is None:
+        _shared_factor(project, problems, keys, records)
+
+
+def check_horizontal(project: Project, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
+    """Check that records of horizontal motions are not fitted to a vertical spectrum; `keys` of one or of a list."""
+    for i, name in enumerate(map(record_of, records)):
+        match = project.records[name].match if name in project.records else None
+        if match is not None and match.component == "vertical":
+            message = f"`{name}` is fitted to the vertical spectrum; it is the `record` of a `vertical` motion"
+            problems.at_item(keys, i, message)
+
+
+def _fitted(
+    project: Project, problems: Problems, keys: Keys, motion: VerticalMotion, name: str, levels: Sequence[str]
+) -> None:
+    """A record that is fitted to the vertical spectrum is scaled by the level of its history."""
+    match = project.records[name].match
+    assert match is not None
+    if match.component != "vertical":
+        message = f"`{name}` is fitted to the horizontal spectrum; a vertical one is as recorded, or has"
+        problems.at_value((*keys, "record"), f"{message} `match: {{component: vertical}}`")
+        return
+    for key in ("pga", "scale"):
+        if getattr(motion, key) is not None:
+            message = (
+                f"`{name}` is fitted to the vertical spectrum of the hazard; the level of the history says the scale"
+            )
+            problems.at_key((*keys, key), message)
+    if not levels:
+        known = listed(project.hazard_levels) if project.hazard_levels else "the hazard has none"
+        message = f"`{name}` is fitted to the vertical spectrum and scaled to the level of the history, which has none"
+        problems.at_value((*keys, "record"), f"{message} ({known})")
+    check_fitted_levels((*keys, "record"), (name,), levels, project, problems)
+
+
+def _shared_factor(project: Project, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
+    """Without a scale of its own a record has the factor of the horizontal one, which a fitted one has not."""
+    for reference in records:
+        horizontal = project.records.get(record_of(reference))
+        if horizontal is not None and horizontal.fitted:
+            message = f"`{reference}` is fitted, and has no factor that the vertical record could share"
+            problems.under(keys, "scale", f"this key is missing; {message}")
+            return

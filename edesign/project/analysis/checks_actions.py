@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from edesign.project.actions.checks_loads import check_loads
-from edesign.project.actions.checks_vertical import check_vertical
+from edesign.project.actions.checks_vertical import check_horizontal, check_vertical
 from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.analysis.checks_damping import check_damping
 from edesign.project.analysis.checks_pushover import check_pushover
@@ -89,7 +89,9 @@ def _analyses(project: Project, problems: Problems) -> None:
         if isinstance(analysis, HistoryAnalysis):
             _history(project, problems, keys, analysis)
             check_drift(project, problems, (*keys, "collapse_drift"), analysis.collapse_drift)
-            check_vertical(project, problems, (*keys, "vertical"), analysis)
+            check_horizontal(project, problems, (*keys, "record"), (analysis.record,))
+            levels = (analysis.level,) if analysis.level else ()
+            check_vertical(project, problems, (*keys, "vertical"), analysis.vertical, (analysis.record,), levels)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)

@@ -22,6 +22,7 @@ from edesign.project.records.records import (
     FileRecord,
     PairRecord,
     Record,
+    RecordSet,
     StructdynRecord,
     SuiteRecords,
 )
@@ -35,6 +36,9 @@ def check_project_records(project: Project, problems: Problems) -> None:
     for name, record in project.records.items():
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
+        if isinstance(record, RecordSet) and record.match is not None and record.match.component == "vertical":
+            message = "vertical motion is one record; those of a suite or a pair are horizontal"
+            problems.at_value((*keys, "match", "component"), message)
         fitted_suite = isinstance(record, SuiteRecords | ChosenRecords) and record.fitted
         if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
             message = f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %"

@@ -25,13 +25,15 @@ FactorBounds = Annotated[tuple[PositiveFactor, PositiveFactor], BeforeValidator(
 class Matching(Model):
     """Fit of a record to the 5 % (or other) elastic spectrum of the `hazard` at gamma_I = 1.
 
-    Where each level of the hazard has a spectrum of its own, `level` says which.
+    Where each level of the hazard has a spectrum of its own, `level` says which. A record of the vertical `component`
+    is fitted to the vertical spectrum.
 
     `method` is `wavelets` (time domain), `frequency` (Fourier transform) or `scale` (one factor, shape unchanged);
     `periods` (s) is the band of the fit, `scale_bounds` limits the constant factor.
     """
 
     level: LevelName | None = None
+    component: Literal["horizontal", "vertical"] = "horizontal"
     method: Literal["wavelets", "frequency", "scale"] = "wavelets"
     periods: PeriodBand = Field(default=(0.05, 6.0))
     scale_bounds: FactorBounds = Field(default=(0.1, 10.0))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 
+from edesign.project.actions.checks_vertical import check_horizontal
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.analysis.checks_actions import check_drift
@@ -31,6 +32,7 @@ def check_incremental(
     if incremental.variants != (ALL,):
         check_names(problems, (*keys, "variants"), "variant", incremental.variants, variants)
     check_records(problems, (*keys, "records"), incremental.records, base)
+    check_horizontal(base, problems, (*keys, "records"), incremental.records)
     if incremental.level is not None and incremental.level not in base.hazard_levels:
         problems.at_value((*keys, "level"), unknown_name("level", incremental.level, base.hazard_levels))
     if isinstance(base.hazard, UserHazard) and incremental.level is not None and not base.hazard.at_5_percent:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.actions.checks_vertical import check_horizontal, check_vertical
 from edesign.project.analysis.checks_actions import check_drift
 from edesign.project.analysis.checks_outputs import check_member
 from edesign.project.analysis.checks_pushover import check_pushover
@@ -90,6 +91,9 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
         check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
     check_records(problems, (*keys, "records"), histories.records, base)
     check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
+    check_horizontal(base, problems, (*keys, "records"), histories.records)
+    levels = histories.levels or ()
+    check_vertical(base, problems, (*keys, "vertical"), histories.vertical, histories.records, levels)
     fitted = []
     for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:

@@ -9,6 +9,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field, PrivateAttr
 
+from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
@@ -57,7 +58,8 @@ class Histories(Model):
     """Histories of every variant x level x record x temperature; a suite stands for all its recordings.
 
     `temperatures` (degC) of the dampers, without them each variant has its own; of records that are not fitted to the
-    spectrum `levels` may be left out. A history ends as collapsed beyond the storey drift `collapse_drift`.
+    spectrum `levels` may be left out. A history ends as collapsed beyond the storey drift `collapse_drift`. `vertical`
+    is the ground motion upwards beside each record.
     """
 
     variants: Names = ("all",)
@@ -66,6 +68,7 @@ class Histories(Model):
     temperatures: Temperatures | None = None
     free_vibration: Duration = 0.0
     collapse_drift: PositiveRatio | None = None
+    vertical: VerticalMotion | None = None
 
 
 class Modal(Model):
