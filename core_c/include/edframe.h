@@ -87,6 +87,9 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
 /* The damper acts from the beginning, under gravity too: a bearing that holds what stands on it. In static steps it answers slowly, and
  * with its slope there it counts in the check whether the structure stands. */
 int ed_model_damper_carries(ed_model *model, int damper);
+/* In histories the damper has N / weight times its force, N the compression of a spring at that moment, and none where it is pulled: a
+ * slider that rubs by what presses on it. The tangent leaves out how N changes. */
+int ed_model_damper_weighs(ed_model *model, int damper, int element, double weight);
 /* Adds an amendment (eddamper.h) to a damper of the model, in the units of its law. */
 int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters);
 

@@ -109,6 +109,8 @@ static void add_damper(caller *c, things *m)
                                         or_absurd(c, 1.0), terms, node, degree, coefficient));
   if (chance(c, 0.1))
     expect_listed(c, ed_model_damper_carries(m->model, some_id(c, m->dampers)));
+  if (chance(c, 0.1))
+    expect_listed(c, ed_model_damper_weighs(m->model, some_id(c, m->dampers), some_id(c, m->elements), or_absurd(c, 1e5)));
   if (chance(c, 0.3)) {
     int kind;
     const int k = some_amendment(c, &kind, parameters);

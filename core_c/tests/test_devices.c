@@ -294,6 +294,8 @@ static void check_carrying(void)
     if (carries == 2)
       CHECK_STATUS(ed_model_damper_carries(model, 2), ED_OK);
     CHECK_STATUS(ed_model_damper_carries(model, 3), ED_E_ID);
+    CHECK_STATUS(ed_model_damper_weighs(model, 3, 0, 1.0), ED_E_ID);
+    CHECK_STATUS(ed_model_damper_weighs(model, 0, 0, 1.0), ED_E_ID); /* no element is there */
     if (!carries) {
       char message[512] = "";
       int status = ED_OK;
@@ -329,6 +331,56 @@ static void check_carrying(void)
     ed_analysis_free(a);
     ed_model_free(model);
   }
+}
+
+/* A dashpot whose force goes with what presses on a spring while the ground lifts both: at every step its law times N / weight. */
+static void check_pressed(void)
+{
+  enum { STEPS = 400 };
+  static const double dashpot[] = {50.0}, contact[] = {1e4, HUGE_VAL}, up[] = {0.0, -1.0, 0.0, 0.0, 1.0, 0.0}, dt = 0.01;
+  static const double weight = 9.0, mass = 2.0, one = 1.0;
+  const int degree = 0;
+  double still[STEPS + 1] = {0.0}, lift[STEPS + 1];
+  for (int i = 0; i <= STEPS; i++) /* slowly, beside the 11 Hz of the mass on the spring */
+    lift[i] = i < STEPS / 2 ? 3.0 * i / (STEPS / 2) : 3.0;
+  ed_model *model = ed_model_new();
+  const int foot = ed_model_node(model, "foot", 0.0, 0.0), top = ed_model_node(model, "top", 0.0, 0.0);
+  ed_model_fix(model, foot, 1, 1, 1);
+  ed_model_fix(model, top, 0, 0, 1);
+  ed_model_mass(model, top, mass, mass, 0.0);
+  const int spring = ed_model_spring(model, "bearing", foot, top, up, ED_SPRING_CONTACT, 2, contact);
+  const double pull[] = {-1.0, 0.0, 0.0, 1.0, 0.0, 0.0}, soft[] = {1.0};
+  ed_model_spring(model, "soft", foot, top, pull, ED_SPRING_MULTILINEAR, 1, soft); /* holds it along the dashpot */
+  ed_model_pattern(model);
+  ed_model_nodal_load(model, 0, top, 0.0, -weight, 0.0);
+  CHECK_INT(ed_model_damper(model, "dashpot", ED_LAW_VISCOUS, 1, dashpot, 0.0, 0.0, 1.0, 1.0, 1, &top, &degree, &one), 0);
+  CHECK_STATUS(ed_model_damper_weighs(model, 0, spring, 0.0), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_model_damper_weighs(model, 0, spring, weight), ED_OK);
+  ed_analysis *a = frame_analysis(model);
+  CHECK_STATUS(ed_static_begin(a, 0, 1.0, 1), ED_OK);
+  CHECK_STATUS(run_to_end(a, 1), ED_OK);
+  ed_run_end(a);
+  CHECK_STATUS(ed_install_dampers(a), ED_OK);
+  const int equations = ed_n_equations(a);
+  double velocity[8] = {0.0};
+  int number[6];
+  ed_equations(a, number);
+  CHECK(equations <= 8);
+  velocity[number[3]] = 0.4;
+  CHECK_STATUS(ed_initial_velocity(a, velocity), ED_OK);
+  add_channel(a, ED_DAMPER_FORCE, 0, 0);
+  add_channel(a, ED_VELOCITY, top, 0);
+  add_channel(a, ED_AXIAL_FORCE, spring, 0);
+  CHECK_STATUS(ed_history_begin(a, STEPS, dt, still, lift, ED_NEWMARK, AVERAGE_ACCELERATION), ED_OK);
+  double most[3], when[3], least[3], since[3], last[3];
+  for (int i = 0; i < STEPS; i++) {
+    CHECK_STATUS(ed_run_advance(a, 1), ED_OK);
+    ed_extremes(a, most, when, least, since, last);
+    CHECK_NEAR(last[0], dashpot[0] * last[1] * fmax(-last[2], 0.0) / weight, 1e-6);
+  }
+  CHECK(most[0] > 10.0 && least[2] < -1.2 * weight);
+  ed_analysis_free(a);
+  ed_model_free(model);
 }
 
 static void check_refusals(void)
@@ -368,6 +420,7 @@ int main(void)
   check_hht();
   check_static_after();
   check_carrying();
+  check_pressed();
   check_refusals();
   return checks_end("dampers in a frame");
 }

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from edesign.building.devices import Device, DeviceLaw, DeviceSize
+from edesign.building.supports import vertical_spring
 from edesign.errors import InputError
 from edesign.project.actions.loads import Combination
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
@@ -32,7 +33,7 @@ class IsolatedFeet:
     Attributes:
         devices: all that acts between the ground and the base, isolators first.
         isolators: those of them that carry a column.
-        weighed: of these the ones whose forces are proportional to the weight under gravity.
+        weighed: names of those whose forces are proportional to the weight under gravity, whatever comes later.
     """
 
     devices: tuple[Device, ...]
@@ -135,11 +136,17 @@ def add_isolation(
                 carries = isinstance(item, Isolator)
                 name = names.free_name((names.isolator_name if carries else names.base_device_name)(line), taken)
                 taken.add(name)
+                pressed_by = None
                 if isinstance(item, Isolator) and goes_with_weight(item, law):
-                    weighed.add(name)
-                    force_scale = law.property_factor * _weight(weights, foot, where) / law.law.values[0]
+                    weight = _weight(weights, foot, where)
+                    force_scale = law.property_factor * weight / law.law.values[0]
+                    if item.weight == "varying":
+                        pressed_by = model.element_names.index(vertical_spring(foot)), weight
+                    else:
+                        weighed.add(name)
                 terms = ((1.0, nodes[foot], UX),)
-                number = model.damper(name, law.law, terms, 0.0, force_scale, deformation_scale, carries=True)
+                scales = (force_scale, deformation_scale)
+                number = model.damper(name, law.law, terms, 0.0, *scales, carries=True, pressed_by=pressed_by)
                 device = Device(
                     name,
                     number,
@@ -178,6 +185,9 @@ def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
         raise InputError(f"{where}: the law `{item.law}` has no `prototype` whose size could be changed")
     if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:
         raise InputError(f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight")
+    if isinstance(item, Isolator) and item.weight == "varying" and item.vertical == "fixed":
+        message = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
+        raise InputError(f"{where}.weight: {message}")
     if item.scale is None:
         return
     if law.layers is not None:

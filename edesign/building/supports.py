@@ -13,6 +13,7 @@ if TYPE_CHECKING:
 
 SpringValues = YieldingTranslation | YieldingRotation
 Direction = str | float | SpringValues
+_DIRECTIONS = ("horizontal", "vertical", "rotation")
 
 
 def support_springs(
@@ -37,9 +38,14 @@ def support_springs(
             continue
         terms = [0.0] * 6
         terms[degree], terms[3 + degree] = -1.0, 1.0
-        model.spring(f"{name}.{('horizontal', 'vertical', 'rotation')[degree]}", ground, node, terms, _law(direction))
+        model.spring(f"{name}.{_DIRECTIONS[degree]}", ground, node, terms, _law(direction))
         grounds.append(ground)
     return grounds[0], grounds[1], grounds[2]
+
+
+def vertical_spring(name: str) -> str:
+    """Return the name of the element that supports a node vertically, if a spring does."""
+    return f"{name}.vertical"
 
 
 def _law(spring: float | SpringValues) -> SpringLaw:

@@ -244,6 +244,7 @@ class Model:
         deformation_scale: float = 1.0,
         play: float = 0.0,
         carries: bool = False,
+        pressed_by: tuple[int, float] | None = None,
     ) -> int:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
@@ -255,6 +256,8 @@ class Model:
             force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
             play: of the pins of the brace, from end to end, m.
             carries: whether it acts from the beginning, gravity included: a bearing that holds what stands on it.
+            pressed_by: a spring and a weight (N): in histories the force is multiplied by the compression of the
+                spring over the weight, none where it is pulled.
         """
         number = lib.ed_model_damper(
             self._c,
@@ -274,6 +277,8 @@ class Model:
         self._checked(number)
         if carries:
             self._checked(lib.ed_model_damper_carries(self._c, number))
+        if pressed_by is not None:
+            self._checked(lib.ed_model_damper_weighs(self._c, number, *pressed_by))
         for amendment in law.amendments:
             kind, values = amendment_number(amendment.kind), list(amendment.values)
             self._checked(lib.ed_model_amend_damper(self._c, number, kind, amendment.inside, len(values), values))

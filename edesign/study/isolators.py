@@ -33,10 +33,13 @@ def isolator_warnings(group: Group, frame: FrameModel) -> list[AnalysisWarning]:
         text = f"pulls at {names[worst]} with {most[worst] / 1e3:.4g} kN" if pulled else f"lifts off {names[worst]}"
         count = "1 friction pendulum" if len(free) == 1 else f"{len(free)} friction pendulums"
         rest = "it slides as under its weight" if len(free) == 1 else "they slide as under their weight"
-        message = f"{count} of {len(weighed)} lost contact: the frame {text}; {rest}"
+        message = f"{count} of {len(weighed)} lost contact: the frame {text}; {rest} (`weight: varying` follows it)"
         found.append(AnalysisWarning("isolator_uplift", message, 1.0 + float(most[worst] / np.abs(least).max())))
     if "vertical_pga_m_s2" in group.attributes:
-        text = "the vertical ground motion changes the weight on the friction pendulums, which slide as under gravity"
         peak = float(str(group.attributes["vertical_pga_m_s2"])) / STANDARD_GRAVITY
-        found.append(AnalysisWarning("isolator_weight", f"{text} (peak of the motion {peak:.3g} g)", 1.0 + peak))
+        text = (
+            f"the vertical ground motion, {peak:.3g} g, changes the weight on the friction pendulums, which slide as "
+            "under gravity (`weight: varying` follows it)"
+        )
+        found.append(AnalysisWarning("isolator_weight", text, 1.0 + peak))
     return found

@@ -50,6 +50,20 @@ def test_friction_follows_from_the_weight(results_of: Results) -> None:
     assert np.max(np.ptp(friction, axis=1)) < 1e-6  # all pendulums slide alike
 
 
+def test_sharing_the_weight_otherwise_moves_the_base_alike(results_of: Results, tmp_path: Path) -> None:
+    """The axial forces of all pendulums add up to the weight, so each may have its own of the moment or that of gravity."""
+    path = of_case(CASE, tmp_path / "varying", ("law: pendulum, vertical", "law: pendulum, weight: varying, vertical"))
+    archive = run_project(load_project(path), tmp_path / "varying.h5", only=["shake"]).archive
+    with open_archive(archive) as opened:
+        group = opened.group("analyses/shake")
+    usual = results_of(CASE, "shake")
+    for name in ("base_displacement", "base_shear"):
+        largest = np.max(np.abs(value(usual, name)))
+        assert np.max(np.abs(value(group, name) - value(usual, name))) < 1e-4 * largest
+    apart = np.abs(value(group, "damper_force") - value(usual, "damper_force"))[:, :4]
+    assert np.max(apart) > 0.05 * np.max(np.abs(value(usual, "damper_force")))
+
+
 def test_work_of_the_isolation_is_in_the_balance(results_of: Results) -> None:
     group = results_of(CASE, "shake")
     terms = [str(name) for name in group.coords["energy_term"].values]

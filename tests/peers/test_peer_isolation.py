@@ -53,7 +53,7 @@ dampers:
       type: friction_pendulum
       parameters: {{W: 1 MN, R: {R} m, f_slow: {MU}, f_fast: {MU}, a: 0 s/m, Y: {Y_SLIP} m}}
   isolation:
-    isolators: [{{lines: all, law: @law@, vertical: {VERTICAL} N/m}}]
+    isolators: [{{lines: all, law: @law@@weight@, vertical: {VERTICAL} N/m}}]
     base: {{G: {2.0 * P_BASE / L} N/m, mass: {BASE} kg}}
     design_displacement: 100 mm
 analyses: [{{name: gravity, kind: gravity}}]
@@ -66,8 +66,9 @@ def ground() -> np.ndarray:
     return 1.2 * waves * np.sin(np.pi * t / 10.0) ** 2
 
 
-def ours(law: str) -> dict[str, np.ndarray]:
-    structure = make_structure(parse_project(PROJECT.replace("@law@", law)), dampers=True)
+def ours(law: str, weight: str) -> dict[str, np.ndarray]:
+    text = PROJECT.replace("@law@", law).replace("@weight@", weight)
+    structure = make_structure(parse_project(text), dampers=True)
     frame = structure.frame
     assert frame.isolated is not None
     structure.apply_gravity()
@@ -76,6 +77,7 @@ def ours(law: str) -> dict[str, np.ndarray]:
         Channel("base", ((1.0, "displacement", frame.nodes["A0"], 0),)),
         Channel("roof", ((1.0, "displacement", frame.nodes["A2"], 0),)),
         Channel("shear", tuple((1.0, "damper_force", device.number, 0) for device in frame.isolated.devices)),
+        Channel("left", ((1.0, "damper_force", frame.isolated.devices[0].number, 0),)),
         Channel("axial", frame.reaction("A0", 1)),
     ]
     response = structure.analysis.history(ground(), DT, channels=channels)
@@ -146,7 +148,7 @@ def theirs(law: str) -> dict[str, np.ndarray]:
     ops.algorithm("KrylovNewton")
     ops.integrator("Newmark", 0.5, 0.25)
     ops.analysis("Transient")
-    found: dict[str, list[float]] = {name: [] for name in ("base", "roof", "shear", "axial")}
+    found: dict[str, list[float]] = {name: [] for name in ("base", "roof", "shear", "left", "axial")}
     for step in range(motion.size):
         if step and ops.analyze(1, DT) != 0:
             assert ops.analyze(8, DT / 8.0) == 0
@@ -154,22 +156,32 @@ def theirs(law: str) -> dict[str, np.ndarray]:
         found["roof"].append(ops.nodeDisp(31, 1))
         forces = [ops.eleResponse(50 + line, "force") for line in (1, 2)]
         found["shear"].append(sum(force[3] for force in forces))
+        found["left"].append(forces[0][3])
         found["axial"].append(-forces[0][4])
     ops.wipe()
     return {name: np.array(values) for name, values in found.items()}
 
 
-@pytest.mark.parametrize(("law", "tolerance"), [("lead", 2e-4), ("dish", 1e-2)])
-def test_isolated_frame(law: str, tolerance: float) -> None:
+@pytest.mark.parametrize(
+    ("law", "weight", "tolerance"),
+    [("lead", "", 2e-4), ("dish", "", 1e-2), ("dish", ", weight: varying", 1e-2)],
+    ids=["lead", "dish", "dish under the axial force"],
+)
+def test_isolated_frame(law: str, weight: str, tolerance: float) -> None:
     """Root mean squares of the differences and differences of the peaks, over the peaks.
 
     `singleFPBearing` turns with the dish: its force is N (u/R + mu) / (1 - u/R (u/R + mu)) where that of the law is
-    N (u/R + mu), which is 0.3 % more at the largest displacement here, 0.15 m with R = 4 m.
+    N (u/R + mu), which is 0.3 % more at the largest displacement here, 0.15 m with R = 4 m. Under the weight of gravity
+    all agrees but how the two bearings share the force.
     """
-    mine, other = ours(law), theirs(law)
+    mine, other = ours(law, weight), theirs(law)
     assert np.max(np.abs(other["base"])) > (10.0 * Y_LEAD if law == "lead" else 50.0 * Y_SLIP)
     assert np.ptp(other["axial"]) > 0.2 * WEIGHT
     for name in mine:
         largest = float(np.max(np.abs(other[name])))
-        assert np.sqrt(np.mean((mine[name] - other[name]) ** 2)) < tolerance * largest, name
+        difference = np.sqrt(np.mean((mine[name] - other[name]) ** 2)) / largest
+        if name == "left" and law == "dish" and not weight:
+            assert difference > 3.0 * tolerance
+            continue
+        assert difference < tolerance, name
         assert np.max(np.abs(mine[name])) == pytest.approx(largest, rel=tolerance), name

@@ -208,6 +208,39 @@ def test_rigid_superstructure_is_an_oscillator(text: str, law: LawValues, scale:
         assert np.max(np.abs(expected["u"])) > 0.1
 
 
+def test_friction_under_the_weight_of_the_moment() -> None:
+    """Under vertical motion of 0.9 g: F = N (u/R + mu sign) with N of the moment, from a tenth to twice the weight.
+
+    It slides where it is not stuck, so that the friction is at its limit most of the time.
+    """
+    mu, R = 0.05, 1.5
+    varying = ", weight: varying, vertical: {stiffness: 2000 kN/mm, uplift: true}"
+    text = shear_frame_text(1).replace("directions: horizontal", "directions: both")
+    text = text + REST.replace("@law@", pendulum(mu, mu)).replace("@more@", varying)
+    project = parse_project(text).with_values("masses.given[0].mass", f"{300e3 / G!r} kg")
+    project = project.with_values("dampers.isolation.base.mass", f"{100e3 / G!r} kg")
+    structure = make_structure(project, dampers=True)
+    frame = structure.frame
+    assert frame.isolated is not None
+    structure.apply_gravity()
+    structure.install_dampers()
+    devices = frame.isolated.devices
+    channels = [Channel("u", ((1.0, "displacement", frame.nodes["A0"], 0),))]
+    channels += [Channel(f"F{i}", ((1.0, "damper_force", one.number, 0),)) for i, one in enumerate(devices)]
+    channels += [Channel(f"N{i}", frame.reaction(one.foot, 1)) for i, one in enumerate(devices)]
+    up = 8.8 * np.sin(2.0 * np.pi * 0.7 * np.arange(MOTION.size) * 0.002)
+    response = structure.analysis.history(MOTION, 0.002, channels=channels, vertical=up)
+    assert response.status == "completed", response.reason
+    u = response.values["u"]
+    for i in range(len(devices)):
+        N, F = response.values[f"N{i}"], response.values[f"F{i}"]
+        friction = F - N * u / R
+        assert np.max(np.abs(friction) - mu * N) < 1e-9 * WEIGHT
+        assert np.min(N) < 0.15 * 0.5 * WEIGHT and np.max(N) > 1.8 * 0.5 * WEIGHT
+        assert np.mean(np.abs(np.abs(friction) - mu * N) < 1e-9 * WEIGHT) > 0.8
+    assert response.statistics["energy_error"] < 1e-3
+
+
 def test_equivalent_linear_displacement_on_the_branch_of_constant_displacement() -> None:
     """Beyond T_D the displacement of the spectrum is 2.5 a_g S eta T_C T_D / (4 pi^2), whatever the period.
 

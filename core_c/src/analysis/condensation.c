@@ -36,6 +36,9 @@ int ed_condensation_allocate(ed_analysis *a)
   /* A solution here saves an iteration of the frame and its factors at best. Those that SUNDIALS integrates cost more than a frame. */
   if (dampers == 0 || a->n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->solver))
     return ED_OK;
+  for (int i = 0; i < a->model->n_devices; i++) /* whose force goes with one of the frame has to look at it in each iteration */
+    if (a->model->devices[i].weigher >= 0)
+      return ED_OK;
   a->device_response = malloc(dampers * n * sizeof(double));
   a->flexibility = malloc(dampers * dampers * sizeof(double));
   a->condensed = malloc(dampers * dampers * sizeof(double));

@@ -142,6 +142,15 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
                   scale * now[VELOCITY]);
 }
 
+/* What presses on a damper over the weight for which its law holds. */
+static double pressed(const ed_analysis *a, const ed_device *device)
+{
+  if (device->weigher < 0 || a->run.kind != ED_RUN_HISTORY)
+    return 1.0;
+  const double *spring = a->trial.elements + a->elements[device->weigher].state;
+  return fmax(-spring[ED_BLOCK_Q], 0.0) / device->weight;
+}
+
 static void take(ed_analysis *a, int i, const ed_damper_force *out)
 {
   const ed_device *device = &a->model->devices[i];
@@ -150,12 +159,13 @@ static void take(ed_analysis *a, int i, const ed_damper_force *out)
     memcpy(now, block_of(a, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
     return;
   }
-  now[FORCE] = device->force_scale * out->force;
+  const double scale = device->force_scale * pressed(a, device);
+  now[FORCE] = scale * out->force;
   now[FORCE_PACE] = (now[FORCE] - block_of(a, &a->committed, i)[FORCE]) / a->duration;
   now[FORCE_PACE_BEFORE] = block_of(a, &a->committed, i)[FORCE_PACE];
   for (int k = 0; k < 2; k++) {
-    now[SLOPE + k] = device->force_scale * device->deformation_scale * out->slope[k];
-    a->device_chord[i][k] = device->force_scale * device->deformation_scale * out->chord[k];
+    now[SLOPE + k] = scale * device->deformation_scale * out->slope[k];
+    a->device_chord[i][k] = scale * device->deformation_scale * out->chord[k];
   }
 }
 

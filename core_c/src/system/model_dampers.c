@@ -37,6 +37,7 @@ int ed_model_damper(ed_model *model, const char *name, int law, int n_parameters
   device->damper = damper;
   device->force_scale = force_scale;
   device->deformation_scale = deformation_scale;
+  device->weigher = -1;
   device->n_terms = n_terms;
   for (int i = 0; i < n_terms; i++) {
     device->degree[i] = 3 * node[i] + degree[i];
@@ -50,6 +51,20 @@ int ed_model_damper_carries(ed_model *model, int damper)
   if (damper < 0 || damper >= model->n_devices)
     return ed_model_refuse(model, ED_E_ID, "there is no damper %d", damper);
   model->devices[damper].carries = 1;
+  return ED_OK;
+}
+
+int ed_model_damper_weighs(ed_model *model, int damper, int element, double weight)
+{
+  if (damper < 0 || damper >= model->n_devices)
+    return ed_model_refuse(model, ED_E_ID, "there is no damper %d", damper);
+  ed_device *device = &model->devices[damper];
+  if (element < 0 || element >= model->n_members || model->members[element].kind != ED_SPRING)
+    return ed_model_refuse(model, ED_E_ID, "damper %s: element %d is no spring", device->name, element);
+  if (!(weight > 0.0) || !isfinite(weight))
+    return ed_model_refuse(model, ED_E_ARGUMENT, "damper %s: the weight %g must be positive", device->name, weight);
+  device->weigher = element;
+  device->weight = weight;
   return ED_OK;
 }
 

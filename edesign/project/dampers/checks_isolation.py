@@ -81,7 +81,10 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
         if isolator.weight is not None:
             message = f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out"
             problems.at_key((*keys, "weight"), message)
-    elif isolator.weight != "law" and isolator.scale is not None:
+    elif isolator.weight == "varying" and isolator.vertical == "fixed":
+        message = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
+        problems.at_value((*keys, "weight"), message)
+    if law.type == _WEIGHED and isolator.weight != "law" and isolator.scale is not None:
         message = "the forces of this isolator follow from the weight on it; leave `scale` out, or say `weight: law`"
         problems.at_key((*keys, "scale"), message)
 

@@ -33,11 +33,11 @@ class Isolator(BaseDevice):
     """An isolator under some column lines, which carries the column.
 
     `vertical` is what one of them is in that direction. A friction pendulum has the `weight` that stands on it under
-    the gravity combination, or that of its law.
+    the gravity combination, or in histories at every moment, or that of its law.
     """
 
     vertical: Vertical = "fixed"
-    weight: Literal["gravity", "law"] | None = None
+    weight: Literal["gravity", "varying", "law"] | None = None
 
 
 class IsolatedBase(Model):

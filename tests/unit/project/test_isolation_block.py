@@ -47,6 +47,12 @@ def test_what_is_read() -> None:
         (ISOLATOR, "- {lines: all, law: pendulum, scale: 2}", "isolators[0].scale", "say `weight: law`"),
         (ISOLATOR, "- {lines: all, law: oil, weight: law}", "isolators[0].weight", "do not go with a weight"),
         (ISOLATOR, "- {lines: all, law: pendulum, layers: 3}", "isolators[0].layers", "no `prototype`"),
+        (
+            ISOLATOR,
+            "- {lines: all, law: pendulum, weight: varying}",
+            "isolators[0].weight",
+            "`vertical` has a stiffness",
+        ),
         ("law: oil}", "law: ol}", "beside[0].law", "did you mean `oil`"),
         (BASE, "base: {rotation: fixed}", "base", "the base has no mass"),
         ("design_displacement: 200 mm", "design_displacement: 0 mm", "design_displacement", "greater than zero"),
