@@ -51,7 +51,7 @@ def test_friction_follows_from_the_weight(results_of: Results) -> None:
 
 
 def test_sharing_the_weight_otherwise_moves_the_base_alike(results_of: Results, tmp_path: Path) -> None:
-    """The axial forces of all pendulums add up to the weight, so each may have its own of the moment or that of gravity."""
+    """Axial forces of all pendulums add up to the weight: each may have its own of the moment, or that of gravity."""
     path = of_case(CASE, tmp_path / "varying", ("law: pendulum, vertical", "law: pendulum, weight: varying, vertical"))
     archive = run_project(load_project(path), tmp_path / "varying.h5", only=["shake"]).archive
     with open_archive(archive) as opened:

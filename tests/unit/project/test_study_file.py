@@ -209,7 +209,7 @@ def test_dampers_of_a_project_that_has_none(tmp_path: Path) -> None:
     text = project.read_text(encoding="utf-8")
     project.write_text(text[: text.index("dampers:")] + text[text.index("analyses:") :], encoding="utf-8")
     assert [message for _, message in faults(path)] == [
-        f"variants.{name}.dampers: {project} has no devices and no attachments under `dampers`"
+        f"variants.{name}.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
         for name in ("damped", "upper", "warm")
     ]
 
@@ -295,7 +295,7 @@ def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
     path = write(tmp_path, (BARE, "  bare: {dampers: project}"))
     ((_, message),) = faults(path)
     project = tmp_path / "project.yaml"
-    assert message == f"variants.bare.dampers: {project} has no devices and no attachments under `dampers`"
+    assert message == f"variants.bare.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
 
 
 def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
