@@ -39,8 +39,8 @@ class Structure:
     def modes(self, count: int, damper_stiffness: np.ndarray | None = None) -> Modes:
         """The lowest modes in the present state, with stiffness of the dampers (n_dampers,) N/m if it is given.
 
-        Without, buckling-restrained braces have that before they yield, isolators that at their design displacement, and
-        other dampers have none.
+        Without, buckling-restrained braces have that before they yield, isolators that at the design displacement, and
+        other dampers none.
 
         Raises:
             AnalysisError: there are not so many modes, or the structure is unstable.

@@ -62,6 +62,9 @@ def _device(project: Project, problems: Problems, keys: Keys, item: BaseDevice) 
         problems.at_value((*keys, "law"), unknown_name("damper law", item.law, laws))
         return inside
     law = laws[item.law]
+    if law.type == "buckling_restrained":
+        message = f"the law `{item.law}` is of a buckling-restrained brace, which acts along its own length"
+        problems.at_value((*keys, "law"), message)
     if law.prototype is None and law.file is None:
         for key in ("layers", "layer_area", "layer_thickness"):
             if getattr(item, key) is not None:

@@ -295,7 +295,9 @@ def test_dampers_of_a_project_that_has_laws_alone(tmp_path: Path) -> None:
     path = write(tmp_path, (BARE, "  bare: {dampers: project}"))
     ((_, message),) = faults(path)
     project = tmp_path / "project.yaml"
-    assert message == f"variants.bare.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
+    assert (
+        message == f"variants.bare.dampers: {project} has no devices, no attachments and no isolation under `dampers`"
+    )
 
 
 def test_a_place_of_a_design_that_the_frame_lacks(tmp_path: Path) -> None:
