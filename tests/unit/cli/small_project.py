@@ -50,6 +50,7 @@ class Core:
         progress: Callable[[int, int], None] | None = None,
         stop: Callable[[], bool] | None = None,
         motion: Motion | None = None,
+        vertical: Motion | None = None,
     ) -> Group:
         self.ran.append(spec.name)
         group = Group(coords={"time": Variable(("time",), np.arange(STEPS) * 0.01, "s", "time")})
