@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
+from edesign.building.footings import FootingSprings, project_footings
 from edesign.building.hinges import EndSpring, MemberBuilder, MemberEnd, member_ends
 from edesign.building.leaning_column import LeaningStruts, add_leaning_column
 from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_loads, node_loads
@@ -20,16 +21,18 @@ from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.rigid_ends import rigid_ends
 from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
-from edesign.building.supports import support_springs
+from edesign.building.supports import BuiltFooting, Grounds, add_footing, support_springs
 from edesign.errors import InputError
 from edesign.project.actions.beam_loads import breaks_of_members
 from edesign.project.frame.braces import BraceBuckling, Fracture
+from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, SectionAxis
 from edesign.project.frame.supports import springs_of
 from edesign.project.notation import names
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 
 if TYPE_CHECKING:
@@ -100,6 +103,7 @@ class FrameModel:
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
         leaning: its leaning column, whose nodes and struts are none of the above.
+        footings: by the supported nodes that stand on them.
     """
 
     frame: Frame
@@ -111,10 +115,11 @@ class FrameModel:
     supports: dict[str, tuple[bool, bool, bool]]
     devices: tuple[Device, ...] = ()
     attached: dict[str, int] = field(default_factory=dict)
-    grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
+    grounds: dict[str, Grounds] = field(default_factory=dict)
     moving_with: dict[int, list[int]] = field(default_factory=dict)
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
     leaning: LeaningStruts | None = None
+    footings: dict[str, BuiltFooting] = field(default_factory=dict)
 
     @property
     def mass(self) -> float:
@@ -158,6 +163,7 @@ def build_frame(
     laws: Mapping[str, DeviceLaw] | None = None,
     attachments: Sequence[Attached] = (),
     outside: Collection[str] = (),
+    footings: Mapping[str, FootingSprings] | None = None,
 ) -> FrameModel:
     """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, leaning column and
     gravity loads.
@@ -171,9 +177,11 @@ def build_frame(
         laws: of the dampers, by name; those of other laws are left out; None: the frame without dampers.
         attachments: tuned masses.
         outside: names of dampers that stand elsewhere, in a laboratory.
+        footings: by lines of columns; without one that is a footing in the project, the line is fixed. None: those of
+            the project.
 
     Raises:
-        InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
+        InputError: an unknown or impossible section, a soil that the tables of its code do not have, or loads upwards that would give a negative mass.
     """
     if model is None:
         from edesign.core import Model
@@ -182,7 +190,9 @@ def build_frame(
     frame = project.frame
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
     members, moving_with, panels = _members(project, model, nodes)
-    supports, grounds = _supports(frame, model, nodes)
+    if footings is None:
+        footings = project_footings(project, lambda found: _first_period(project, found))
+    supports, grounds, built_footings = _supports(frame, model, nodes, footings)
     for floor in frame.diaphragm_floors:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
         for node in tied[1:]:
@@ -198,6 +208,9 @@ def build_frame(
         _add_loads(model, gravity, nodes, members[name], MemberLoads(load), (1.0, 0.0))
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    for name, footing in built_footings.items():
+        weight = project.loads.gravity.G * footing.springs.mass * STANDARD_GRAVITY
+        model.nodal_load(gravity, nodes[name], 0.0, -weight, 0.0)
     leaning = add_leaning_column(project, model, nodes, gravity)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
     attached = {}
@@ -218,7 +231,15 @@ def build_frame(
         moving_with,
         panels,
         leaning,
+        built_footings,
     )
+
+
+def _first_period(project: Project, footings: Mapping[str, FootingSprings]) -> float:
+    """The first period of the unloaded frame without its dampers on such footings, s."""
+    from edesign.core import Analysis
+
+    return float(Analysis(build_frame(project, footings=footings).model).modes(1).period[0])
 
 
 def _add_loads(
@@ -253,17 +274,27 @@ def _add_loads(
 
 
 def _supports(
-    frame: Frame, model: Model, nodes: dict[str, int]
-) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, tuple[int | None, int | None, int | None]]]:
-    """Hold the feet of the columns; returns what is held, and where springs that hold it stand."""
+    frame: Frame, model: Model, nodes: dict[str, int], footings: Mapping[str, FootingSprings]
+) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, Grounds], dict[str, BuiltFooting]]:
+    """Hold the feet of the columns; returns what is held, where springs that hold it stand, and the footings."""
     held = _held_rotations(frame)
-    at_base = {names.node_name(line, 0): frame.support(line) for line in frame.lines}
-    supports, grounds = {}, {}
+    at_base = {names.node_name(line, 0): line for line in frame.lines}
+    supports, grounds, built = {}, {}, {}
     for name, node in nodes.items():
-        support = at_base.get(name)
-        if support is None:
+        line = at_base.get(name)
+        if line is None:
             if name not in held:
                 model.fix(node, rz=True)
+            continue
+        support = frame.support(line)
+        if isinstance(support, FootingSupport):
+            supports[name] = (True, True, True)
+            if line not in footings:
+                model.fix(node, True, True, True)
+                continue
+            model.fix(node, rz=name not in held)
+            place = frame.nodes[name]
+            grounds[name], built[name] = add_footing(model, name, node, place, footings[line], name in held)
             continue
         springs = springs_of(support)
         directions = [springs.horizontal, springs.vertical, springs.rotation if name in held else "fixed"]
@@ -273,7 +304,7 @@ def _supports(
         supports[name] = ux, uy, rz
         if not all(direction in ("fixed", "free") for direction in directions):
             grounds[name] = support_springs(model, name, node, frame.nodes[name], directions)
-    return supports, grounds
+    return supports, grounds, built
 
 
 def _held_rotations(frame: Frame) -> set[str]:
