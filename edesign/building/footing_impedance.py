@@ -1,8 +1,8 @@
 """Stiffness and damping of rigid rectangular footings on a half-space of soil.
 
-Notation of NIST GCR 12-917-21, Chapter 2: the footing is 2L by 2B with L >= B; x runs along L, y along B, z is vertical;
-xx is rocking about x, yy about y. Static stiffness is that at the surface times a factor of embedment. At a frequency
-omega the stiffness is alpha K and the dashpot 2 alpha K (beta + beta_s) / omega, with a_0 = omega B / V_s.
+Notation of NIST GCR 12-917-21, Chapter 2: the footing is 2L by 2B with L >= B; x runs along L, y along B, z is
+vertical; xx is rocking about x, yy about y. Static stiffness is that at the surface times a factor of embedment. At a
+frequency omega the stiffness is alpha K and the dashpot 2 alpha K (beta + beta_s) / omega, with a_0 = omega B / V_s.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def surface_pais_kausel(block: Block) -> dict[Way, float]:
     """Return the static stiffness at the surface, N/m and N m/rad.
 
     Source: Pais & Kausel 1988, Soil Dynamics and Earthquake Engineering 7, 213-227; NIST GCR 12-917-21, Table 2-2a;
-        ASCE/SEI 41-17, Figure 8-2, with the whole sides in place of half.
+        ASCE/SEI 41-17, Figure 8-2, is the same with the whole sides.
     """
     G, B, nu, r = block.shear_modulus, block.half_width, block.poisson, block.slenderness
     return {
@@ -103,7 +103,7 @@ def embedment_pais_kausel(block: Block) -> dict[Way, float]:
 def embedment_gazetas(block: Block) -> dict[Way, float]:
     """Return the factors of embedment: of the trench, of depth D, and of the walls, touched over the height d.
 
-    Source: Gazetas 1991; FEMA 356, Figure 4-4, and ASCE/SEI 41-17, Figure 8-2, with the whole sides in place of half.
+    Source: Gazetas 1991; NIST GCR 12-917-21, Table 2-2b.
     """
     L, B, D, d = block.half_length, block.half_width, block.embedment, block.contact
     if D == 0.0:
@@ -124,7 +124,6 @@ def embedment_gazetas(block: Block) -> dict[Way, float]:
 FORMULAS = {
     "pais_kausel": (surface_pais_kausel, embedment_pais_kausel),
     "gazetas": (surface_gazetas, embedment_gazetas),
-    "asce41": (surface_pais_kausel, embedment_gazetas),
 }
 
 
@@ -153,10 +152,10 @@ def dynamic_modifiers(slenderness: float, a_0: float) -> dict[Way, float]:
 def radiation_damping(block: Block, stiffness: Mapping[Way, float], a_0: float) -> dict[Way, float]:
     """Return the damping ratios beta by waves that run away from the underside and the walls.
 
-    In rocking, waves of both halves of the underside cancel at low frequencies; those of walls that move horizontally do
-    not. So the dashpot rises from what the latter radiate to plane waves from all faces, which is the limit of high
-    frequencies. At the surface this is NIST GCR 12-917-21, Table 2-3a. Its Table 2-3b counts those walls in both parts,
-    beyond plane waves; here they count once.
+    In rocking, waves of both halves of the underside cancel at low frequencies; those of walls that move horizontally
+    do not. So the dashpot rises from what the latter radiate to plane waves from all faces, which is the limit of high
+    frequencies. At the surface this is NIST GCR 12-917-21, Table 2-3a. Its Table 2-3b counts those walls in both
+    parts, beyond plane waves; here they count once.
 
     Args:
         block: the footing.

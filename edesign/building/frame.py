@@ -181,7 +181,8 @@ def build_frame(
             the project.
 
     Raises:
-        InputError: an unknown or impossible section, a soil that the tables of its code do not have, or loads upwards that would give a negative mass.
+        InputError: an unknown or impossible section, a soil that the tables of its code do not have, or loads upwards
+            that would give a negative mass.
     """
     if model is None:
         from edesign.core import Model

@@ -7,7 +7,7 @@ from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 from edesign.core.model import Model
-from edesign.core.modes import Modes, natural_modes
+from edesign.core.modes import Modes, damped_eigenvalue, natural_modes
 from edesign.core.response import ENERGIES, Channel, Response
 from edesign.core.springs import ContactSpring, DeterioratingSide, DeterioratingSpring, MultilinearSpring, SpringLaw
 
@@ -31,6 +31,7 @@ __all__ = [
     "MenegottoPinto",
     "Model",
     "Modes",
+    "damped_eigenvalue",
     "MultilinearSpring",
     "Newmark",
     "Response",

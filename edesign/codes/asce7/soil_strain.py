@@ -54,6 +54,8 @@ def damping_ratio(site_class: str, acceleration: float) -> float:
 def _read(row: tuple[float, ...], site_class: str, acceleration: float) -> float:
     last = ACCELERATIONS[len(row) - 1]
     if len(row) < len(ACCELERATIONS) and acceleration > last:
-        message = "give the ratio itself, `strain: {code: given, modulus_ratio: }`, from an investigation of the site"
-        raise InputError(f"site class {site_class} is in the table up to {last:g} g, not {acceleration:.4g} g; {message}")
+        message = "give the ratio itself, `strain: {code: given, modulus_ratio: }`, from an analysis of the site"
+        raise InputError(
+            f"site class {site_class} is in the table up to {last:g} g, not {acceleration:.4g} g; {message}"
+        )
     return float(np.interp(acceleration, ACCELERATIONS[: len(row)], row))

@@ -20,7 +20,7 @@ from edesign.project.notation.units import (
 )
 from edesign.project.reading.base import Model, by_key
 
-Formula = Literal["pais_kausel", "gazetas", "asce41"]
+Formula = Literal["pais_kausel", "gazetas"]
 
 
 class Eurocode8Strain(Model):

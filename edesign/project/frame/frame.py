@@ -11,9 +11,9 @@ from typing import Annotated
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
+from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
-from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
 from edesign.project.notation import names
 from edesign.project.notation.selections import NO_NUMBERS, LineSelection, NumberSelection, NumbersOrNone
