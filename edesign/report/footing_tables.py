@@ -99,8 +99,8 @@ def _first_mode(groups: Mapping[str, Group]) -> Table:
             ]
         )
     table.notes.append(
-        "Damping by the soil alone: complex eigenvalue of the frame. One mass at the effective height of the first mode "
-        "on a rigid base: Veletsos & Meek 1974, and NIST GCR 12-917-21, Eq. 2-10, ASCE/SEI 7-16, 19.3."
+        "Damping by the soil alone: complex eigenvalue of the frame. One mass at the effective height of the first "
+        "mode on a rigid base: Veletsos & Meek 1974, and NIST GCR 12-917-21, Eq. 2-10, ASCE/SEI 7-16, 19.3."
     )
     return table
 

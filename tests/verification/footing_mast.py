@@ -14,7 +14,8 @@ frame:
   bays: [1 m]
   storeys: [{h} m]
   supports:
-    default: {{footing: {{soil: soil, length: {length} m, width: {width} m, embedment: {embedment} m, radiation: {on}}}}}
+    default:
+      footing: {{soil: soil, length: {length} m, width: {width} m, embedment: {embedment} m, radiation: {on}}}
   columns: [{{lines: A, storeys: 1, section: post, material: steel}}]
   beams: []
   missing: {{columns: [{{lines: B, storeys: 1}}], beams: [{{bays: 1, floors: 1}}]}}
