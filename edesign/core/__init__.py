@@ -1,7 +1,7 @@
 """The numerical core: plane frames of force-based fibre beam-columns. The only package that knows C."""
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.analysis import Analysis
+from edesign.core.analysis import Analysis, SupportMotion
 from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
@@ -37,6 +37,7 @@ __all__ = [
     "Response",
     "SpringLaw",
     "Steel",
+    "SupportMotion",
     "natural_modes",
     "version",
 ]

@@ -24,6 +24,7 @@ from edesign.study.motions import Motion, level_factor, project_motions
 from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, frame_alone, make_structure
 from edesign.study.vertical_motion import ground_motion
+from edesign.study.wave_passage import LateFeet
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
@@ -59,6 +60,7 @@ def run_history(
     )
     ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
+    late = LateFeet(spec, structure.frame, both)
     results = HistoryResults(project, structure.frame, spec.collapse_drift)
     period = load_and_damp(project, structure)
     response = structure.analysis.history(
@@ -73,10 +75,12 @@ def run_history(
         tail=period_steps(ground.time_step, period),
         energies=results.energies,
         vertical=both.samples,
+        supports=late.motions,
     )
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
     both.store(group, project.outputs.every)
+    late.store(group)
     return group
 
 

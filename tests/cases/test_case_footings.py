@@ -37,7 +37,7 @@ def test_soils_and_static_stiffness_by_hand(results_of: Results) -> None:
 
 
 def test_dashpots_belong_to_their_ratios(results_of: Results) -> None:
-    """c = 2 K (beta + beta_s) / omega at the period of the footing; sway of B radiates 4 L B rho V_s at any frequency."""
+    """c = 2 K (beta + beta_s) / omega at the period; sway of B radiates 4 L B rho V_s at any frequency."""
     group = results_of(CASE, "modes")
     for direction in ("x", "y", "rotation"):
         ratios = of(group, f"radiation_damping_{direction}") + of(group, "soil_damping")
@@ -63,8 +63,8 @@ def test_weight_of_frame_and_footings_reaches_the_ground(results_of: Results) ->
 
 
 def test_the_frame_is_softer_on_its_footings(results_of: Results) -> None:
-    """The first period is at least that of the frame on fixed feet; one mass on a rigid base bounds it from below, since
-    it leaves out that each foot turns on its own."""
+    """The first period is longer than on fixed feet. One mass on a rigid base bounds it from below: it leaves out that
+    each foot turns on its own."""
     modes = results_of(CASE, "modes").attributes
     assert modes["period_ratio"] > modes["closed_period_ratio"] > 1.0
     assert 0.0 < modes["closed_foundation_damping"] < modes["foundation_damping"] < 0.01

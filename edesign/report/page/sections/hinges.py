@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.report.axial_figures import axial_figures
-from edesign.report.footing_tables import footing_tables
 from edesign.report.frame_figures import frame_figures
+from edesign.report.ground_tables import ground_tables
 from edesign.report.hinge_tables import hinge_tables
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source, headed
@@ -13,5 +13,5 @@ from edesign.report.page.source import Source, headed
 def hinges(source: Source) -> Section:
     """Where members yield, at each hazard level, what hinges and joints did, what the columns carry, and stand on."""
     pictures = source.pictures(frame_figures, axial_figures)
-    tables = (*hinge_tables(source.groups), *footing_tables(source.groups))
+    tables = (*hinge_tables(source.groups), *ground_tables(source.groups))
     return Section("hinges", "Plastic hinges and columns", (), (*tables, *headed(pictures, source.levels)))

@@ -1,4 +1,4 @@
-"""Tables of footings: what they are, and what they do to the first mode of the frame."""
+"""Tables of the ground under the columns: footings, what they do to the first mode, and waves that pass."""
 
 from __future__ import annotations
 
@@ -15,19 +15,25 @@ FORMULAS = {
     "gazetas": "Gazetas 1991",
 }
 _WORDS = ("horizontal", "vertical", "rocking")
+SHOWN = 40
+"""Rows of the table of feet at most: a page of them can be read."""
 
 
-def footing_tables(groups: Mapping[str, Group]) -> list[Table]:
-    """Return the tables of footings; none of frames that have none.
+def ground_tables(groups: Mapping[str, Group]) -> list[Table]:
+    """Return the tables of footings, and of feet that a wave reaches one after the other; none where there are none.
 
     Args:
         groups: results by the name of the analysis.
     """
+    tables = [*_footings(groups), _passage(groups)]
+    return [table for table in tables if table.rows]
+
+
+def _footings(groups: Mapping[str, Group]) -> list[Table]:
     on_footings = {name: group for name, group in groups.items() if "footing" in group.coords}
     if not on_footings:
         return []
-    tables = (_soils(on_footings), _impedances(on_footings), _first_mode(on_footings), _work(on_footings))
-    return [table for table in tables if table.rows]
+    return [_soils(on_footings), _impedances(on_footings), _first_mode(on_footings), _work(on_footings)]
 
 
 def _soils(groups: Mapping[str, Group]) -> Table:
@@ -121,4 +127,26 @@ def _work(groups: Mapping[str, Group]) -> Table:
         cells = [number(float(of.variables["footing_work_final"].values[i]), 4, 1e3) for of in histories.values()]
         table.rows.append([str(footing), *cells])
     table.notes.append("It is part of the energy of the dampers in the balance.")
+    return table
+
+
+def _passage(groups: Mapping[str, Group]) -> Table:
+    """How late the ground motion reaches the feet of columns, and how far that moves them apart."""
+    table = Table(
+        "Feet under a wave that passes",
+        ["analysis", "foot", "delay [ms]", "largest displacement [mm]", "at the end [mm]"],
+        left=2,
+    )
+    for name, group in groups.items():
+        if "foot_delay" not in group.variables:
+            continue
+        columns = [group.variables[f"foot_{what}"].values for what in ("delay", "displacement_largest")]
+        final = group.variables["foot_displacement_final"].values
+        for i, foot in enumerate(group.coords["foot"].values):
+            cells = [number(float(of[i]), 4, 1e-3, negligible=1e-9) for of in (*columns, final)]
+            table.rows.append([name, str(foot), *cells])
+    table.notes.append("Displacements of the ground at the foot relative to the ground that the motion reaches first.")
+    if len(table.rows) > SHOWN:
+        table.notes.append(f"The first {SHOWN} of {len(table.rows)} feet.")
+        del table.rows[SHOWN:]
     return table
