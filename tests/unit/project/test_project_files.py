@@ -98,6 +98,8 @@ def test_every_key_is_documented() -> None:
         "hazard",
         "record_choice",
         "hinges_and_springs",
+        "foundations",
+        "wave_passage",
         "study_file",
         "damper_design",
         "viscous_design",
