@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
+from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.building.project_file import load_study
 from edesign.ground_motion.delayed import motion_at
+from edesign.study.run import run_study
 
 Results = Callable[[str, str], Group]
 CASE = "wave_passage"
@@ -58,3 +64,20 @@ def test_a_record_that_ends_with_a_velocity_is_told(results_of: Results) -> None
     assert abs(end) == pytest.approx(0.02, rel=0.05)
     assert group.variables["foot_displacement_final"].values[2] == pytest.approx(-end * 0.05, rel=1e-4)
     assert "baseline is corrected" in str(group.attributes["warnings"])
+
+
+def test_studies_have_the_same_waves(results_of: Results, tmp_path: Path) -> None:
+    """Bit for bit the history of the project; a soil of half the modulus under the footing moves it further."""
+    shutil.copytree(HERE / CASE, tmp_path / CASE)
+    shutil.copytree(HERE / "records", tmp_path / "records")
+    with open_archive(run_study(load_study(tmp_path / CASE / "study.yaml")).archive) as archive:
+        bare, soft = (archive.group(f"analyses/{name}.motion") for name in ("bare", "soft"))
+        first, second = (archive.group(f"analyses/bare.peaks.motion.{level}") for level in ("0.1g", "0.2g"))
+    project = results_of(CASE, "passing")
+    for name in ("base_shear_max", "storey_drift_max", "foot_displacement_largest", "energy_final"):
+        assert np.array_equal(bare.variables[name].values, project.variables[name].values), name
+    moved = [group.variables["support_displacement_x_max"].values[0] for group in (bare, soft)]
+    assert moved[1] == pytest.approx(2.0 * moved[0], rel=0.1)
+    apart = [group.variables["foot_displacement_largest"].values for group in (first, second)]
+    assert 2.0 * apart[0] == pytest.approx(apart[1], rel=1e-9)
+    assert apart[0][1] == 0.0 and apart[0][2] > 0.0

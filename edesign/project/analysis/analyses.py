@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import Method, Pushover, Steps
-from edesign.project.notation.units import (
-    Duration,
-    PositiveAcceleration,
-    PositiveFactor,
-    PositiveLength,
-    PositiveRatio,
-    PositiveVelocity,
-)
+from edesign.project.analysis.wave_passage import WavePassage
+from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio
 from edesign.project.reading.base import Model, by_key
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]
@@ -76,25 +69,6 @@ class VerticalMotion(Model):
     record: str | None = None
     pga: PositiveAcceleration | None = None
     scale: PositiveFactor | None = None
-
-
-class WavePassage(Model):
-    """The ground motion reaches the lines of columns one after the other.
-
-    A wave of the apparent `velocity` (m/s) runs to the right or to the left, or `delays` (s) by line are given.
-    """
-
-    velocity: PositiveVelocity | None = None
-    direction: Literal["right", "left"] | None = None
-    delays: Annotated[dict[str, Duration], Field(min_length=1)] | None = None
-
-    def delays_of(self, lines: Mapping[str, float]) -> dict[str, float]:
-        """Return the delay of each line, s, by the places of lines, m; the wave reaches the first at once."""
-        if self.velocity is None:
-            given = self.delays or {}
-            return {line: given.get(line, 0.0) for line in lines}
-        first = min(lines.values()) if self.direction != "left" else max(lines.values())
-        return {line: abs(x - first) / self.velocity for line, x in lines.items()}
 
 
 class HistoryAnalysis(_Analysis):

@@ -7,6 +7,7 @@ from edesign.project.actions.checks_vertical import check_vertical
 from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.analysis.checks_damping import check_damping
 from edesign.project.analysis.checks_pushover import check_pushover
+from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -90,7 +91,7 @@ def _analyses(project: Project, problems: Problems) -> None:
             _history(project, problems, keys, analysis)
             check_drift(project, problems, (*keys, "collapse_drift"), analysis.collapse_drift)
             check_vertical(project, problems, (*keys, "vertical"), analysis)
-            _wave_passage(project, problems, (*keys, "wave_passage"), analysis)
+            check_wave_passage(project.frame, problems, (*keys, "wave_passage"), analysis.wave_passage)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)
@@ -138,24 +139,3 @@ def _level(project: Project, problems: Problems, keys: Keys, analysis: HistoryAn
     for key in ("pga", "scale"):
         if getattr(analysis, key) is not None:
             problems.at_key((*keys, key), f"{fitted}; its `level` says the scale")
-
-
-def _wave_passage(project: Project, problems: Problems, keys: Keys, history: HistoryAnalysis) -> None:
-    """Either a velocity or delays, of lines that exist; a foot is late; no leaning column, whose place is unknown."""
-    passage, frame = history.wave_passage, project.frame
-    if passage is None:
-        return
-    if (passage.velocity is None) == (passage.delays is None):
-        problems.at_key(keys, "give either `velocity` or `delays`, one of them")
-        return
-    if passage.delays is not None and passage.direction is not None:
-        problems.at_key((*keys, "direction"), "the `delays` say which way the wave runs; leave this key out")
-    unknown = [line for line in passage.delays or {} if line not in frame.lines]
-    for line in unknown:
-        problems.at_key((*keys, "delays", line), unknown_name("line", line, frame.lines))
-    places = dict(zip(frame.lines, frame.x, strict=True))
-    if not unknown and not any(passage.delays_of(places).values()):
-        problems.at_key(keys, "no line is reached later than another; leave `wave_passage` out")
-    if frame.leaning_column is not None:
-        message = "where the leaning column stands is not known, so neither is when the wave reaches it"
-        problems.at_key(keys, message)

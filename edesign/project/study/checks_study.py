@@ -5,6 +5,7 @@ from __future__ import annotations
 from edesign.project.analysis.checks_actions import check_drift
 from edesign.project.analysis.checks_outputs import check_member
 from edesign.project.analysis.checks_pushover import check_pushover
+from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.analysis.pushover import Pushovers
 from edesign.project.criteria.checks_criteria import check_criteria
 from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
@@ -88,6 +89,7 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
         check_names(problems, (*keys, "variants"), "variant", histories.variants, study.variants)
     check_records(problems, (*keys, "records"), histories.records, base)
     check_drift(base, problems, (*keys, "collapse_drift"), histories.collapse_drift)
+    check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
     fitted = []
     for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:

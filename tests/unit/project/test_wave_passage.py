@@ -7,7 +7,8 @@ from collections.abc import Callable
 import pytest
 
 from edesign.project import Problem, parse_project
-from edesign.project.analysis.analyses import HistoryAnalysis, WavePassage
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.wave_passage import WavePassage
 
 Broken = Callable[..., list[Problem]]
 
