@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
-from math import inf, pi, sqrt
+from math import inf, isfinite, pi, sqrt
 
 from edesign.building.footing_impedance import (
     Block,
@@ -19,6 +19,7 @@ from edesign.errors import InputError
 from edesign.project.frame.foundations import Asce7Strain, Eurocode8Strain, Footing, Soil
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
+from edesign.project.reading.problems import keys_text
 
 DIRECTIONS = ("x", "y", "rotation")
 """Horizontal, vertical, rocking in the plane of the frame."""
@@ -167,7 +168,7 @@ def project_footings(
 
     def at(period: float) -> dict[str, FootingSprings]:
         return {
-            line: _springs(project, footing, period if footing.period is None else footing.period)
+            line: _springs(project, line, footing, period if footing.period is None else footing.period)
             for line, footing in footings.items()
         }
 
@@ -187,9 +188,19 @@ def project_footings(
     )
 
 
-def _springs(project: Project, footing: Footing, period: float) -> FootingSprings:
+def _springs(project: Project, line: str, footing: Footing, period: float) -> FootingSprings:
     try:
-        return footing_springs(footing, project.soils[footing.soil], period)
+        found = footing_springs(footing, project.soils[footing.soil], period)
+        values = (*found.static, *found.stiffness, *found.dashpot, *found.radiation, found.mass, found.inertia)
+        usable = all(map(isfinite, values)) and min(found.stiffness) > 0.0
     except InputError as error:
         where = project.where("soils", footing.soil, "strain")
         raise InputError(f"{where}: soils.{footing.soil}.strain: {error}") from error
+    except (OverflowError, ZeroDivisionError):
+        usable = False
+    if not usable:
+        named = project.frame.supports if isinstance(project.frame.supports, dict) else ()
+        keys = ("frame", "supports", line if line in named else "default", "footing")
+        message = "its sides or its soil are so large or small that no stiffness follows from them"
+        raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {message}")
+    return found

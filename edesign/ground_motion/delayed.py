@@ -21,7 +21,7 @@ def motion_at(acceleration: np.ndarray, time_step: float, times: np.ndarray) -> 
     a, h = acceleration, time_step
     u, v = displacement(a, h), velocity(a, h)
     last = a.size - 1
-    i = np.clip(np.floor(times / h).astype(int), 0, last)
+    i = np.clip(np.floor(np.clip(times / h, 0.0, last)).astype(int), 0, last)
     t = times - i * h
     slope = np.append(np.diff(a) / h, 0.0)[i]
     start = np.where(i < last, a[i], 0.0)

@@ -124,9 +124,10 @@ def _closed_forms(frame: FrameModel, of: Interaction) -> tuple[float, float]:
     places = np.array([frame.frame.nodes[name][0] for name in frame.footings])
     k = np.array([built.springs.stiffness for built in frame.footings.values()])
     c = np.array([built.springs.dashpot for built in frame.footings.values()])
+    turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned foot
     arms = places - places @ k[:, 1] / k[:, 1].sum()  # from where a vertical force turns nothing
-    sway, rocking = k[:, 0].sum(), k[:, 2].sum() + arms**2 @ k[:, 1]
-    in_sway, in_rocking = c[:, 0].sum(), c[:, 2].sum() + arms**2 @ c[:, 1]
+    sway, rocking = k[:, 0].sum(), turned @ k[:, 2] + arms**2 @ k[:, 1]
+    in_sway, in_rocking = c[:, 0].sum(), turned @ c[:, 2] + arms**2 @ c[:, 1]
     of_structure = of.mass * (2.0 * pi / of.fixed) ** 2
     ratio = sqrt(1.0 + of_structure / sway + of_structure * of.height**2 / rocking)
     omega = 2.0 * pi / (ratio * of.fixed)

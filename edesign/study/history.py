@@ -110,8 +110,9 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
     """Check that a record can be applied as a history asks for it, without making the motion.
 
     Raises:
-        InputError: the time step is longer than the record, there are more steps than can be kept, or the record is
-            zero throughout and is to be scaled to a peak; the message names the place in the project file.
+        InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
+            line after the end, or the record is zero throughout and is to be scaled to a peak; the message names the
+            place in the project file.
     """
     step = project.integration.time_step if project.integration is not None else None
     where = project.where("integration", "time_step" if step is not None else "method")
@@ -128,6 +129,16 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
             f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
             f"{MOST_STEPS} are possible"
         )
+    if spec.wave_passage is not None:
+        frame = project.frame
+        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
+        last = max(delays, key=lambda line: delays[line])
+        if delays[last] >= record.duration + spec.free_vibration:
+            raise InputError(
+                f"{project.where('analyses')}: the history {spec.name} ends after "
+                f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
+                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
+            )
     if spec.pga is not None and record.pga == 0.0:
         place = project.where("records", spec.record)
         raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")

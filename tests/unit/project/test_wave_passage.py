@@ -4,11 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
 from edesign.project import Problem, parse_project
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.wave_passage import WavePassage
+from edesign.study.history import check_motion
 
 Broken = Callable[..., list[Problem]]
 
@@ -53,3 +57,12 @@ def test_delays_of_lines(small: str) -> None:
     assert shake.wave_passage.delays_of(lines) == pytest.approx({"A": 0.0, "B": 0.02, "C": 0.045})
     left = WavePassage(velocity="300 m/s", direction="left")  # type: ignore[arg-type]
     assert left.delays_of(lines) == pytest.approx({"A": 0.045, "B": 0.025, "C": 0.0})
+
+
+def test_a_wave_that_comes_after_the_end_is_refused(small: str) -> None:
+    project = parse_project(small.replace(SHAKE, f"{SHAKE}, wave_passage: {{velocity: 1 m/s}}"))
+    shake = project.analyses[1]
+    assert isinstance(shake, HistoryAnalysis)
+    record = Record("made", np.array([0.0, 1.0, 0.0]), 4.0, "made here")
+    with pytest.raises(InputError, match="ends after 8 s, and the wave reaches line C after 13.5 s"):
+        check_motion(project, shake, record)
