@@ -220,6 +220,13 @@ struct ed_analysis {
   int n_events;
 };
 
+/* Of any degree, held ones too. */
+static inline double ed_displacement(const ed_analysis *a, const ed_state *state, int degree)
+{
+  const int equation = a->equation[degree];
+  return equation >= 0 ? state->u[equation] : state->support_u[a->support[degree]];
+}
+
 /* message for people; returns the status */
 int ed_fail(ed_analysis *a, int status, const char *format, ...);
 
@@ -251,7 +258,6 @@ void ed_commit(ed_analysis *a);
 void ed_revert(ed_analysis *a);
 void ed_backup(ed_analysis *a);
 void ed_restore(ed_analysis *a);
-double ed_displacement(const ed_analysis *a, const ed_state *state, int degree);
 int ed_state_finite(const ed_analysis *a); /* whether every number of the committed state is finite */
 
 /* devices.c */

@@ -86,12 +86,6 @@ int ed_state_allocate(ed_analysis *a)
   return status;
 }
 
-double ed_displacement(const ed_analysis *a, const ed_state *state, int degree)
-{
-  const int equation = a->equation[degree];
-  return equation >= 0 ? state->u[equation] : state->support_u[a->support[degree]];
-}
-
 static void copy_factors(ed_analysis *a, double *to, const double *from)
 {
   memcpy(to, from, (size_t)a->model->n_patterns * sizeof *to);
