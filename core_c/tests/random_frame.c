@@ -265,6 +265,17 @@ static void begin_run(caller *c, run *r, const things *m)
     expect_same_state(r);
     return;
   }
+  for (int i = kind > 1 && chance(c, 0.4) ? whole(c, 1, 4) : 0; i > 0; i--) {
+    double *part[3];
+    for (int k = 0; k < 3; k++) {
+      part[k] = values_between(c, steps + 1, 1e-4, 1e-2);
+      part[k][0] = chance(c, 0.1) ? part[k][0] : 0.0;
+    }
+    expect_listed(c, ed_history_support(r->analysis, some_id(c, m->nodes), chance(c, c->wild) ? 3 : whole(c, 0, 2), part[0], part[1], part[2]));
+    for (int k = 0; k < 3; k++)
+      free(part[k]);
+    note_state(r); /* a support begins with an acceleration */
+  }
   for (int i = kind > 1 && chance(c, 0.4) ? whole(c, 1, 3) : 0; i > 0; i--) {
     const int node[] = {some_id(c, m->nodes), some_id(c, m->nodes)}, degree[] = {whole(c, 0, 2), chance(c, c->wild) ? 3 : 0};
     const double coefficient[] = {or_absurd(c, 1.0), or_absurd(c, -1.0)};

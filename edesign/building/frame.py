@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
+from edesign.building.footings import FootingSprings, project_footings
 from edesign.building.hinges import EndSpring, MemberBuilder, MemberEnd, member_ends
 from edesign.building.isolation import IsolatedFeet, add_isolation, base_loads, base_masses, isolated_support
 from edesign.building.leaning_column import LeaningStruts, add_leaning_column
@@ -21,17 +22,19 @@ from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.rigid_ends import rigid_ends
 from edesign.building.section import CrossSection
 from edesign.building.struts import equivalent_camber
-from edesign.building.supports import support_springs
+from edesign.building.supports import BuiltFooting, Grounds, add_footing, support_springs
 from edesign.errors import InputError
 from edesign.project.actions.beam_loads import breaks_of_members
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.braces import BraceBuckling, Fracture
+from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import ElasticSection, SectionAxis
-from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of
+from edesign.project.frame.supports import springs_of
 from edesign.project.notation import names
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 
 if TYPE_CHECKING:
@@ -102,6 +105,7 @@ class FrameModel:
         moving_with: nodes behind hinges and joints that share the displacements of a node, by its id.
         grounds: of supported nodes on springs the other end of these, for each degree; None: no spring holds it.
         leaning: its leaning column, whose nodes and struts are none of the above.
+        footings: by the supported nodes that stand on them.
         isolated: its isolated base, whose devices are among its dampers; None: it stands on its supports.
         on_feet: loads of the gravity combination on the feet of an isolated base, N downwards, by the name of the node.
     """
@@ -115,10 +119,11 @@ class FrameModel:
     supports: dict[str, tuple[bool, bool, bool]]
     devices: tuple[Device, ...] = ()
     attached: dict[str, int] = field(default_factory=dict)
-    grounds: dict[str, tuple[int | None, int | None, int | None]] = field(default_factory=dict)
+    grounds: dict[str, Grounds] = field(default_factory=dict)
     moving_with: dict[int, list[int]] = field(default_factory=dict)
     panels: dict[str, BuiltPanel] = field(default_factory=dict)
     leaning: LeaningStruts | None = None
+    footings: dict[str, BuiltFooting] = field(default_factory=dict)
     isolated: IsolatedFeet | None = None
     on_feet: Mapping[str, float] = field(default_factory=dict)
 
@@ -169,6 +174,7 @@ def build_frame(
     laws: Mapping[str, DeviceLaw] | None = None,
     attachments: Sequence[Attached] = (),
     outside: Collection[str] = (),
+    footings: Mapping[str, FootingSprings] | None = None,
     weights: Mapping[str, float] | None = None,
 ) -> FrameModel:
     """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, leaning column and
@@ -183,11 +189,14 @@ def build_frame(
         laws: of the dampers, by name; those of other laws are left out; None: the frame without dampers.
         attachments: tuned masses.
         outside: names of dampers that stand elsewhere, in a laboratory.
+        footings: by lines of columns; without one that is a footing in the project, the line is fixed. None: those of
+            the project.
         weights: on the feet of an isolated base under the gravity combination, N, by node, where its isolators need
             them; None: the base is held horizontally, and has no isolators.
 
     Raises:
-        InputError: an unknown or impossible section, or loads upwards that would give a negative mass.
+        InputError: an unknown or impossible section, a soil that the tables of its code do not have, or loads upwards
+            that would give a negative mass.
     """
     if model is None:
         from edesign.core import Model
@@ -197,8 +206,13 @@ def build_frame(
     nodes = {name: model.node(name, x, y) for name, (x, y) in frame.nodes.items()}
     members, moving_with, panels = _members(project, model, nodes)
     isolation = project.isolation if laws is not None else None
-    supports, grounds = _supports(frame, model, nodes, isolation, held=weights is None)
-    rigid = frame.diaphragm_floors if isolation is None or weights is None else (0, *frame.diaphragm_floors)
+    if isolation is not None:
+        footings = {}
+    elif footings is None:
+        footings = project_footings(project, lambda found: _first_period(project, found))
+    base_held = weights is None
+    supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, base_held)
+    rigid = frame.diaphragm_floors if isolation is None or base_held else (0, *frame.diaphragm_floors)
     for floor in rigid:
         tied = [node for name, node in nodes.items() if frame.nodes[name][1] == frame.y[floor]]
         for node in tied[1:]:
@@ -218,6 +232,9 @@ def build_frame(
         _add_loads(model, gravity, nodes, members[name], MemberLoads(load), (1.0, 0.0))
     for name, load in node_loads(project, project.loads.gravity).items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
+    for name, footing in built_footings.items():
+        weight = project.loads.gravity.G * footing.springs.mass * STANDARD_GRAVITY
+        model.nodal_load(gravity, nodes[name], 0.0, -weight, 0.0)
     on_feet = {} if isolation is None else base_loads(frame, isolation, project.loads.gravity)
     for name, load in on_feet.items():
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
@@ -245,9 +262,17 @@ def build_frame(
         moving_with,
         panels,
         leaning,
+        built_footings,
         isolated,
         on_feet,
     )
+
+
+def _first_period(project: Project, footings: Mapping[str, FootingSprings]) -> float:
+    """The first period of the unloaded frame without its dampers on such footings, s."""
+    from edesign.core import Analysis
+
+    return float(Analysis(build_frame(project, footings=footings).model).modes(1).period[0])
 
 
 def _add_loads(
@@ -282,27 +307,39 @@ def _add_loads(
 
 
 def _supports(
-    frame: Frame, model: Model, nodes: dict[str, int], isolation: Isolation | None, held: bool
-) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, tuple[int | None, int | None, int | None]]]:
-    """Hold the feet of the columns; returns what is held, and where springs that hold it stand.
+    frame: Frame,
+    model: Model,
+    nodes: dict[str, int],
+    footings: Mapping[str, FootingSprings],
+    isolation: Isolation | None,
+    base_held: bool,
+) -> tuple[dict[str, tuple[bool, bool, bool]], dict[str, Grounds], dict[str, BuiltFooting]]:
+    """Hold the feet of the columns; returns what is held, where springs that hold it stand, and the footings.
 
-    An isolated base is held by its isolators, or with `held` by fixed supports in their place.
+    An isolated base is held by its isolators, or with `base_held` by fixed supports in their place.
     """
-    turning = _held_rotations(frame)
-    at_base: dict[str, SupportKind | SupportSprings] = {
-        names.node_name(line, 0): frame.support(line) if isolation is None else isolated_support(frame, isolation, line)
-        for line in frame.lines
-    }
-    supports, grounds = {}, {}
+    held = _held_rotations(frame)
+    at_base = {names.node_name(line, 0): line for line in frame.lines}
+    supports, grounds, built = {}, {}, {}
     for name, node in nodes.items():
-        support = at_base.get(name)
-        if support is None:
-            if name not in turning:
+        line = at_base.get(name)
+        if line is None:
+            if name not in held:
                 model.fix(node, rz=True)
             continue
+        support = frame.support(line) if isolation is None else isolated_support(frame, isolation, line)
+        if isinstance(support, FootingSupport):
+            supports[name] = (True, True, True)
+            if line not in footings:
+                model.fix(node, True, True, True)
+                continue
+            model.fix(node, rz=name not in held)
+            place = frame.nodes[name]
+            grounds[name], built[name] = add_footing(model, name, node, place, footings[line], name in held)
+            continue
         springs = springs_of(support)
-        horizontal = "fixed" if isolation is not None and held else springs.horizontal
-        directions = [horizontal, springs.vertical, springs.rotation if name in turning else "fixed"]
+        horizontal = "fixed" if isolation is not None and base_held else springs.horizontal
+        directions = [horizontal, springs.vertical, springs.rotation if name in held else "fixed"]
         ux, uy, rz = (direction == "fixed" for direction in directions)
         model.fix(node, ux=ux, uy=uy, rz=rz)
         ux, uy, rz = (direction != "free" for direction in directions)
@@ -310,7 +347,7 @@ def _supports(
         supports[name] = ux, uy, rz
         if not all(direction in ("fixed", "free") for direction in directions):
             grounds[name] = support_springs(model, name, node, frame.nodes[name], directions)
-    return supports, grounds
+    return supports, grounds, built
 
 
 def _held_rotations(frame: Frame) -> set[str]:

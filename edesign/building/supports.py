@@ -1,11 +1,13 @@
-"""Springs under the feet of the columns."""
+"""Springs and footings under the feet of the columns."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from math import inf
 from typing import TYPE_CHECKING
 
+from edesign.building.footings import FootingSprings
 from edesign.project.frame.supports import VerticalSpring, YieldingRotation, YieldingTranslation
 
 if TYPE_CHECKING:
@@ -13,12 +15,13 @@ if TYPE_CHECKING:
 
 SpringValues = YieldingTranslation | YieldingRotation
 Direction = str | float | SpringValues
-_DIRECTIONS = ("horizontal", "vertical", "rotation")
+Grounds = tuple[int | None, int | None, int | None]
+_WORDS = ("horizontal", "vertical", "rotation")
 
 
 def support_springs(
     model: Model, name: str, node: int, place: tuple[float, float], directions: Sequence[Direction]
-) -> tuple[int | None, int | None, int | None]:
+) -> Grounds:
     """Add the springs that hold a node.
 
     Args:
@@ -36,11 +39,65 @@ def support_springs(
         if isinstance(direction, str):
             grounds.append(None)
             continue
-        terms = [0.0] * 6
-        terms[degree], terms[3 + degree] = -1.0, 1.0
-        model.spring(f"{name}.{_DIRECTIONS[degree]}", ground, node, terms, _law(direction))
+        _spring(model, name, ground, node, degree, _law(direction))
         grounds.append(ground)
     return grounds[0], grounds[1], grounds[2]
+
+
+@dataclass(frozen=True)
+class BuiltFooting:
+    """A footing in the frame model.
+
+    Attributes:
+        springs: what it is.
+        dashpots: ids of its dampers in the core: horizontal, vertical, rocking; None: none acts there.
+    """
+
+    springs: FootingSprings
+    dashpots: tuple[int | None, int | None, int | None]
+
+
+def add_footing(
+    model: Model, name: str, node: int, place: tuple[float, float], footing: FootingSprings, turns: bool
+) -> tuple[Grounds, BuiltFooting]:
+    """Add a footing under a node: springs, dashpots beside them, and its mass.
+
+    Damping that is proportional to stiffness leaves the springs out: the dashpots have the damping of the soil.
+
+    Args:
+        model: of the core.
+        name, node, place: of the supported node, m.
+        footing: its springs.
+        turns: whether anything but the footing holds the rotation of the node; without, it is fixed.
+
+    Returns:
+        The node of the ground for each degree, and the footing.
+    """
+    from edesign.core import ContactSpring, LawValues, MultilinearSpring
+
+    ground = model.node(f"{name}.ground", *place)
+    model.fix(ground, True, True, True)
+    degrees = (0, 1, 2) if turns else (0, 1)
+    dashpots: list[int | None] = [None, None, None]
+    for degree in degrees:
+        lifts = degree == 1 and footing.uplift
+        stiffness = footing.stiffness[degree]
+        law = ContactSpring(stiffness, footing.capacity) if lifts else MultilinearSpring(stiffness)
+        model.damping_factor(_spring(model, name, ground, node, degree, law), 0.0)
+        if footing.dashpot[degree] > 0.0:
+            terms = ((1.0, node, degree), (-1.0, ground, degree))
+            dashpot = LawValues("viscous", (footing.dashpot[degree],))
+            dashpots[degree] = model.damper(f"{name}.{_WORDS[degree]}_dashpot", dashpot, terms)
+    if footing.mass > 0.0:
+        model.mass(node, footing.mass, footing.mass, footing.inertia if turns else 0.0)
+    grounds = (ground, ground, ground if turns else None)
+    return grounds, BuiltFooting(footing, (dashpots[0], dashpots[1], dashpots[2]))
+
+
+def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: SpringLaw) -> int:
+    terms = [0.0] * 6
+    terms[degree], terms[3 + degree] = -1.0, 1.0
+    return model.spring(f"{name}.{_WORDS[degree]}", ground, node, terms, law)
 
 
 def vertical_spring(name: str) -> str:

@@ -1,13 +1,13 @@
 """The numerical core: plane frames of force-based fibre beam-columns. The only package that knows C."""
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.analysis import Analysis
+from edesign.core.analysis import Analysis, SupportMotion
 from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 from edesign.core.model import Model
-from edesign.core.modes import Modes, natural_modes
+from edesign.core.modes import Modes, damped_eigenvalue, natural_modes
 from edesign.core.response import ENERGIES, Channel, Response
 from edesign.core.springs import ContactSpring, DeterioratingSide, DeterioratingSpring, MultilinearSpring, SpringLaw
 
@@ -31,11 +31,13 @@ __all__ = [
     "MenegottoPinto",
     "Model",
     "Modes",
+    "damped_eigenvalue",
     "MultilinearSpring",
     "Newmark",
     "Response",
     "SpringLaw",
     "Steel",
+    "SupportMotion",
     "natural_modes",
     "version",
 ]

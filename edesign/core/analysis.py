@@ -5,7 +5,7 @@ from __future__ import annotations
 import time as clock
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -45,6 +45,21 @@ _SECONDS = 0.2  # seconds of computing between looks at the stop flag
 
 def _doubles(array: np.ndarray | None) -> Any:
     return ffi.NULL if array is None else ffi.from_buffer("double[]", array)
+
+
+@dataclass(frozen=True)
+class SupportMotion:
+    """A held degree that moves relative to the ground, from rest.
+
+    Attributes:
+        node: its id.
+        degree: "ux", "uy" or "rz"; what is tied to it moves along.
+        samples: displacement (m), velocity and acceleration, each (nt,), at the times of the ground acceleration.
+    """
+
+    node: int
+    degree: str
+    samples: tuple[ArrayLike, ArrayLike, ArrayLike]
 
 
 class Analysis:
@@ -311,6 +326,7 @@ class Analysis:
         limits: Mapping[str, float] = NO_LIMITS,
         tail: int = 0,
         energies: bool = True,
+        supports: Sequence[SupportMotion] = (),
     ) -> Response:
         """Time history under ground acceleration.
 
@@ -326,13 +342,14 @@ class Analysis:
             limits: by name of a channel; the run ends with status "limit" in the step in which its magnitude passes it.
             tail: how many of the last steps are kept of channels with a tail.
             energies: whether the energies of the steps that are kept are kept as well.
+            supports: held degrees that move relative to the ground.
 
         Returns:
             Response; status "failed" with the reason when equilibrium was lost (what was computed before is in it).
 
         Raises:
             ValueError: a limit belongs to no channel.
-            CoreError: a limit is not positive.
+            CoreError: a limit is not positive; a support is not held or not at rest, or the structure is unstable.
         """
         ground = np.ascontiguousarray(ground_acceleration, dtype=float)
         other = None if vertical is None else np.ascontiguousarray(vertical, dtype=float)
@@ -341,7 +358,20 @@ class Analysis:
         kind, parameters = method.parameters()
         steps = ground.size - 1
         self._check(lib.ed_history_begin(self._c, steps, dt, _doubles(ground), _doubles(other), kind, parameters))
+        try:
+            self._move_supports(supports, ground.size)
+        except (CoreError, ValueError):
+            lib.ed_run_end(self._c)
+            raise
         return self._run(steps, channels, every, progress, stop, limits, tail=tail, energies=energies)
+
+    def _move_supports(self, supports: Sequence[SupportMotion], samples: int) -> None:
+        for motion in supports:
+            parts = [np.ascontiguousarray(part, dtype=float) for part in motion.samples]
+            if any(part.shape != (samples,) for part in parts):
+                raise ValueError("the motion of a support has as many samples as that of the ground")
+            degree = DEGREES[motion.degree]
+            self._check(lib.ed_history_support(self._c, motion.node, degree, *(_doubles(part) for part in parts)))
 
     def _add_channels(self, channels: Sequence[Channel]) -> None:
         repeated = {name for name, count in Counter(c.name for c in channels).items() if count > 1}

@@ -12,6 +12,7 @@ from edesign.project.analysis.checks_outputs import check_outputs
 from edesign.project.dampers.checks_dampers import check_dampers
 from edesign.project.dampers.checks_isolation import check_isolation
 from edesign.project.dampers.dampers import BraceSection
+from edesign.project.frame.checks_foundations import check_foundations
 from edesign.project.frame.checks_frame import check_frame
 from edesign.project.frame.checks_hinges import check_hinges
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
@@ -62,6 +63,7 @@ def parse_project(
         # cross checks need a whole project: they come in a second round, after the schema is satisfied
         check_frame(project, problems, profiles)
         check_hinges(project, problems)
+        check_foundations(project, problems)
         check_actions(project, problems, files)
         check_dampers(project, problems)
         check_isolation(project, problems)

@@ -20,6 +20,7 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.elements import Elements
+from edesign.project.frame.foundations import Soil
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.hinges import Hinges, Joints, PanelZones
 from edesign.project.frame.materials import Material
@@ -50,6 +51,7 @@ class Project(RecordFiles, FileModel):
     hinges: tuple[Hinges, ...] = ()
     joints: tuple[Joints, ...] = ()
     panel_zones: tuple[PanelZones, ...] = ()
+    soils: dict[Identifier, Soil] = {}
     dampers: Dampers | None = None
     damping: Damping | None = None
     integration: Integration | None = None

@@ -91,7 +91,9 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         _draw_isolation(axes, frame, dampers, below)
     for line, x in zip(frame.lines, frame.x, strict=True):
         if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
-            marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D"}[support_name(frame.support(line))]
+            marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D", "footing": "D"}[
+                support_name(frame.support(line))
+            ]
             axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
     margin = 0.04 * max(frame.x[-1], frame.height)
     right = frame.x[-1]

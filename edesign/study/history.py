@@ -26,6 +26,7 @@ from edesign.study.residual import period_steps
 from edesign.study.structure import Structure, frame_alone, make_structure
 from edesign.study.vertical_motion import ground_motion
 from edesign.study.warnings import store_warnings
+from edesign.study.wave_passage import LateFeet
 
 MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
 
@@ -70,6 +71,7 @@ def run_history(
     )
     ground = both.horizontal
     structure = make_structure(project, dampers=spec.dampers)
+    late = LateFeet(spec, structure.frame, both)
     results = HistoryResults(project, structure.frame, spec.collapse_drift)
     period = load_and_damp(project, structure)
     response = structure.analysis.history(
@@ -84,10 +86,12 @@ def run_history(
         tail=period_steps(ground.time_step, period),
         energies=results.energies,
         vertical=both.samples,
+        supports=late.motions,
     )
     group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
     group.attributes |= _provenance(motion, factor, ground, spec)
     both.store(group, project.outputs.every)
+    late.store(group)
     if response.status == "completed":
         store_warnings(group, isolator_warnings(group, structure.frame))
     return group
@@ -119,8 +123,9 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
     """Check that a record can be applied as a history asks for it, without making the motion.
 
     Raises:
-        InputError: the time step is longer than the record, there are more steps than can be kept, or the record is
-            zero throughout and is to be scaled to a peak; the message names the place in the project file.
+        InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
+            line after the end, or the record is zero throughout and is to be scaled to a peak; the message names the
+            place in the project file.
     """
     step = project.integration.time_step if project.integration is not None else None
     where = project.where("integration", "time_step" if step is not None else "method")
@@ -137,6 +142,16 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
             f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
             f"{MOST_STEPS} are possible"
         )
+    if spec.wave_passage is not None:
+        frame = project.frame
+        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
+        last = max(delays, key=lambda line: delays[line])
+        if delays[last] >= record.duration + spec.free_vibration:
+            raise InputError(
+                f"{project.where('analyses')}: the history {spec.name} ends after "
+                f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
+                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
+            )
     if spec.pga is not None and record.pga == 0.0:
         place = project.where("records", spec.record)
         raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")

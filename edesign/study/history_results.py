@@ -17,6 +17,7 @@ from edesign.study.brace_results import brace_quantities, fracture_warnings
 from edesign.study.buckling import buckling_warnings
 from edesign.study.collapse import collapse_reason, drift_limits
 from edesign.study.dampers import core_strain_warnings, strain_warnings
+from edesign.study.footings import footing_quantities
 from edesign.study.recording import SINGLE, channels, coordinate, store, store_run
 from edesign.study.requested import requested_quantities
 from edesign.study.residual import DEFINITION, residual
@@ -72,6 +73,7 @@ class HistoryResults:
             *q.plastic_rotations(frame),
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),
+            *footing_quantities(frame, self._group),
             *q.dampers(frame, "dampers" in self._wanted),
             *q.base_acceleration(frame, floors),
             *q.isolator_axial_forces(frame),

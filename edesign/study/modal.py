@@ -10,6 +10,7 @@ from edesign.errors import AnalysisError
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.project import Project
 from edesign.study.damper_stiffness import damped_modes, store_damper_stiffness
+from edesign.study.footings import interaction, store_footings, store_interaction
 from edesign.study.isolation_estimate import store_isolation_estimate
 from edesign.study.recording import coordinate
 from edesign.study.structure import Structure, frame_alone, make_structure
@@ -36,6 +37,9 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     else:
         modes = structure.modes(spec.modes)
     store_modes(group, structure, modes)
+    store_footings(group, structure.frame)
+    if structure.frame.footings and not structure.frame.devices:
+        store_interaction(group, interaction(project, structure, modes, spec.state == "gravity"))
     store_isolation_estimate(group, project, structure)
     group.attributes |= {"status": "completed", "reason": "", "state": spec.state, "mass_kg": structure.frame.mass}
     return group

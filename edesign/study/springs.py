@@ -12,8 +12,14 @@ from edesign.study.recording import Quantity, Terms, coordinate
 
 _KINDS: tuple[SpringKind, ...] = ("hinge", "joint")
 _SUPPORT = (
-    ("support_displacement_x", "displacement", 0, "m", "horizontal displacement of the supported node"),
-    ("support_displacement_y", "displacement", 1, "m", "vertical displacement of the supported node, upwards"),
+    ("support_displacement_x", "displacement", 0, "m", "horizontal displacement of the node from the ground below"),
+    (
+        "support_displacement_y",
+        "displacement",
+        1,
+        "m",
+        "vertical displacement of the node from the ground below, upwards",
+    ),
     ("support_rotation", "displacement", 2, "rad", "rotation of the supported node, anticlockwise"),
     ("support_reaction_x", "reaction", 0, "N", "horizontal reaction of the spring"),
     ("support_reaction_y", "reaction", 1, "N", "vertical reaction of the spring, upwards"),
@@ -107,9 +113,13 @@ def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
     for name, what, degree, unit, label in _SUPPORT:
         cells: list[Terms] = []
         for node, grounds in frame.grounds.items():
-            moving: Terms = ((1.0, "displacement", frame.nodes[node], degree),)
-            force = frame.reaction(node, degree)
-            cells.append(() if grounds[degree] is None else moving if what == "displacement" else force)
+            ground = grounds[degree]
+            if ground is None:
+                cells.append(())
+            elif what == "displacement":
+                cells.append(tuple((sign, what, at, degree) for sign, at in ((1.0, frame.nodes[node]), (-1.0, ground))))
+            else:
+                cells.append(frame.reaction(node, degree))
         if any(cells):
             shape = (len(cells),)
             found.append(Quantity(name, ("sprung_support",), shape, tuple(cells), unit, f"{label}; 0: no spring there"))

@@ -116,6 +116,7 @@ def _history(
         dampers=study.variants[variant].dampers != "none",
         record=reference,
         free_vibration=asked.free_vibration,
+        wave_passage=asked.wave_passage,
         collapse_drift=asked.collapse_drift,
         level=level,
         vertical=asked.vertical if isinstance(asked, Histories) else None,

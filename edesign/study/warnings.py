@@ -24,6 +24,7 @@ Kind = Literal[
     "target_range",
     "target_strength",
     "target_damping",
+    "feet_apart",
 ]
 
 ALIKE: Mapping[Kind, str] = {
@@ -38,6 +39,7 @@ ALIKE: Mapping[Kind, str] = {
     "target_range": "capacity curves end before 150 % of the target displacement",
     "target_strength": "the frame is too weak for the nonlinear static procedure of ASCE/SEI 41",
     "target_damping": "target displacements do not count the damping of the dampers",
+    "feet_apart": "feet stay apart after the wave has passed",
 }
 """What analyses with a warning of one kind have in common."""
 

@@ -78,6 +78,8 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   run->alpha_f = af;
   run->gamma = gamma;
   run->beta = beta;
+  memset(a->committed.support_v, 0, 2 * (size_t)a->n_supports * sizeof(double)); /* and their accelerations, which lie behind */
+  memset(a->trial.support_v, 0, 2 * (size_t)a->n_supports * sizeof(double));
   for (int axis = 0; axis < 2; axis++)
     run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
   /* the first acceleration from equilibrium, where there is mass */
@@ -140,12 +142,13 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     step.ground[axis] = run->ground_now[axis] = ground_at(run, axis, head->position + fraction);
   }
   ed_move_history_forces(a, head->position, head->position + fraction);
+  ed_move_supports(a, head->position + fraction);
   head->position += fraction;
   head->time = (run->done + head->position) * run->dt;
   a->duration = dt;
   a->velocity_factor = step.velocity;
   const double *v0 = a->committed.v, *a0 = a->committed.a;
-  /* start from the committed displacement: its element states are known */
+  /* start from the committed displacement: its element states are known, unless supports have moved */
   for (int i = 0; i < a->n; i++) {
     a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
     a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);
@@ -156,6 +159,10 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     ed_follow_pace(a, a->predicted);
     ed_move(a, &step, 1.0, a->predicted);
     const int status = ed_update_elements(a);
+    if (status != ED_OK)
+      return status;
+  } else if (run->n_motions > 0) {
+    const int status = ed_update_members(a);
     if (status != ED_OK)
       return status;
   }

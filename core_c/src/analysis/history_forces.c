@@ -39,6 +39,8 @@ int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, 
       load.coefficient[load.n_terms++] = coefficient[i];
     }
   }
+  if (load.n_fixed > 0 && run->n_motions > 0)
+    return ed_fail(a, ED_E_ARGUMENT, "a force of a history cannot act on supports of which some move");
   if (load.n_terms == 0)
     return ed_fail(a, ED_E_ARGUMENT, "a force of a history acts on supports alone");
   load.origin = along(a, &load);

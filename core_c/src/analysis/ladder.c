@@ -33,7 +33,7 @@ static int describe_state(const ed_analysis *a, char *buffer, int size)
       sections += block[ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0;
     members += sections > before;
     for (int i = 0; i < 6; i++)
-      d[i] = a->equation[e->dof[i]] < 0 ? 0.0 : a->committed.u[a->equation[e->dof[i]]];
+      d[i] = ed_displacement(a, &a->committed, e->dof[i]);
     ed_kinematics k;
     ed_kinematics_of(e, d, &k);
     if (e->length > 0.0 && e->geometry != ED_COROTATIONAL && fabs(k.drift) / e->length > turned) {

@@ -113,6 +113,7 @@ void ed_run_end(ed_analysis *a)
   if (a->energy)
     ed_close_energy(a);
   free(a->run.ground[0]);
+  ed_free_support_motions(&a->run);
   memset(&a->run, 0, sizeof a->run);
 }
 

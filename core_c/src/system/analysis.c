@@ -107,7 +107,7 @@ void ed_analysis_free(ed_analysis *a)
   ed_devices_free(a);
   for (int m = 0; a->elements && m < a->model->n_members; m++)
     ed_element_clear(&a->elements[m]);
-  void *blocks[] = {a->equation,        a->mass,          a->influence[0],  a->influence[1],    a->rotational,
+  void *blocks[] = {a->equation,        a->support,         a->mass,          a->influence[0],  a->influence[1],    a->rotational,
                     a->name,            a->column_start,  a->row,           a->diagonal,        a->scatter,
                     a->tangent,         a->initial,       a->initial_damping, a->damped,      a->reference,     a->effective,     a->kept.matrix,    a->backed.matrix,     a->elements,        a->trial.block,
                     a->committed.block, a->block_backup,  a->layers,        a->layers_backup,   a->records,       a->displacement,

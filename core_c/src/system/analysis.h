@@ -27,6 +27,8 @@ typedef struct {
   double *u, *v, *a;             /* n */
   double *resisting, *damping;   /* n: at this state */
   double *pace, *pace_before;    /* n: displacement / time of the last two steps */
+  double *support_u, *support_v, *support_a; /* n_supports: where held degrees are, and how they move */
+  double *support_force;         /* n_supports: resisting force of elements and dampers there */
   double *p_delta;               /* per element: force and drift, 2 n_members */
   double *elements;
   double *devices;               /* the blocks of the dampers */
@@ -71,6 +73,14 @@ typedef struct {
   double before_without_mass;    /* what degrees without mass are in balance with when it begins */
 } ed_history_load;
 
+/* A held degree that moves in a history. */
+typedef struct {
+  int support;
+  double origin;                 /* where it was when the history began */
+  double *displacement, *velocity, *acceleration; /* n+1 samples of the history, one block */
+  double *shape;                 /* n: the structure that follows it slowly, by the tangent at the start */
+} ed_support_motion;
+
 typedef struct {
   ed_run_kind kind;
   int steps, done, row, every;
@@ -90,6 +100,8 @@ typedef struct {
   double alpha_m, alpha_f, gamma, beta;
   int n_forces;
   ed_history_load force[ED_HISTORY_FORCES];
+  int n_motions;
+  ed_support_motion *motion;     /* of held degrees */
 } ed_run;
 
 struct ed_analysis {
@@ -99,6 +111,8 @@ struct ed_analysis {
   /* numbering */
   int n;                         /* equations */
   int *equation;                 /* 3 n_nodes */
+  int n_supports;                /* held degrees, tied ones counted once */
+  int *support;                  /* 3 n_nodes: number of a held degree, -1 where free */
   double *mass;                  /* n */
   double *influence[2];          /* n: 1 where the equation moves with the ground along x, y */
   double length;                 /* mean element length: makes moments comparable with forces */
@@ -206,6 +220,13 @@ struct ed_analysis {
   int n_events;
 };
 
+/* Of any degree, held ones too. */
+static inline double ed_displacement(const ed_analysis *a, const ed_state *state, int degree)
+{
+  const int equation = a->equation[degree];
+  return equation >= 0 ? state->u[equation] : state->support_u[a->support[degree]];
+}
+
 /* message for people; returns the status */
 int ed_fail(ed_analysis *a, int status, const char *format, ...);
 
@@ -216,7 +237,6 @@ const char *ed_equation_name(const ed_analysis *a, int equation, char *buffer, i
 /* assembly.c */
 int ed_build_pattern(ed_analysis *a);
 void ed_set_factors(ed_analysis *a);              /* external and element loads from a->factors */
-void ed_spread(const ed_analysis *a, const double *u, double *displacement);
 int ed_update_elements(ed_analysis *a);           /* trial u, v -> states of elements and dampers, resisting forces */
 int ed_update_members(ed_analysis *a);            /* the same, dampers are there already */
 void ed_collect_forces(ed_analysis *a);           /* element states -> resisting forces */
@@ -299,6 +319,12 @@ double ed_iteration_flops(const ed_analysis *a);    /* of an iteration of the fr
 /* Moves the trial state by the solution in `du`, with the dampers in balance and at their new states. first: of the step. */
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first);
 void ed_follow_pace(const ed_analysis *a, double *du); /* from the committed state, on as in the last two steps */
+
+/* support_motion.c: of a history that runs */
+void ed_move_supports(ed_analysis *a, double position);  /* of the trial state, to a position in the whole step */
+void ed_subtract_slow_motion(const ed_analysis *a, const double *of_supports, double *vector); /* what follows supports slowly */
+double ed_support_work(const ed_analysis *a, double *damping); /* over the substep; *damping: what damping forces take of it */
+void ed_free_support_motions(ed_run *run);
 
 /* history_forces.c: of a history that runs, otherwise there are none */
 void ed_move_history_forces(ed_analysis *a, double from, double to);  /* to a substep between two positions in the whole step */

@@ -157,13 +157,6 @@ void ed_set_factors(ed_analysis *a)
       ed_element_finish_loads(&a->elements[m]);
 }
 
-void ed_spread(const ed_analysis *a, const double *u, double *displacement)
-{
-  const int degrees = 3 * a->model->n_nodes;
-  for (int i = 0; i < degrees; i++)
-    displacement[i] = a->equation[i] >= 0 ? u[a->equation[i]] : 0.0;
-}
-
 /* Forces of one element at its present state, added to those at the degrees. */
 static void add_forces(ed_analysis *a, int m, const double *d)
 {
@@ -182,7 +175,8 @@ static void gather(const ed_analysis *a, int member, double *d)
 
 static void clear_forces(ed_analysis *a)
 {
-  ed_spread(a, a->trial.u, a->displacement);
+  for (int i = 0; i < 3 * a->model->n_nodes; i++)
+    a->displacement[i] = ed_displacement(a, &a->trial, i);
   memset(a->resisting, 0, 3 * (size_t)a->model->n_nodes * sizeof *a->resisting);
 }
 
@@ -190,9 +184,9 @@ static void sum_forces(ed_analysis *a)
 {
   ed_add_device_forces(a);
   memset(a->trial.resisting, 0, (size_t)a->n * sizeof *a->trial.resisting);
+  memset(a->trial.support_force, 0, (size_t)a->n_supports * sizeof *a->trial.support_force);
   for (int i = 0; i < 3 * a->model->n_nodes; i++)
-    if (a->equation[i] >= 0)
-      a->trial.resisting[a->equation[i]] += a->resisting[i];
+    *(a->equation[i] >= 0 ? a->trial.resisting + a->equation[i] : a->trial.support_force + a->support[i]) += a->resisting[i];
   a->tangent_stamp++;
 }
 

@@ -125,8 +125,11 @@ static double node_value(const ed_analysis *a, const ed_term *term)
   double ground = 0.0;
   if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
     ground = a->run.ground_now[term->component];
-  if (equation < 0)
-    return ground;
+  if (equation < 0) {
+    const ed_state *s = &a->committed;
+    const double *of = term->kind == ED_DISPLACEMENT ? s->support_u : term->kind == ED_VELOCITY ? s->support_v : s->support_a;
+    return of[a->support[degree]] + ground;
+  }
   switch (term->kind) {
     case ED_DISPLACEMENT:
       return a->committed.u[equation];
@@ -142,7 +145,7 @@ static void face_forces(const ed_analysis *a, const ed_element *e, double *force
 {
   double d[6], arm[2][2], face[6];
   for (int i = 0; i < 6; i++)
-    d[i] = a->equation[e->dof[i]] < 0 ? 0.0 : a->committed.u[a->equation[e->dof[i]]];
+    d[i] = ed_displacement(a, &a->committed, e->dof[i]);
   ed_rigid_faces(e, d, arm, face);
   ed_face_forces(e, face, a->committed.elements + e->state, force);
 }

@@ -77,9 +77,15 @@ static const double *damping_stiffness(ed_analysis *a)
   return ed_damping_tangent(a);
 }
 
+/* Of the trial state. Damping acts on what moves beyond the structure that follows moving supports slowly. */
 void ed_damping_force(ed_analysis *a, const double *v, double *force)
 {
   const int n = a->n;
+  if (a->run.n_motions > 0) {
+    memcpy(a->work2, v, (size_t)n * sizeof *v);
+    ed_subtract_slow_motion(a, a->trial.support_v, a->work2);
+    v = a->work2;
+  }
   if (a->rayleigh_stiffness != 0.0) {
     ed_multiply(a, damping_stiffness(a), v, force);
     for (int i = 0; i < n; i++)

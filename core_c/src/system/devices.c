@@ -93,6 +93,19 @@ double ed_along_device(const ed_analysis *a, int i, const double *vector)
   return sum;
 }
 
+/* The same of a state, with what held degrees have of it. */
+static double along(const ed_analysis *a, int i, const double *vector, const double *of_supports)
+{
+  const ed_device *device = &a->model->devices[i];
+  double sum = ed_along_device(a, i, vector);
+  for (int k = 0; k < device->n_terms; k++) {
+    const int support = a->support[device->degree[k]];
+    if (support >= 0)
+      sum += device->coefficient[k] * of_supports[support];
+  }
+  return sum;
+}
+
 void ed_add_along_device(const ed_analysis *a, int i, double factor, double *vector)
 {
   const ed_device *device = &a->model->devices[i];
@@ -133,9 +146,9 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
     ed_path_hermite(path, a->duration, 0.0, 0.0, 0.0, 0.0);
     return;
   }
-  const double scale = device->deformation_scale, v0 = slow ? 0.0 : ed_along_device(a, i, a->committed.v);
-  now[DEFORMATION] = ed_along_device(a, i, a->trial.u) - now[OFFSET];
-  const double velocity = slow ? 0.0 : ed_along_device(a, i, a->trial.v);
+  const double scale = device->deformation_scale, v0 = slow ? 0.0 : along(a, i, a->committed.v, a->committed.support_v);
+  now[DEFORMATION] = along(a, i, a->trial.u, a->trial.support_u) - now[OFFSET];
+  const double velocity = slow ? 0.0 : along(a, i, a->trial.v, a->trial.support_v);
   a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
   now[VELOCITY] = velocity;
   ed_path_hermite(path, a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
@@ -303,7 +316,7 @@ int ed_install_dampers(ed_analysis *a)
     if (now[INSTALLED] != 0.0)
       continue;
     now[INSTALLED] = 1.0;
-    now[OFFSET] = ed_along_device(a, i, a->committed.u);
+    now[OFFSET] = along(a, i, a->committed.u, a->committed.support_u);
   }
   ed_revert(a);
   return ED_OK;
@@ -332,6 +345,7 @@ int ed_start_devices(ed_analysis *a)
   }
   ed_revert(a);
   memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->n * sizeof(double)); /* of which the first step takes its share */
+  memcpy(a->committed.support_force, a->trial.support_force, (size_t)a->n_supports * sizeof(double));
   return status;
 }
 

@@ -2,7 +2,8 @@
  *
  * Works of forces along a step use the trapezoidal rule, which is exact for inertia under the constant average acceleration
  * method; stored and hysteretic energy come from the fibres. What does not fit is the balance: unfinished iterations and the
- * error of the step. Motion is relative to the ground (Uang & Bertero 1990). */
+ * error of the step. Motion is relative to the ground (Uang & Bertero 1990). What moves supports relative to it is input; damping
+ * is of what moves beyond the structure that follows them slowly. */
 #include "system/analysis.h"
 
 #include <math.h>
@@ -21,9 +22,8 @@ static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_
 {
   double now[6], then[6], arm[2][2], face_now[6], face_then[6], work = 0.0;
   for (int i = 0; i < 6; i++) {
-    const int equation = a->equation[e->dof[i]];
-    now[i] = equation < 0 ? 0.0 : a->trial.u[equation];
-    then[i] = equation < 0 ? 0.0 : a->committed.u[equation];
+    now[i] = ed_displacement(a, &a->trial, e->dof[i]);
+    then[i] = ed_displacement(a, &a->committed, e->dof[i]);
   }
   for (int end = 0; end < 2; end++) {
     const double *d = moved + 3 * end;
@@ -49,10 +49,8 @@ static double load_work(const ed_analysis *a, int member)
   const ed_element *e = &a->elements[member];
   const ed_loads *before = &a->loads_committed[member];
   double moved[6];
-  for (int i = 0; i < 6; i++) {
-    const int equation = a->equation[e->dof[i]];
-    moved[i] = equation < 0 ? 0.0 : a->trial.u[equation] - a->committed.u[equation];
-  }
+  for (int i = 0; i < 6; i++)
+    moved[i] = ed_displacement(a, &a->trial, e->dof[i]) - ed_displacement(a, &a->committed, e->dof[i]);
   double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
   const double local[3] = {e->c * moved[0] + e->s * moved[1], -e->s * moved[0] + e->c * moved[1],
                            -e->s * moved[3] + e->c * moved[4]};
@@ -110,8 +108,9 @@ void ed_count_energy(ed_analysis *a, double dissipated)
       for (int i = 0; ground != 0.0 && i < n; i++)
         input -= a->mass[i] * a->influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
     }
-    input += ed_history_force_work(a);
-    head->energy[ED_DAMPING] += mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
+    double by_supports = 0.0;
+    input += ed_history_force_work(a) + ed_support_work(a, &by_supports);
+    head->energy[ED_DAMPING] += by_supports + mean_work(n, a->committed.damping, a->trial.damping, a->committed.u, a->trial.u);
   }
   head->energy[ED_INPUT] += input;
   head->energy[ED_DAMPERS] += ed_count_device_work(a);
@@ -170,11 +169,9 @@ void ed_close_energy(ed_analysis *a)
     if (e->kind == ED_LINK) {
       double work = 0.0;
       for (int i = 0; i < 6; i++)
-        for (int j = 0; j < 6; j++) {
-          const int p = a->equation[e->dof[i]], q = a->equation[e->dof[j]];
-          if (p >= 0 && q >= 0)
-            work += 0.5 * a->committed.u[p] * e->link[6 * i + j] * a->committed.u[q];
-        }
+        for (int j = 0; j < 6; j++)
+          work += 0.5 * ed_displacement(a, &a->committed, e->dof[i]) * e->link[6 * i + j] *
+                  ed_displacement(a, &a->committed, e->dof[j]);
       stored += work;
     } else
       stored += ed_element_stored(e, a->committed.elements + e->state, a->layers + e->layers);

@@ -31,8 +31,15 @@ int ed_number(ed_analysis *a)
   for (int i = 0; i < degrees; i++)
     if (root(model, i) == i && a->equation[i] == 0)
       a->equation[i] = n++;
+  a->support = malloc(((size_t)degrees + 1) * sizeof *a->support);
+  if (!a->support)
+    return ED_E_MEMORY;
   for (int i = 0; i < degrees; i++)
+    a->support[i] = a->equation[root(model, i)] < 0 && root(model, i) == i ? a->n_supports++ : -1;
+  for (int i = 0; i < degrees; i++) {
     a->equation[i] = a->equation[root(model, i)];
+    a->support[i] = a->support[root(model, i)];
+  }
   a->n = n;
   if (n == 0)
     return ed_fail(a, ED_E_EMPTY, "the structure has no free degree of freedom");

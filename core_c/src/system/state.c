@@ -26,6 +26,11 @@ static void point_into(ed_state *state, double *block, const ed_analysis *a)
     *vectors[i] = next;
     next += a->n;
   }
+  double **of_supports[] = {&state->support_u, &state->support_v, &state->support_a, &state->support_force};
+  for (int i = 0; i < 4; i++) {
+    *of_supports[i] = next;
+    next += a->n_supports;
+  }
   state->p_delta = next;
   state->elements = next + 2 * a->model->n_members;
   state->devices = state->elements + a->element_blocks;
@@ -54,7 +59,7 @@ int ed_state_allocate(ed_analysis *a)
     if (devices > MOST_DOUBLES)
       return ED_E_MEMORY;
   }
-  const long size = head_size() + 7L * a->n + 2L * a->model->n_members + blocks + devices;
+  const long size = head_size() + 7L * a->n + 4L * a->n_supports + 2L * a->model->n_members + blocks + devices;
   if (size + layers + a->model->n_patterns > MOST_DOUBLES)
     return ED_E_MEMORY;
   a->state_size = (int)size;

@@ -8,6 +8,7 @@ from pydantic import Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import Method, Pushover, Steps
+from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio
 from edesign.project.reading.base import Model, by_key
 
@@ -75,7 +76,8 @@ class HistoryAnalysis(_Analysis):
 
     The record is scaled to the peak `pga` (m/s2), or by `scale`; without both it is used as recorded. `vertical` is the
     ground motion upwards beside it. `free_vibration` (s) is added after the end. `level` is a free label of the hazard
-    level. With `collapse_drift` the history ends as collapsed when the drift ratio of a storey passes it.
+    level. With `wave_passage` the motion comes later to some feet. With `collapse_drift` the history ends as collapsed
+    when the drift ratio of a storey passes it.
     """
 
     kind: Literal["history"]
@@ -86,6 +88,7 @@ class HistoryAnalysis(_Analysis):
     level: Label = ""
     collapse_drift: PositiveRatio | None = None
     vertical: VerticalMotion | None = None
+    wave_passage: WavePassage | None = None
 
 
 Analysis = Annotated[

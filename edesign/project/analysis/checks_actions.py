@@ -7,6 +7,7 @@ from edesign.project.actions.checks_vertical import check_horizontal, check_vert
 from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, PushoverAnalysis
 from edesign.project.analysis.checks_damping import check_damping
 from edesign.project.analysis.checks_pushover import check_pushover
+from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -92,6 +93,7 @@ def _analyses(project: Project, problems: Problems) -> None:
             check_horizontal(project, problems, (*keys, "record"), (analysis.record,))
             levels = (analysis.level,) if analysis.level else ()
             check_vertical(project, problems, (*keys, "vertical"), analysis.vertical, (analysis.record,), levels)
+            check_wave_passage(project.frame, problems, (*keys, "wave_passage"), analysis.wave_passage)
         if isinstance(analysis, PushoverAnalysis):
             check_drift(project, problems, (*keys, "roof_drift"), analysis.roof_drift)
             check_pushover(project, problems, keys, analysis)

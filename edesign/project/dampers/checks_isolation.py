@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from edesign.project.analysis.analyses import PushoverAnalysis
+from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
 from edesign.project.dampers.isolation import BaseDevice, Isolation, Isolator
 from edesign.project.frame.checks_frame import Selections
-from edesign.project.frame.supports import springs_of, support_name
+from edesign.project.frame.foundations import FootingSupport
+from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of, support_name
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -45,8 +46,13 @@ def check_isolation(project: Project, problems: Problems) -> None:
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, PushoverAnalysis) and analysis.dampers:
             problems.at_key(("analyses", i, "kind"), NO_PUSHOVER)
+        if isinstance(analysis, HistoryAnalysis) and analysis.dampers and analysis.wave_passage is not None:
+            problems.at_key(("analyses", i, "wave_passage"), NO_WAVE_PASSAGE)
 
 
+NO_WAVE_PASSAGE = (
+    "the ground under isolators moves as one; feet that it reaches one after the other need fixed supports"
+)
 NO_PUSHOVER = (
     "a pushover of an isolated building is not offered: its roof moves with its base, which the targets do not know; "
     "with `dampers: false` the frame is pushed on the supports that it has without isolators"
@@ -96,7 +102,7 @@ def _other_feet(project: Project, problems: Problems, isolation: Isolation, take
     """Feet without an isolator do not hold the base; isolators stand under feet that exist."""
     frame = project.frame
     feet = [line for line in frame.lines if names.node_name(line, 0) in frame.nodes]
-    held = [line for line in feet if line not in taken and springs_of(frame.support(line)).horizontal != "free"]
+    held = [line for line in feet if line not in taken and _holds(frame.support(line))]
     if held:
         one = len(held) == 1
         kinds = ", ".join(f"{line} {support_name(frame.support(line))}" for line in held)
@@ -107,6 +113,11 @@ def _other_feet(project: Project, problems: Problems, isolation: Isolation, take
         if bare and not isolator.lines.is_all:
             message = f"no column stands on line {listed(bare)}; `all` takes the lines that have one"
             problems.at_value((*_AT, "isolators", i, "lines"), message)
+
+
+def _holds(support: SupportKind | SupportSprings | FootingSupport) -> bool:
+    """Whether a support holds its foot horizontally."""
+    return isinstance(support, FootingSupport) or springs_of(support).horizontal != "free"
 
 
 def _base(project: Project, problems: Problems, isolation: Isolation) -> None:

@@ -11,6 +11,7 @@ from typing import Annotated
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
+from edesign.project.frame.foundations import Footing, FootingSupport
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun, Missing, Release
 from edesign.project.frame.supports import Support, SupportKind, SupportSprings
@@ -130,11 +131,17 @@ class Frame(Model):
         """The lines left and right of a bay (bays count from 1)."""
         return self.lines[bay - 1], self.lines[bay]
 
-    def support(self, line: str) -> SupportKind | SupportSprings:
+    def support(self, line: str) -> SupportKind | SupportSprings | FootingSupport:
         """Support at the base of a line; lines that a mapping does not name take its `default`, else fixed."""
         if isinstance(self.supports, dict):
             return self.supports.get(line, self.supports.get("default", "fixed"))
         return self.supports
+
+    @property
+    def footings(self) -> dict[str, Footing]:
+        """The footings by the lines of columns that stand on them."""
+        supports = {line: self.support(line) for line in self.lines if (line, 1) in self.column_at}
+        return {line: on.footing for line, on in supports.items() if isinstance(on, FootingSupport)}
 
     @cached_property
     def diaphragm_floors(self) -> tuple[int, ...]:

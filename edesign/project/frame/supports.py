@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Tag
 
+from edesign.project.frame.foundations import FootingSupport
 from edesign.project.notation.units import (
     ROTATIONAL_STIFFNESS,
     STIFFNESS,
@@ -16,7 +17,7 @@ from edesign.project.notation.units import (
     PositiveStiffness,
     held,
 )
-from edesign.project.reading.base import Model, by_shape
+from edesign.project.reading.base import Model, by_shape, keys_in
 
 SupportKind = Literal["fixed", "pinned", "roller"]
 
@@ -69,13 +70,22 @@ class SupportSprings(Model):
     rotation: Turning = "fixed"
 
 
+def _support_shape(value: Any) -> str:
+    return "?footing" if by_shape(value) == "?mapping" and "footing" in keys_in(value) else by_shape(value)
+
+
 Support = Annotated[
-    Annotated[SupportKind, Tag("?plain")] | Annotated[SupportSprings, Tag("?mapping")], Discriminator(by_shape)
+    Annotated[SupportKind, Tag("?plain")]
+    | Annotated[SupportSprings, Tag("?mapping")]
+    | Annotated[FootingSupport, Tag("?footing")],
+    Discriminator(_support_shape),
 ]
 
 
-def support_name(support: SupportKind | SupportSprings) -> str:
-    """Return `fixed`, `pinned`, `roller`, or `springs`."""
+def support_name(support: SupportKind | SupportSprings | FootingSupport) -> str:
+    """Return `fixed`, `pinned`, `roller`, `springs`, or `footing`."""
+    if isinstance(support, FootingSupport):
+        return "footing"
     return "springs" if isinstance(support, SupportSprings) else support
 
 

@@ -273,6 +273,7 @@ def _ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool
 
 Length = Annotated[float, _of(LENGTH)]
 PositiveLength = Annotated[float, _of(LENGTH, "positive")]
+NotNegativeLength = Annotated[float, _of(LENGTH, "not negative")]
 PositiveArea = Annotated[float, _of(AREA, "positive")]
 PositiveInertia = Annotated[float, _of(INERTIA, "positive")]
 Force = Annotated[float, _of(FORCE)]
@@ -307,6 +308,8 @@ Hardening = Annotated[float, _ratio(0.0, 1.0, high_allowed=False)]
 """At least 0, less than 1."""
 UnitRatio = Annotated[float, _ratio(0.0, 1.0)]
 """At least 0, at most 1."""
+PoissonRatio = Annotated[float, _ratio(0.0, 0.5)]
+"""At least 0, at most 0.5, that of saturated clay which keeps its volume."""
 PositiveFactor = Annotated[float, _ratio(0.0, math.inf, low_allowed=False)]
 """Greater than 0."""
 Factor = Annotated[float, _ratio(0.0, math.inf)]

@@ -8,6 +8,7 @@ from edesign.project.actions.checks_vertical import check_horizontal
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.analysis.checks_actions import check_drift
+from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.project import Project
 from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, unknown_name
@@ -48,6 +49,7 @@ def check_incremental(
                 )
                 problems.at_item((*keys, "records"), i, message)
     check_drift(base, problems, (*keys, "collapse_drift"), incremental.collapse_drift)
+    check_wave_passage(base.frame, problems, (*keys, "wave_passage"), incremental.wave_passage)
     values = incremental.intensities
     if any(later <= earlier for earlier, later in zip(values, values[1:], strict=False)):
         problems.at_value((*keys, "levels"), "intensities must ascend: each greater than the one before it")

@@ -6,11 +6,12 @@ from edesign.project.actions.checks_vertical import check_horizontal, check_vert
 from edesign.project.analysis.checks_actions import check_drift
 from edesign.project.analysis.checks_outputs import check_member
 from edesign.project.analysis.checks_pushover import check_pushover
+from edesign.project.analysis.checks_wave_passage import check_wave_passage
 from edesign.project.analysis.pushover import Pushovers
 from edesign.project.criteria.checks_criteria import check_criteria
 from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
 from edesign.project.dampers.checks_designs import check_design
-from edesign.project.dampers.checks_isolation import NO_PUSHOVER
+from edesign.project.dampers.checks_isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
 from edesign.project.dampers.designs import AnyVerify
 from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
@@ -94,6 +95,10 @@ def _histories(study: Study, problems: Problems, keys: Keys, histories: Historie
     check_horizontal(base, problems, (*keys, "records"), histories.records)
     levels = histories.levels or ()
     check_vertical(base, problems, (*keys, "vertical"), histories.vertical, histories.records, levels)
+    check_wave_passage(base.frame, problems, (*keys, "wave_passage"), histories.wave_passage)
+    isolated = [name for name in study.variants_of(histories) if study.variants[name].dampers == "project"]
+    if histories.wave_passage is not None and base.isolation is not None and isolated:
+        problems.at_key((*keys, "wave_passage"), f"{listed(isolated)}: {NO_WAVE_PASSAGE}")
     fitted = []
     for name in dict.fromkeys(map(record_of, histories.records)):
         if name not in base.records:

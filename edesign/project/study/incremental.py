@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.actions.hazard_base import LevelName
+from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
 from edesign.project.notation.several import Names, ShortName
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
@@ -88,6 +89,7 @@ class _Incremental(Model):
     collapse_drift: PositiveRatio = 0.10
     limits: dict[ShortName, Annotated[Limit, BeforeValidator(_limit)]] = {}
     free_vibration: Duration = 0.0
+    wave_passage: WavePassage | None = None
     life_cycle: LifeCycle | None = None
 
     @property

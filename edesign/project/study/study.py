@@ -13,6 +13,7 @@ from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.analysis.pushover import Pushovers
+from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.criteria.criteria import Criteria, Objectives
 from edesign.project.dampers.designs import Bounds, Design
 from edesign.project.notation.several import Names, ShortName, several
@@ -67,6 +68,7 @@ class Histories(Model):
     records: Names
     temperatures: Temperatures | None = None
     free_vibration: Duration = 0.0
+    wave_passage: WavePassage | None = None
     collapse_drift: PositiveRatio | None = None
     vertical: VerticalMotion | None = None
 

@@ -99,6 +99,8 @@ def test_every_key_is_documented() -> None:
         "record_choice",
         "hinges_and_springs",
         "isolation",
+        "foundations",
+        "wave_passage",
         "study_file",
         "damper_design",
         "viscous_design",

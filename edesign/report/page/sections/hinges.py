@@ -1,16 +1,17 @@
-"""Plastic hinges in the frame, and axial forces of its columns."""
+"""Plastic hinges in the frame, axial forces of its columns, and footings under them."""
 
 from __future__ import annotations
 
 from edesign.report.axial_figures import axial_figures
 from edesign.report.frame_figures import frame_figures
+from edesign.report.ground_tables import ground_tables
 from edesign.report.hinge_tables import hinge_tables
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source, headed
 
 
 def hinges(source: Source) -> Section:
-    """Where members yield, at each hazard level, what hinges and joints did, and what the columns carry."""
+    """Where members yield, at each hazard level, what hinges and joints did, what the columns carry, and stand on."""
     pictures = source.pictures(frame_figures, axial_figures)
-    tables = hinge_tables(source.groups)
+    tables = (*hinge_tables(source.groups), *ground_tables(source.groups))
     return Section("hinges", "Plastic hinges and columns", (), (*tables, *headed(pictures, source.levels)))

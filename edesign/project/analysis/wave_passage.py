@@ -1,0 +1,30 @@
+"""A wave that passes under a frame: when the ground motion reaches the lines of columns."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Annotated, Literal
+
+from pydantic import Field
+
+from edesign.project.notation.units import Duration, PositiveVelocity
+from edesign.project.reading.base import Model
+
+
+class WavePassage(Model):
+    """The ground motion reaches the lines of columns one after the other.
+
+    A wave of the apparent `velocity` (m/s) runs to the right or to the left, or `delays` (s) by line are given.
+    """
+
+    velocity: PositiveVelocity | None = None
+    direction: Literal["right", "left"] | None = None
+    delays: Annotated[dict[str, Duration], Field(min_length=1)] | None = None
+
+    def delays_of(self, lines: Mapping[str, float]) -> dict[str, float]:
+        """Return the delay of each line, s, by the places of lines, m; the wave reaches the first at once."""
+        if self.velocity is None:
+            given = self.delays or {}
+            return {line: given.get(line, 0.0) for line in lines}
+        first = min(lines.values()) if self.direction != "left" else max(lines.values())
+        return {line: abs(x - first) / self.velocity for line, x in lines.items()}

@@ -1,0 +1,109 @@
+"""Soils, and footings on them under the columns."""
+
+from __future__ import annotations
+
+from typing import Annotated, Literal
+
+from pydantic import Discriminator, Tag
+
+from edesign.project.notation.units import (
+    NotNegativeLength,
+    PoissonRatio,
+    PositiveAcceleration,
+    PositiveDensity,
+    PositiveLength,
+    PositiveRatio,
+    PositiveStress,
+    PositiveTime,
+    PositiveVelocity,
+    UnitRatio,
+)
+from edesign.project.reading.base import Model, by_key
+
+Formula = Literal["pais_kausel", "gazetas"]
+
+
+class Eurocode8Strain(Model):
+    """Moduli and damping of EN 1998-5:2004, Table 4.1, at `acceleration` = alpha S g on the surface."""
+
+    code: Literal["en1998_5"]
+    acceleration: PositiveAcceleration
+
+
+class Asce7Strain(Model):
+    """Moduli and damping of ASCE/SEI 7-16, Tables 19.3-2 and 19.3-3, at `acceleration` = S_DS g / 2.5."""
+
+    code: Literal["asce7"]
+    site_class: Literal["A", "B", "C", "D", "E"]
+    acceleration: PositiveAcceleration
+
+
+class GivenStrain(Model):
+    """Shear modulus under the earthquake over that at small strains."""
+
+    code: Literal["given"]
+    modulus_ratio: PositiveRatio
+
+
+Strain = Annotated[
+    Annotated[Eurocode8Strain, Tag("?code=en1998_5")]
+    | Annotated[Asce7Strain, Tag("?code=asce7")]
+    | Annotated[GivenStrain, Tag("?code=given")],
+    Discriminator(by_key("code")),
+]
+
+
+class Soil(Model):
+    """A soil as a half-space: at small strains, and what the strains of the earthquake leave of it.
+
+    One of `shear_wave_velocity` and `shear_modulus` is given. `damping` is the hysteretic one, of critical; None: that
+    of the code of `strain`.
+    """
+
+    density: PositiveDensity
+    shear_wave_velocity: PositiveVelocity | None = None
+    shear_modulus: PositiveStress | None = None
+    poisson: PoissonRatio
+    strain: Strain | None = None
+    damping: UnitRatio | None = None
+
+
+class Footing(Model):
+    """A rigid rectangular footing.
+
+    Attributes:
+        soil: name of the soil that it stands on.
+        length, width: along the frame and across it.
+        embedment: depth of its underside.
+        wall_contact: height of its walls that the soil touches; None: all of the embedment.
+        formula: of the static stiffness.
+        radiation: whether waves that it sends into the ground damp it.
+        period: at which stiffness and damping are taken; None: the first of the frame on its footings.
+        thickness, density: of the block, for its mass and weight; no thickness: it has none.
+        uplift: whether it lifts off.
+        bearing_resistance: pressure at which the soil gives way; only with uplift.
+    """
+
+    soil: str
+    length: PositiveLength
+    width: PositiveLength
+    embedment: NotNegativeLength = 0.0
+    wall_contact: NotNegativeLength | None = None
+    formula: Formula = "pais_kausel"
+    radiation: bool = True
+    period: PositiveTime | None = None
+    thickness: PositiveLength | None = None
+    density: PositiveDensity = 2500.0
+    uplift: bool = False
+    bearing_resistance: PositiveStress | None = None
+
+    @property
+    def contact(self) -> float:
+        """Height of the walls that the soil touches, m."""
+        return self.embedment if self.wall_contact is None else self.wall_contact
+
+
+class FootingSupport(Model):
+    """A support that is a footing on soil."""
+
+    footing: Footing

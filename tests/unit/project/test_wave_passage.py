@@ -1,0 +1,68 @@
+"""Keys of waves that pass: what is wrong is told at its place; delays follow from velocity and direction."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from edesign.errors import InputError
+from edesign.ground_motion.record import Record
+from edesign.project import Problem, parse_project
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.wave_passage import WavePassage
+from edesign.study.history import check_motion
+
+Broken = Callable[..., list[Problem]]
+
+SHAKE = "record: el_centro, pga: 0.2 g"
+WRONG = {
+    "neither": ("«wave_passage: {}", "wave_passage", "give either `velocity` or `delays`"),
+    "both": ("«wave_passage: {velocity: 300 m/s, delays: {A: 1 s}}", "wave_passage", "one of them"),
+    "no such line": ("wave_passage: {delays: {«K: 0.1 s}}", "wave_passage.delays.K", "there is no line `K`"),
+    "nobody is late": ("«wave_passage: {delays: {A: 0 s}}", "wave_passage", "no line is reached later"),
+    "direction of delays": (
+        "wave_passage: {delays: {B: 0.1 s}, «direction: left}",
+        "wave_passage.direction",
+        "leave this key out",
+    ),  # fmt: skip # noqa: E501
+    "velocity of a length": ("wave_passage: {velocity: «300 m}", "wave_passage.velocity", "is a length"),
+    "early": ("wave_passage: {delays: {B: «-0.1 s}}", "wave_passage.delays.B", "must not be negative"),
+    "unknown direction": ("wave_passage: {velocity: 300 m/s, direction: «up}", "wave_passage.direction", "`right`"),
+    "empty": ("wave_passage: {delays: «{}}", "wave_passage.delays", "the mapping is empty"),
+}
+
+
+@pytest.mark.parametrize(("entry", "key", "said"), WRONG.values(), ids=WRONG.keys())
+def test_a_wrong_wave(broken: Broken, entry: str, key: str, said: str) -> None:
+    problems = broken((SHAKE, f"{SHAKE}, {entry}"))
+    assert len(problems) == 1
+    assert f"analyses[1].{key}" in str(problems[0]) and said in str(problems[0])
+
+
+def test_a_leaning_column_has_no_place(broken: Broken) -> None:
+    problems = broken(
+        ("  missing:", "  leaning_column: {G: 100 kN}\n  missing:"),
+        (SHAKE, f"{SHAKE}, «wave_passage: {{velocity: 300 m/s}}"),
+    )
+    assert "where the leaning column stands is not known" in str(problems[0])
+
+
+def test_delays_of_lines(small: str) -> None:
+    project = parse_project(small.replace(SHAKE, f"{SHAKE}, wave_passage: {{velocity: 300 m/s}}"))
+    shake = project.analyses[1]
+    assert isinstance(shake, HistoryAnalysis) and shake.wave_passage is not None
+    lines = {"A": 0.0, "B": 6.0, "C": 13.5}
+    assert shake.wave_passage.delays_of(lines) == pytest.approx({"A": 0.0, "B": 0.02, "C": 0.045})
+    left = WavePassage(velocity="300 m/s", direction="left")  # type: ignore[arg-type]
+    assert left.delays_of(lines) == pytest.approx({"A": 0.045, "B": 0.025, "C": 0.0})
+
+
+def test_a_wave_that_comes_after_the_end_is_refused(small: str) -> None:
+    project = parse_project(small.replace(SHAKE, f"{SHAKE}, wave_passage: {{velocity: 1 m/s}}"))
+    shake = project.analyses[1]
+    assert isinstance(shake, HistoryAnalysis)
+    record = Record("made", np.array([0.0, 1.0, 0.0]), 4.0, "made here")
+    with pytest.raises(InputError, match="ends after 8 s, and the wave reaches line C after 13.5 s"):
+        check_motion(project, shake, record)
