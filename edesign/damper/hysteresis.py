@@ -96,7 +96,7 @@ class RambergOsgood:
     hardening: float = np.nan
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N: Newton's method from above, which is convex."""
+        """Force at the largest deformation (...) m of a steady cycle, N: Newton's method from above falls to it."""
         elastic = self.stiffness * np.asarray(amplitude) / self.yield_force
         f = np.minimum(elastic, (elastic / self.a) ** (1.0 / self.n))
         for _ in range(_MOST_STEPS):
@@ -123,7 +123,7 @@ class RambergOsgood:
 
 
 class BoucWen:
-    """Bouc-Wen: the symmetric cycle, whose z goes from -z_m to z_m with A + (gamma - beta)|z|^n, then A - (gamma + beta) z^n.
+    """Bouc-Wen: z goes from -z_m to 0 with A + (gamma - beta) |z|^n, and on to z_m with A - (gamma + beta) z^n.
 
     The integrals over z are cubic Hermite splines between points that Gauss's rule finds to rounding.
 

@@ -117,9 +117,9 @@ def _unreachable(frame: HystereticFrame, target: float, share: float, found: flo
     )
 
 
-def damping_curve(frame: HystereticFrame, shares: np.ndarray) -> tuple[SecantVibration | None, ...]:
-    """The first mode with forces of several shares (n,) of the storey shears; None where nothing is in agreement."""
-    unit, found = unit_forces(frame), []
+def damping_curve(frame: HystereticFrame, unit: np.ndarray, shares: np.ndarray) -> tuple[SecantVibration | None, ...]:
+    """The first mode with multiples (n,) of yield forces (s,) N; None where nothing is in agreement."""
+    found: list[SecantVibration | None] = []
     for share in shares.tolist():
         try:
             found.append(frame.vibration(share * unit))
