@@ -249,7 +249,7 @@ def test_target_by_the_whole_frame_and_cycles_of_the_core(name: str, law: str, b
 
 
 def explicit(project: Project, made: HystereticDesigner, sizing: HystereticSizing) -> tuple[float, float]:
-    """Damping ratio and period (s) of the first mode at the design's amplitude, with the secants of the core's cycles."""
+    """Damping ratio and period (s) of the first mode at the amplitude of the design, by cycles of the core."""
     structure = make_structure(project.model_copy(update={"dampers": made.dampers(sizing)}), dampers=True)
     structure.apply_gravity()
     stiffness, mass = structure.analysis.stiffness().toarray(), structure.analysis.masses()
@@ -333,4 +333,4 @@ def test_curve_goes_through_the_design() -> None:
     np.testing.assert_allclose(sizing.yield_force, 0.25 * unit_forces(made.frame))
     group = run("law: pad, shear_share: 25 %, level: DBE, brace: {ratio: 3}", shear(3)).group
     curve = np.interp(0.25, group.coords["curve_share"].values, group.variables["curve_damping"].values)
-    assert curve == pytest.approx(float(str(group.attributes["damping"])), rel=5e-3)  # chords of 41 points
+    assert curve == pytest.approx(float(str(group.attributes["damping"])), rel=1e-2)  # chords between 25 points

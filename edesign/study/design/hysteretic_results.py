@@ -29,7 +29,7 @@ from edesign.study.design.results import (
 from edesign.study.recording import coordinate
 
 _DAMPING = "added equivalent damping ratio of the first mode, secant stiffness and loops with braces"
-_CURVE_POINTS, _CURVE_START = 41, 0.01  # shares of the storey shears, in geometric steps up to the largest
+_CURVE_POINTS, _CURVE_START = 25, 0.01  # shares of the storey shears, in geometric steps up to the largest
 
 
 def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: HystereticSizing, device: np.ndarray) -> None:
