@@ -79,7 +79,6 @@ def steady(law: LawValues, amplitude: float, brace: float = 0.0, points: int = 4
     quarter = np.linspace(0.0, 1.0, points // 4, endpoint=False)
     cycle = np.concatenate((quarter, 1.0 - quarter, -quarter, quarter - 1.0))
     u = amplitude * np.append(np.tile(cycle, 30), 0.0)
-    u = np.where(u == 0.0, 1e-9 * amplitude, u)  # the core's braces meet no tolerance where all forces are zero
     time = np.arange(u.size) / points
     force = CoreDamper(law.law, law.values, brace).force(time, u, np.gradient(u, time))
     last = slice(-points - 1, None)
