@@ -27,6 +27,9 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         problems.under(keys, "shear_share", f"this key is missing; one target of {listed(TARGETS)} is needed")
     for key in given[1:]:
         problems.at_key((*keys, key), f"`{given[0]}` is given; a design has one target of {listed(TARGETS)}")
+    if spec.drift is not None:
+        message = "a drift has no part in the sizing of hysteretic dampers; meet one by `verify` and its criteria"
+        problems.at_key((*keys, "drift"), message)
     if spec.level is None:
         _level(keys, spec, problems)
     if spec.bounds is not None and spec.bounds.temperatures is not None:

@@ -61,6 +61,7 @@ def test_design_in_si() -> None:
         ),
         (DAMPING.replace(", level: DBE", ""), "level: this key is missing; `amplitude: spectrum` needs the spectrum"),
         (GOOD + ", amplitude: {drift: 10 mm}", "designs.tried.amplitude.drift: `10 mm` has the unit `mm`, but a ratio"),
+        (GOOD + ", drift: 1 %", "designs.tried.drift: a drift has no part in the sizing of hysteretic dampers"),
         (GOOD + ", shear: base", "designs.tried.shear: `base` is unknown"),
         (GOOD + ", equivalent_damping: avarage", "did you mean `average`?"),
         (GOOD + ", distribution: storey_shears", "did you mean `storey_shear`?"),
