@@ -52,10 +52,10 @@ def hysteretic_damping_table(group: Group) -> Table:
     about = group.attributes
     table.notes.append(
         f"added equivalent damping of the first mode: {_percent(about['damping_at_amplitude'])} at the amplitude, "
-        f"{_percent(about['damping_average'])} on average up to it; the first counts"
+        f"{_percent(about['damping_average'])} on average up to it; the former counts"
         if about["equivalent_damping"] == "amplitude"
         else f"added equivalent damping of the first mode: {_percent(about['damping_average'])} on average up to the "
-        f"amplitude, {_percent(about['damping_at_amplitude'])} at it; the first counts"
+        f"amplitude, {_percent(about['damping_at_amplitude'])} at it; the former counts"
     )
     return table
 

@@ -37,6 +37,7 @@ dampers:
     plastic: {type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0}}
     steel: {type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0.03}}
     smooth: {type: bouc_wen, parameters: {Fy: 50 kN, Y: 2 mm, alpha: 0.03, n: 2}}
+    elastic: {type: self_centring, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0.03, beta: 0}}
     flag: {type: self_centring, parameters: {k: 20 kN/mm, Fy: 50 kN, b: 0.03, beta: 0.8}}
 """
 
@@ -176,6 +177,8 @@ def test_least_force_of_two() -> None:
 def test_dampers_that_do_not_yield() -> None:
     with pytest.raises(InputError, match="they yield at 2.5 mm, more than they deform at the amplitude of the design"):
         run("law: steel, damping: 5 %, amplitude: {roof_displacement: 2 mm}", shear(1))
+    with pytest.raises(InputError, match="their law `elastic` dissipates nothing"):
+        run("law: elastic, damping: 5 %, level: DBE", shear(1))
 
 
 # --- shape, period and amplitude of frames

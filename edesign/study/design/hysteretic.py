@@ -104,10 +104,12 @@ def _reach(frame: HystereticFrame, target: float, least: float) -> tuple[float, 
 def _unreachable(frame: HystereticFrame, target: float, share: float, found: float) -> str:
     spec, loop = frame.spec, frame.loop
     wanted = f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach"
+    yielding = loop.yield_force / loop.stiffness
+    if float(loop.energy(np.array(2.0 * yielding))) <= 0.0:
+        return f"{wanted}: their law `{spec.law}` dissipates nothing"
     if found <= 0.0:
-        stroke = 1e3 * loop.yield_force / loop.stiffness
-        return f"{wanted}: they yield at {stroke:.4g} mm, more than they deform at the amplitude of the design"
-    cause = "their own stiffness, which grows with their force, takes the amplitude away"
+        return f"{wanted}: they yield at {1e3 * yielding:.4g} mm, more than they deform at the amplitude of the design"
+    cause = "they stiffen the frame more and more"
     if isinstance(spec.brace, BraceRatio):
         cause = f"their braces are {spec.brace.ratio:g} times as stiff as the storeys"
     where = "" if share >= LARGEST_SHARE else f", with {100.0 * share:.4g} % of the storey shears"

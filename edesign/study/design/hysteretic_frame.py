@@ -189,11 +189,12 @@ class HystereticFrame:
         shape, relax = modes.masses[0] / modes.floors[0, -1], Relaxation()
         for _ in range(_MOST_ITERATIONS):
             u = self._static(scale, roof, self.building.frame.mass * shape, u)
-            found = self._with(scale, roof, np.maximum(np.abs(u), _LEAST * np.abs(u).max()))
-            modes = found.modes
+            deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
+            secants = self.secants(scale, deformation)
+            modes = self.building.frame.modes(secants.force / deformation)
             following = roof / float(modes.floors[0, -1]) * modes.dampers[0]
             if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
-                return found
+                return self._vibration(scale, roof, deformation, secants, modes)
             shape = relax(shape, modes.masses[0] / modes.floors[0, -1])
         raise AnalysisError(f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}")
 
@@ -231,10 +232,9 @@ class HystereticFrame:
             u = tried
         raise AnalysisError("the frame with its dampers under the inertia forces of its first mode did not converge")
 
-    def _with(self, scale: np.ndarray, roof: float, deformation: np.ndarray) -> SecantVibration:
-        """The modes with the secants of deformations (d,) m, not yet in agreement with them."""
-        secants = self.secants(scale, deformation)
-        modes = self.building.frame.modes(secants.force / deformation)
+    def _vibration(
+        self, scale: np.ndarray, roof: float, deformation: np.ndarray, secants: Secants, modes: LinearModes
+    ) -> SecantVibration:
         energy = float(secants.energy @ (modes.dampers[0] / deformation) ** 2)  # of generalised displacement 1
         at_amplitude = energy / (2.0 * math.pi * float(modes.omega[0]) ** 2)
         average = self.spec.equivalent_damping == "average"
