@@ -1,8 +1,8 @@
-"""What histories ask of the viscous dampers of a design: force, stroke and velocity of one damper in each storey."""
+"""What histories ask of the viscous or hysteretic dampers of a design, of one damper in each storey."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,44 +19,59 @@ class DeviceDemand:
         variant, level: of the histories.
         histories: completed ones.
         planned: all of them.
-        force, stroke, velocity: (2, s) N, m and m/s: the mean, then the largest.
+        values: (2, s) each, the mean, then the largest: force (N) and stroke (m); of viscous dampers velocity (m/s), of
+            hysteretic ones cumulated_plastic (m).
     """
 
     variant: str
     level: str
     histories: int
     planned: int
-    force: np.ndarray
-    stroke: np.ndarray
-    velocity: np.ndarray
+    values: Mapping[str, np.ndarray]
 
 
 def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0) -> DeviceDemand | None:
     """The demand of histories of one variant at one level; None: none was completed.
 
     Of each history the damper of the storey that has most counts. The stroke is without the brace; the velocity is
-    that of the dashpot at its largest force, (F / c)^(1 / alpha).
+    that of the dashpot at its largest force, (F / c)^(1 / alpha). The cumulated plastic deformation is the work of the
+    damper at the end over its yield force.
 
     Args:
-        design: designs/NAME of an archive, of viscous dampers.
+        design: designs/NAME of an archive, of viscous or hysteretic dampers.
         found: the histories.
         property_factor: of the variant, on all forces.
+
+    Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings.
     """
     completed = list(found.completed.values())
     if not completed:
         return None
     storeys = np.asarray(design.coords["storey"].values)
-    force = np.array([_largest(group, "damper_force", storeys) for group in completed])
-    force /= float(str(design.attributes["number"]))
-    stroke = np.array([_largest(group, "damper_deformation", storeys) for group in completed])
-    coefficient = property_factor * np.asarray(design.variables["device_coefficient"].values)
-    velocity = (force / coefficient) ** (1.0 / float(str(design.attributes["alpha"])))
-    both = [np.array([values.mean(axis=0), values.max(axis=0)]) for values in (force, stroke, velocity)]
-    return DeviceDemand(found.variant, found.level, len(completed), len(found.histories), *both)
+    number = float(str(design.attributes["number"]))
+    force = np.array([_largest(group, "damper_force", storeys) for group in completed]) / number
+    values = {"force": force}
+    values["stroke"] = np.array([_largest(group, "damper_deformation", storeys) for group in completed])
+    if design.attributes["method"] == "hysteretic":
+        yield_force = number * property_factor * np.asarray(design.variables["device_yield_force"].values)
+        work = np.array(
+            [_of_storeys(group, group.variables["damper_work_final"].values, storeys) for group in completed]
+        )
+        values["cumulated_plastic"] = work / yield_force
+    else:
+        coefficient = property_factor * np.asarray(design.variables["device_coefficient"].values)
+        values["velocity"] = (force / coefficient) ** (1.0 / float(str(design.attributes["alpha"])))
+    both = {name: np.array([of.mean(axis=0), of.max(axis=0)]) for name, of in values.items()}
+    return DeviceDemand(found.variant, found.level, len(completed), len(found.histories), both)
 
 
 def _largest(group: Group, name: str, storeys: Sequence[int] | np.ndarray) -> np.ndarray:
     """Largest size of a quantity of the dampers of each storey, (s,)."""
     size = np.maximum(np.abs(group.variables[f"{name}_max"].values), np.abs(group.variables[f"{name}_min"].values))
+    return _of_storeys(group, size, storeys)
+
+
+def _of_storeys(group: Group, values: np.ndarray, storeys: Sequence[int] | np.ndarray) -> np.ndarray:
+    """Largest of values of the dampers (d,) in each storey, (s,)."""
     of = np.asarray(group.variables["damper_storey"].values)
-    return np.array([size[of == storey].max() for storey in storeys])
+    return np.array([values[of == storey].max() for storey in storeys])

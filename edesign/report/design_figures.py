@@ -10,10 +10,11 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.captions import file_name, plain
+from edesign.report.design_tables import ROUND_SIZES, round_damping
 from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
+from edesign.report.hysteretic_figures import hysteretic_figures
 from edesign.report.viscous_figures import viscous_figures
-from edesign.report.viscous_tables import viscous_round_sizes
 from edesign.study.kinds import DESIGNS
 
 if TYPE_CHECKING:
@@ -32,6 +33,8 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         group = archive.group(f"{DESIGNS}/{name}")
         if group.attributes.get("method") == "viscous":
             yield from viscous_figures(name, group)
+        if group.attributes.get("method") == "hysteretic":
+            yield from hysteretic_figures(name, group)
         about = f"Design {name}"
         if "layer_area" in group.variables and "damper_stiffness" in group.variables:
             total = float(np.sum(_along(group, "damper_stiffness")) / np.sum(_along(group, "storey_stiffness")))
@@ -133,17 +136,17 @@ def iterations_figure(group: Group) -> Figure:
 
 def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     target = _along(group, "round_target")
-    if group.attributes.get("method") != "simplified" and np.all(np.isfinite(target)):
+    of_damping = group.attributes.get("target", "damping") == "damping"  # others are shares of shears
+    if group.attributes.get("method") != "simplified" and of_damping and np.all(np.isfinite(target)):
         axis.plot(rounds, 100.0 * target, color=TARGET, ls="--", lw=1.0, label="target")
-    key = "round_damping_complex" if group.attributes.get("method") == "viscous" else "round_damping_strain_energy"
-    axis.plot(rounds, 100.0 * _along(group, key), **_LINE, label="with braces")
+    axis.plot(rounds, 100.0 * round_damping(group), **_LINE, label="with braces")
     axis.set_ylabel("added damping (%)")
     axis.set_ylim(bottom=0.0)
 
 
 def _size(axis: Axes, group: Group, rounds: np.ndarray) -> None:
-    if group.attributes.get("method") == "viscous":
-        total, label, _ = viscous_round_sizes(group)
+    if group.attributes.get("method") in ROUND_SIZES:
+        total, label, _ = ROUND_SIZES[str(group.attributes["method"])](group)
         axis.plot(rounds, total, **_LINE)
         axis.set_ylabel(label.replace("[", "(").replace("]", ")"))
         axis.set_ylim(bottom=0.0)

@@ -9,13 +9,14 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
-from edesign.report.table import Table, number
-from edesign.report.viscous_tables import (
-    devices_table,
-    viscous_damping_table,
-    viscous_round_sizes,
-    viscous_storeys_table,
+from edesign.report.device_order import devices_table
+from edesign.report.hysteretic_tables import (
+    hysteretic_damping_table,
+    hysteretic_round_sizes,
+    hysteretic_storeys_table,
 )
+from edesign.report.table import Table, number
+from edesign.report.viscous_tables import viscous_damping_table, viscous_round_sizes, viscous_storeys_table
 
 EMPTY: Mapping[str, float] = MappingProxyType({})
 
@@ -44,11 +45,14 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
 
     Args:
         group: designs/NAME of an archive.
-        sets: histories by variant and level, for the order of viscous dampers.
+        sets: histories by variant and level, for the order of viscous and hysteretic dampers.
         factors: property factors of the variants that have the design, by their names.
     """
-    if group.attributes.get("method") == "viscous":
+    method = group.attributes.get("method")
+    if method == "viscous":
         sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
+    elif method == "hysteretic":
+        sized = [hysteretic_storeys_table(group), devices_table(group, sets, factors), hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
     tables = [*sized, rounds_table(group), bounds_table(group)]
@@ -107,13 +111,14 @@ def rounds_table(group: Group) -> Table:
         return table
     values = group.variables
     verdicts = [str(name) for name in group.coords["criterion"].values] if "criterion" in group.coords else []
-    if group.attributes.get("method") == "viscous":
-        damping, (used, unit, said) = values["round_damping_complex"].values, viscous_round_sizes(group)
+    damping = round_damping(group)
+    if group.attributes.get("method") in ROUND_SIZES:
+        used, unit, said = ROUND_SIZES[str(group.attributes["method"])](group)
     else:
-        damping = values["round_damping_strain_energy"].values
         used, unit = np.sum(values["round_layer_area"].values, axis=1), "total area [m2]"
         said = "area: of one layer, all storeys"
-    table.columns = [*table.columns[:-1], unit, *verdicts, table.columns[-1]]
+    least = ["made least"] if "round_objective" in values else []
+    table.columns = [*table.columns[:-1], unit, *verdicts, *least, table.columns[-1]]
     for i in range(count):
         cells = [
             number(float(values["round_changed"].values[i])),
@@ -121,13 +126,28 @@ def rounds_table(group: Group) -> Table:
             number(float(values["round_period"].values[i])),
             number(float(used[i])),
             *(number(float(values["verdict_value"].values[i, j])) for j in range(len(verdicts))),
+            *(number(float(values["round_objective"].values[i])) for _ in least),
             "yes" if values["round_met"].values[i] else "no",
         ]
         table.rows.append([str(i + 1), *cells])
     table.notes.append(f"changed: {values['round_changed'].long_name}; {said}")
     if verdicts:
         table.notes.append(f"{', '.join(verdicts)}: value that is judged, in SI")
+    if least:
+        table.notes.append(
+            f"made least: {values['round_objective'].long_name}; round {group.attributes['chosen_round']}"
+        )
     return table
+
+
+ROUND_SIZES = {"viscous": viscous_round_sizes, "hysteretic": hysteretic_round_sizes}
+"""What all dampers of each round are in sum, its header, and what it is, by the method of the design."""
+
+
+def round_damping(group: Group) -> np.ndarray:
+    """Return the damping ratio that the dampers of each round add to the first mode."""
+    kind = {"viscous": "complex", "hysteretic": "equivalent"}.get(str(group.attributes.get("method")), "strain_energy")
+    return np.asarray(group.variables[f"round_damping_{kind}"].values, dtype=float)
 
 
 def bounds_table(group: Group) -> Table:

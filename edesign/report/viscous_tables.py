@@ -1,14 +1,10 @@
-"""Tables of a design of viscous dampers: coefficients, the damping they add, rounds, and the devices to order."""
+"""Tables of a design of viscous dampers: coefficients, the damping they add, and their sum in each round."""
 
 from __future__ import annotations
-
-from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.assess.devices import DeviceDemand, device_demand
-from edesign.assess.sets import HistorySet
 from edesign.report.table import Table, number
 
 
@@ -59,44 +55,6 @@ def viscous_damping_table(group: Group) -> Table:
     return table
 
 
-def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
-    """Return what is needed to order the dampers: estimated, and of the histories of the variants that have them.
-
-    Args:
-        group: of the design.
-        sets: histories by variant and level.
-        factors: property factors of the variants that have the design, by their names.
-    """
-    table = Table("Devices to order: largest values of one damper", left=1)
-    if "device_coefficient" not in group.variables or group.attributes.get("status") != "completed":
-        return table
-    demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
-    found = [demand for demand in demands if demand is not None]
-    unit = kilonewtons(group.variables["device_coefficient"].unit)
-    values = ("force [kN]", "stroke [mm]", "velocity [m/s]")
-    spread = [f"{which} {value}" for value in values for which in ("mean", "max")]
-    table.columns = ["", "storey", "number", f"c [{unit}]", "alpha", *spread]
-    storeys = group.coords["storey"].values
-    for i, storey in enumerate(storeys):
-        sized = [
-            str(storey),
-            str(int(group.variables["device_count"].values[i])),
-            number(float(group.variables["device_coefficient"].values[i]), scale=1e3),
-            f"{float(str(group.attributes['alpha'])):g}",
-        ]
-        if "estimated_device_force" in group.variables:
-            table.rows.append(["estimate", *sized, *_estimated(group, i)])
-        for demand in found:
-            table.rows.append([f"{demand.variant}, {demand.level}".rstrip(", "), *sized, *_of_histories(demand, i)])
-    if not table.rows:
-        return table
-    counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
-    table.notes.append("estimate: by the response spectrum of the level of the design, pseudo velocity")
-    if counts:
-        table.notes.append(f"histories: {'; '.join(counts)}; the stroke is without the brace")
-    return table
-
-
 def viscous_round_sizes(group: Group) -> tuple[np.ndarray, str, str]:
     """Return the sum of the coefficients of all dampers of each round, its header, and what it is."""
     coefficient = group.variables["round_device_coefficient"]
@@ -107,19 +65,3 @@ def viscous_round_sizes(group: Group) -> tuple[np.ndarray, str, str]:
 def kilonewtons(unit: str) -> str:
     """A unit of a coefficient in kN: N*(s/m)^0.35 becomes kN*(s/m)^0.35."""
     return f"k{unit}"
-
-
-def _estimated(group: Group, storey: int) -> list[str]:
-    cells = []
-    for key, scale in (("force", 1e3), ("stroke", 1e-3), ("velocity", 1.0)):
-        value = float(group.variables[f"estimated_device_{key}"].values[storey])
-        cells += [number(value, scale=scale), "-"]
-    return cells
-
-
-def _of_histories(demand: DeviceDemand, storey: int) -> list[str]:
-    cells = []
-    for values, scale in ((demand.force, 1e3), (demand.stroke, 1e-3), (demand.velocity, 1.0)):
-        both: np.ndarray = values[:, storey]
-        cells += [number(float(value), scale=scale) for value in both]
-    return cells

@@ -20,7 +20,7 @@ from edesign.damper.law_file import WHAT
 from edesign.damper.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.actions.hazard_base import Hazard
-from edesign.project.dampers.designs import FileProperties, ViscousDesign
+from edesign.project.dampers.designs import ElastomerDesign, FileProperties
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.kinds import STUDY
@@ -68,7 +68,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     tables = {
         name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))
         for name, design in study.designs.items()
-        if not isinstance(design, ViscousDesign) and isinstance(design.properties, FileProperties)
+        if isinstance(design, ElastomerDesign) and isinstance(design.properties, FileProperties)
     }
     parts = [study.checksum, str(group.attributes["input_checksum"]), *(_checksum(*table) for table in tables.values())]
     group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import DamperBetween, Dampers
-from edesign.project.dampers.designs import Design, ViscousDesign
+from edesign.project.dampers.designs import Design, ElastomerDesign
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.study.dampers import law_warnings
@@ -53,7 +53,7 @@ def variant_strain(study: Study, name: str) -> float | None:
     """Shear strain at which the dampers of a variant count for its modes; None: that of small vibrations."""
     design = study.variants[name].design
     spec = study.designs[design] if design is not None else None
-    return None if spec is None or isinstance(spec, ViscousDesign) else spec.strain
+    return spec.strain if isinstance(spec, ElastomerDesign) else None
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:

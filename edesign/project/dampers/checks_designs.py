@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from edesign.project.dampers.checks_hysteretic_designs import check_hysteretic_design
 from edesign.project.dampers.checks_viscous_designs import check_viscous_design
 from edesign.project.dampers.designs import (
     Bounds,
     Design,
     ElastomerDesign,
     FixedProperties,
+    HystereticDesign,
     SimplifiedDesign,
     StrainEnergyDesign,
     ViscousDesign,
@@ -41,6 +43,8 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
         _bounds((*keys, "bounds"), spec, spec.bounds, problems)
     if isinstance(spec, ViscousDesign):
         check_viscous_design(keys, spec, project, problems)
+    elif isinstance(spec, HystereticDesign):
+        check_hysteretic_design(keys, spec, project, problems)
     else:
         _elastomer(keys, spec, project, problems)
 

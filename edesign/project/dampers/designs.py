@@ -125,6 +125,13 @@ class ViscousVerify(AnyVerify):
     change: Literal["target", "coefficient"] = "target"
 
 
+class HystereticVerify(AnyVerify):
+    """Of hysteretic dampers."""
+
+    rounds: Rounds = 12
+    change: Literal["target", "yield_force"] = "target"
+
+
 class _Design(Model):
     """What all methods need to know.
 
@@ -212,6 +219,13 @@ def _amplitude(value: Any) -> str:
     return "?drift" if "drift" in keys else "?roof_displacement"
 
 
+Amplitude = Annotated[
+    Annotated[Literal["spectrum"], Tag("?plain")]
+    | Annotated[RoofAmplitude, Tag("?roof_displacement")]
+    | Annotated[DriftAmplitude, Tag("?drift")],
+    Discriminator(_amplitude),
+]
+
 VISCOUS_LAWS = ("viscous", "viscous_power", "maxwell", "maxwell_power")
 
 
@@ -223,15 +237,7 @@ class ViscousDesign(_Design):
 
     method: Literal["viscous"]
     damping: PositiveRatio | None = None
-    amplitude: (
-        Annotated[
-            Annotated[Literal["spectrum"], Tag("?plain")]
-            | Annotated[RoofAmplitude, Tag("?roof_displacement")]
-            | Annotated[DriftAmplitude, Tag("?drift")],
-            Discriminator(_amplitude),
-        ]
-        | None
-    ) = None
+    amplitude: Amplitude | None = None
     brace: Brace = "rigid"
     distribution: Literal["storey_stiffness", "storey_shear", "strain_energy", "uniform", "least_coefficient"] = (
         "storey_stiffness"
@@ -239,10 +245,44 @@ class ViscousDesign(_Design):
     verify: ViscousVerify | None = None
 
 
+HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgood", "bouc_wen")
+
+
+class Optimum(Model):
+    """The share of the storey shears for which histories answer least.
+
+    `range` is that of the shares. What is made least is the demand over the limit of the criteria of `verify`: that of
+    the worst of them, or their mean.
+    """
+
+    range: tuple[PositiveRatio, PositiveRatio] = (0.05, 1.0)
+    least: Literal["worst", "mean"] = "worst"
+
+
+class HystereticDesign(_Design):
+    """Dampers that yield or slip: for a share of the storey shears, for a damping, or for the least response.
+
+    `amplitude` is that of the vibration in the first mode in which the dampers count with the secant of their loops;
+    `shear` says which shears are shared, those of the spectrum if a level is given.
+    """
+
+    method: Literal["hysteretic"]
+    shear_share: PositiveRatio | None = None
+    damping: PositiveRatio | None = None
+    optimum: Optimum | None = None
+    shear: Literal["spectrum", "first_mode"] | None = None
+    amplitude: Amplitude = "spectrum"
+    equivalent_damping: Literal["amplitude", "average"] = "amplitude"
+    brace: Brace = "rigid"
+    distribution: Literal["storey_shear", "storey_stiffness", "strain_energy", "uniform"] = "storey_shear"
+    verify: HystereticVerify | None = None
+
+
 ElastomerDesign = StrainEnergyDesign | SimplifiedDesign
 Design = Annotated[
     Annotated[StrainEnergyDesign, Tag("?method=strain_energy")]
     | Annotated[SimplifiedDesign, Tag("?method=simplified")]
-    | Annotated[ViscousDesign, Tag("?method=viscous")],
+    | Annotated[ViscousDesign, Tag("?method=viscous")]
+    | Annotated[HystereticDesign, Tag("?method=hysteretic")],
     Discriminator(by_key("method")),
 ]

@@ -10,10 +10,11 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import Design, ViscousDesign
+from edesign.project.dampers.designs import Design, HystereticDesign, ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer_designer import ElastomerDesigner
+from edesign.study.design.hysteretic_designer import HystereticDesigner
 from edesign.study.design.verification import Judge, Respond
 from edesign.study.design.viscous_designer import ViscousDesigner
 
@@ -103,6 +104,8 @@ def _designer(
 ) -> Designer[Any]:
     if isinstance(spec, ViscousDesign):
         return ViscousDesigner(project, name, spec, progress)
+    if isinstance(spec, HystereticDesign):
+        return HystereticDesigner(project, name, spec, progress)
     return ElastomerDesigner(project, name, spec, folder, progress)
 
 

@@ -72,6 +72,13 @@ class Designer(ABC, Generic[S]):
             only = Round(1, self._value(sizing, start), sizing)
             return Search((only,), only, sizing.reason)
 
+        tried = self.outcomes(respond, judge, resume)
+        limits = (start, largest, verify.rounds, verify.precision)
+        return search(self.make, tried, *limits, self.kept(keep), self._value)
+
+    def outcomes(self, respond: Respond, judge: Judge, resume: Group | None) -> Callable[[S, int, float], RoundOutcome]:
+        """What the histories of a sizing, its round and its value come to, or came to in an earlier run."""
+
         def outcome(sizing: S, number: int, value: float) -> RoundOutcome:
             found = kept_outcome(resume, number, value, self.size(sizing))
             if found is not None:
@@ -80,13 +87,17 @@ class Designer(ABC, Generic[S]):
             self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
             return judged(respond(self.dampers(sizing), number), judge)
 
+        return outcome
+
+    def kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
+        """What keeps all rounds after each."""
+
         def kept(rounds: Sequence[Round[S]]) -> None:
             if keep is not None:
                 last = rounds[-1]
                 keep(self.group(Search(tuple(rounds), last, "the design is not complete"), "interrupted"))
 
-        limits = (start, largest, verify.rounds, verify.precision)
-        return search(self.make, outcome, *limits, kept, self._value)
+        return kept
 
     def _value(self, sizing: S, value: float) -> float:
         """The value that a sizing really has: the simplified method may take a larger beta than it is asked for."""

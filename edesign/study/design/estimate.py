@@ -170,10 +170,9 @@ def cqc(omega: np.ndarray, damping: np.ndarray) -> np.ndarray:
 
     Source: Der Kiureghian (1981); Chopra (2012), Eq. 13.7.9.
     """
-    if np.all(damping == 0.0):
-        return np.eye(omega.size)
     beta = omega[:, None] / omega
     zi, zj = damping[:, None], damping
     above = 8.0 * np.sqrt(zi * zj) * (beta * zi + zj) * beta**1.5
     below = (1.0 - beta**2) ** 2 + 4.0 * zi * zj * beta * (1.0 + beta**2) + 4.0 * (zi**2 + zj**2) * beta**2
-    return np.asarray(above / below)
+    # of a mode without damping with itself both are zero
+    return np.divide(above, below, out=np.eye(omega.size), where=below > 0.0)

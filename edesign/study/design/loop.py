@@ -38,6 +38,17 @@ class RoundVerdict:
     limit: float
     met: bool
 
+    @property
+    def demand(self) -> float:
+        """Value over limit, limit over value where the value must be larger; nan where there is none."""
+        value, limit = self.value, self.limit
+        if not (math.isfinite(value) and math.isfinite(limit)) or limit <= 0.0:
+            return math.nan
+        if value <= 0.0:
+            return 0.0 if self.met else math.inf
+        # a value above its limit that is met, or below it that is missed, is one that must be larger
+        return value / limit if (value <= limit) == self.met else limit / value
+
 
 @dataclass(frozen=True)
 class RoundOutcome:
@@ -195,8 +206,8 @@ def _said(verdict: RoundVerdict) -> str:
 
 
 def _demand(verdict: RoundVerdict) -> float:
-    value, limit = verdict.value, verdict.limit
-    if not (math.isfinite(value) and math.isfinite(limit)) or value <= 0.0 or limit <= 0.0:
-        return 0.9 if verdict.met else 1.1
-    # a value above its limit that is met, or below it that is missed, is one that must be larger
-    return value / limit if (value <= limit) == verdict.met else limit / value
+    """The demand of a verdict, or one that says which way to go."""
+    demand = verdict.demand
+    if 0.0 < demand < math.inf:
+        return demand
+    return 0.9 if verdict.met else 1.1

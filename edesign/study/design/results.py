@@ -42,7 +42,7 @@ def store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) -> 
     coordinate(group, "round", [r.number for r in rounds], "1", "round of sizing and verification")
     add = group.add
     add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
-    add("round_target", ("round",), [r.sizing.target for r in rounds], "1", "target damping ratio, or beta")
+    add("round_target", ("round",), [r.sizing.target for r in rounds], "1", "target: damping ratio, beta, or share")
     verified = [r for r in rounds if r.outcome is not None]
     met = [r.outcome.met if r.outcome is not None else False for r in rounds]
     add("round_met", ("round",), np.array(met, dtype=int), "1", "1: all criteria met, or no verification asked for")

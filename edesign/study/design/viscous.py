@@ -4,22 +4,20 @@ from __future__ import annotations
 
 import math
 import sys
-from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-import scipy
 
 from edesign.errors import InputError
 from edesign.project.dampers.designs import BraceRatio
 from edesign.study.design.least_coefficient import least_coefficient
 from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
 from edesign.study.design.pattern import pattern_of
+from edesign.study.design.reach import reach
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.viscous_frame import Vibration, ViscousFrame, difference
 
-_GROWTH = 1.5  # of the coefficients between trials on the way to a target
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 _LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too
 _FREE = 0.25  # omega c f up to which a dashpot hardly feels the flexibility f in series with it
@@ -112,7 +110,7 @@ def largest_viscous_damping(frame: ViscousFrame) -> float:
     """
     pattern, weight = pattern_of(frame.building, frame.spec.distribution), frame.weight(frame.undamped(0.0))
     damping_of = partial(_damping, frame, pattern, weight)
-    return _reach(damping_of, math.inf, *_ends(frame, pattern, weight, _SMALL))[1]
+    return reach(damping_of, math.inf, *_ends(frame, pattern, weight, _SMALL))[1]
 
 
 def _coefficients(
@@ -123,7 +121,7 @@ def _coefficients(
         return least_coefficient(frame, weight, omega, before)
     pattern = pattern_of(frame.building, frame.spec.distribution)
     ends = _ends(frame, pattern, weight, target)
-    scale, found = _reach(partial(_damping, frame, pattern, weight), target, *ends)
+    scale, found = reach(partial(_damping, frame, pattern, weight), target, *ends)
     if found < target:
         raise InputError(_unreachable(frame, target, found, before is not None))
     return scale * pattern
@@ -156,43 +154,6 @@ def _scale_of(frame: ViscousFrame, pattern: np.ndarray, weight: np.ndarray, damp
     bare = frame.bare
     of_pattern = 0.5 * float(bare.dampers[0] ** 2 @ (weight * frame.at_places(pattern))) / float(bare.omega[0])
     return damping / of_pattern
-
-
-def _reach(damping_of: Callable[[float], float], target: float, first: float, last: float) -> tuple[float, float]:
-    """The least scale with a damping, or that of the largest; and the damping there.
-
-    Damping grows with the dashpots until they lock, one after the other, so that it may fall and grow again.
-
-    Args:
-        damping_of: the damping ratio of a scale.
-        target: damping ratio; infinite: the largest is wanted.
-        first: scale below all that may be needed.
-        last: scale at which all dashpots are locked.
-    """
-    trials, values = [first], [damping_of(first)]
-    while values[0] >= target:
-        trials.insert(0, trials[0] / _GROWTH)
-        values.insert(0, damping_of(trials[0]))
-    best = (trials[-1], values[-1])
-    while values[-1] < target:
-        if len(values) > 2 and values[-2] > max(values[-3], values[-1]):
-            found = scipy.optimize.minimize_scalar(
-                lambda x: -damping_of(x),
-                bounds=(trials[-3], trials[-1]),
-                method="bounded",
-                options={"xatol": 1e-6 * trials[-3]},
-            )
-            best = max(best, (float(found.x), -float(found.fun)), key=lambda item: item[1])
-            if best[1] >= target:
-                trials = [trials[-3], best[0]]
-                break
-        if values[-1] >= 1.0 or trials[-1] >= last:
-            return max(best, (trials[-1], values[-1]), key=lambda item: item[1])
-        trials.append(trials[-1] * _GROWTH)
-        values.append(damping_of(trials[-1]))
-    low, high = trials[-2], trials[-1]
-    scale = scipy.optimize.brentq(lambda x: damping_of(x) - target, low, high, xtol=1e-12 * high, rtol=1e-12)
-    return float(scale), target
 
 
 def _unreachable(frame: ViscousFrame, target: float, found: float, followed: bool) -> str:

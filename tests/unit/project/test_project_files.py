@@ -104,6 +104,7 @@ def test_every_key_is_documented() -> None:
         "study_file",
         "damper_design",
         "viscous_design",
+        "hysteretic_design",
         "assessment",
         "incremental",
         "reference_files",

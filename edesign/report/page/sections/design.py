@@ -9,6 +9,6 @@ from edesign.report.study_tables import designs_tables
 
 
 def design(source: Source) -> Section:
-    """The sizes of each design, what they add, the rounds that led to them, bounds, and the order of viscous ones."""
+    """The sizes of each design, what they add, the rounds that led to them, bounds, and devices to order."""
     tables = designs_tables(source.archive, source.study, source.sets)
     return Section("design", "Design of the dampers", (), (*tables, *source.pictures(design_figures)))

@@ -1,0 +1,86 @@
+"""The devices to order of a design: sizes and largest values of one damper, estimated and of the histories."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from edesign.archive.dataset import Group
+from edesign.assess.devices import DeviceDemand, device_demand
+from edesign.assess.sets import HistorySet
+from edesign.report.table import Table, number
+from edesign.report.viscous_tables import kilonewtons
+
+_VALUES = {  # header, name, unit shown in SI
+    "viscous": (("force [kN]", "force", 1e3), ("stroke [mm]", "stroke", 1e-3), ("velocity [m/s]", "velocity", 1.0)),
+    "hysteretic": (
+        ("force [kN]", "force", 1e3),
+        ("stroke [mm]", "stroke", 1e-3),
+        ("plastic [mm]", "cumulated_plastic", 1e-3),
+    ),
+}
+
+
+def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
+    """Return what is needed to order the dampers: estimated, and of the histories of the variants that have them.
+
+    Args:
+        group: of a design of viscous or hysteretic dampers.
+        sets: histories by variant and level.
+        factors: property factors of the variants that have the design, by their names.
+    """
+    table = Table("Devices to order: largest values of one damper", left=1)
+    if "device_count" not in group.variables or group.attributes.get("status") != "completed":
+        return table
+    demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
+    found = [demand for demand in demands if demand is not None]
+    values = _VALUES[str(group.attributes["method"])]
+    spread = [f"{which} {header}" for header, _, _ in values for which in ("mean", "max")]
+    headers, sizes = _sizes(group)
+    table.columns = ["", "storey", "number", *headers, *spread]
+    for i, storey in enumerate(group.coords["storey"].values):
+        sized = [str(storey), str(int(group.variables["device_count"].values[i])), *sizes[i]]
+        if "estimated_device_force" in group.variables:
+            table.rows.append(["estimate", *sized, *_estimated(group, i, values)])
+        for demand in found:
+            cells = [number(float(of), scale=unit) for _, name, unit in values for of in demand.values[name][:, i]]
+            table.rows.append([f"{demand.variant}, {demand.level}".rstrip(", "), *sized, *cells])
+    if table.rows:
+        table.notes += _notes(group, found)
+    return table
+
+
+def _sizes(group: Group) -> tuple[list[str], list[list[str]]]:
+    """Headers and cells of each storey of what one damper is."""
+    if group.attributes["method"] == "hysteretic":
+        forces, stiffness = (group.variables[f"device_{key}"].values for key in ("yield_force", "stiffness"))
+        cells = [
+            [number(float(f), scale=1e3), number(float(k), scale=1e6)] for f, k in zip(forces, stiffness, strict=True)
+        ]
+        return ["F_y [kN]", "k [kN/mm]"], cells
+    coefficient = group.variables["device_coefficient"]
+    alpha = f"{float(str(group.attributes['alpha'])):g}"
+    cells = [[number(float(c), scale=1e3), alpha] for c in coefficient.values]
+    return [f"c [{kilonewtons(coefficient.unit)}]", "alpha"], cells
+
+
+def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
+    hysteretic = group.attributes["method"] == "hysteretic"
+    estimate = "estimate: by the response spectrum of the level of the design"
+    notes = [estimate if hysteretic else f"{estimate}, pseudo velocity"]
+    if hysteretic:
+        hardening, yielding = (float(str(group.attributes[key])) for key in ("hardening", "yield_deformation_m"))
+        after = f"; stiffness after yielding {hardening:g} k" if hardening > 0.0 else ""  # nan: it keeps changing
+        notes.append(f"a damper yields at {1e3 * yielding:.4g} mm{after}; plastic: cumulated, work over F_y")
+    counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
+    if counts:
+        notes.append(f"histories: {'; '.join(counts)}; the stroke is without the brace")
+    return notes
+
+
+def _estimated(group: Group, storey: int, values: Sequence[tuple[str, str, float]]) -> list[str]:
+    cells = []
+    for _, name, unit in values:
+        variable = group.variables.get(f"estimated_device_{name}")
+        value = None if variable is None else float(variable.values[storey])
+        cells += [number(value, scale=unit), "-"]
+    return cells

@@ -1,0 +1,154 @@
+"""The design of hysteretic dampers: frame with loops at hand, sizing, optimum, bounds, and everything kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.damper.hysteresis import hysteresis
+from edesign.errors import InputError
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.designs import HystereticDesign
+from edesign.project.project import Project
+from edesign.study.design.bounds import NAMES, Bound, property_factors
+from edesign.study.design.building import per_storey, sized_dampers
+from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.estimate import Action
+from edesign.study.design.hysteretic import (
+    LARGEST_SHARE,
+    HystereticSizing,
+    largest_hysteretic_damping,
+    size_hysteretic,
+)
+from edesign.study.design.hysteretic_estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
+from edesign.study.design.hysteretic_frame import HystereticFrame
+from edesign.study.design.hysteretic_results import (
+    store_hysteretic_bounds,
+    store_hysteretic_curve,
+    store_hysteretic_estimate,
+    store_hysteretic_rounds,
+    store_hysteretic_sizing,
+    store_objectives,
+)
+from edesign.study.design.loop import Search
+from edesign.study.design.optimum import doubts, search_optimum
+from edesign.study.design.results import of_storeys
+from edesign.study.design.verification import Judge, Respond
+
+
+class HystereticDesigner(Designer[HystereticSizing]):
+    """A design of hysteretic dampers.
+
+    Raises:
+        InputError: the law does not yield or slip, or has layers.
+    """
+
+    words = {
+        "target": "damping ratio, or share of the storey shears",
+        "yield_force": "factor on the yield forces of all dampers",
+    }
+
+    def __init__(self, project: Project, name: str, spec: HystereticDesign, progress: Callable[[str], None]) -> None:
+        super().__init__(project, name, spec, progress)
+        self.spec = spec
+        law = self.building.law
+        if law.layers is not None:
+            message = f"the law `{spec.law}` has a `prototype`: hysteretic dampers have no layers"
+            raise InputError(f"designs.{name}.law: {message}")
+        try:
+            loop = hysteresis(law.law)
+        except InputError as error:
+            raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
+        self.frame = HystereticFrame(self.building, spec, loop, self.action)
+
+    def make(self, value: float) -> HystereticSizing:
+        """The dampers for a value of what the loop changes."""
+        if self.changed == "target":
+            return size_hysteretic(self.frame, value)
+        return size_hysteretic(self.frame, self._target, value)
+
+    def range(self) -> tuple[float, float]:
+        """First and largest value of what the loop changes."""
+        if self.spec.optimum is not None:
+            return self.spec.optimum.range
+        target = self._target
+        if self.changed != "target":
+            return 1.0, LARGEST_FACTOR
+        if self.spec.damping is None:
+            return target, LARGEST_SHARE
+        if self.spec.verify is None:
+            return target, target
+        return target, max(REACHABLE * largest_hysteretic_damping(self.frame), target)
+
+    @property
+    def _target(self) -> float:
+        found = self.spec.shear_share if self.spec.damping is None else self.spec.damping
+        assert found is not None, "check_design wants a target"
+        return found
+
+    def search(
+        self, respond: Respond | None, judge: Judge | None, resume: Group | None, keep: Callable[[Group], None] | None
+    ) -> Search[HystereticSizing]:
+        """All rounds."""
+        optimum, verify = self.spec.optimum, self.spec.verify
+        if optimum is None or verify is None or respond is None or judge is None:
+            return super().search(respond, judge, resume, keep)
+        tried, limits = self.outcomes(respond, judge, resume), (verify.rounds, verify.precision)
+        return search_optimum(self.make, tried, optimum.range, optimum.least, *limits, self.kept(keep))
+
+    def dampers(self, sizing: HystereticSizing) -> Dampers:
+        """The project's dampers with those of a sizing."""
+        brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
+        amplitude = of_storeys(self.building, sizing.vibration.deformation)
+        scale = self.device_yield_force(sizing) / self.frame.loop.yield_force
+        size = {"scale": per_storey(scale), "design_deformation": per_storey(amplitude)}
+        return sized_dampers(self.building, self.spec, brace, size)
+
+    def size(self, sizing: HystereticSizing) -> Mapping[str, float | np.ndarray]:
+        """Yield forces."""
+        return {"device_yield_force": self.device_yield_force(sizing)}
+
+    def device_yield_force(self, sizing: HystereticSizing) -> np.ndarray:
+        """Yield or slip force of one damper in each storey with dampers, (s,) N."""
+        return sizing.yield_force / (self.spec.number * self.building.attachment(1.0))
+
+    def group(self, done: Search[HystereticSizing], status: str) -> Group:
+        """Everything that was found."""
+        spec, frame, sizing = self.spec, self.frame, done.chosen.sizing
+        group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
+        store_hysteretic_sizing(group, frame, sizing, self.device_yield_force(sizing))
+        if status != "interrupted":
+            store_hysteretic_curve(group, frame, sizing)
+        devices = [self.device_yield_force(r.sizing) for r in done.rounds]
+        store_hysteretic_rounds(group, done.rounds, devices, self.words[self.changed])
+        group.attributes["chosen_round"] = done.chosen.number
+        group.attributes["warnings"] = []
+        if spec.optimum is not None and spec.verify is not None and done.chosen.outcome is not None:
+            store_objectives(group, done.rounds, spec.optimum)
+            about = (spec.optimum.range, spec.optimum.least, spec.verify.precision)
+            group.attributes["warnings"] = doubts(done.rounds, *about)
+        if self.action is not None:
+            found = hysteretic_estimate(frame, sizing.yield_force, sizing.vibration, self.action)
+            bare = bare_estimate(frame, self.action)
+            store_hysteretic_estimate(group, self.building, spec.number, found, bare)
+            if spec.bounds is not None:
+                store_hysteretic_bounds(group, self.building, self._bounds(sizing, self.action))
+        group.attributes["devices"] = devices_text(self.dampers(sizing))
+        return group
+
+    def _bounds(self, sizing: HystereticSizing, action: Action) -> tuple[Bound[HystereticEstimate], ...]:
+        """The response with lower, nominal and upper forces, each at the amplitude of its own spectrum."""
+        assert self.spec.bounds is not None
+        low, high = property_factors(self.spec.bounds)
+        return tuple(
+            self._bound(factor * sizing.yield_force, name, factor, action)
+            for name, factor in zip(NAMES, (low, 1.0, high), strict=True)
+        )
+
+    def _bound(self, forces: np.ndarray, name: str, factor: float, action: Action) -> Bound[HystereticEstimate]:
+        vibration = self.frame.vibration(forces, action)
+        response = hysteretic_estimate(self.frame, forces, vibration, action)
+        return Bound(name, factor, None, factor, vibration.period, vibration.damping, response)

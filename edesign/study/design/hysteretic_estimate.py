@@ -1,0 +1,49 @@
+"""Response of a frame with hysteretic dampers estimated by its response spectrum, for the order of the devices."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.study.design.estimate import Action, FrameEstimate, frame_estimate, spectral_peaks
+from edesign.study.design.hysteretic_frame import HystereticFrame, SecantVibration
+
+
+@dataclass(frozen=True)
+class HystereticEstimate(FrameEstimate):
+    """Of a frame with hysteretic dampers.
+
+    Attributes:
+        damper_stroke: largest deformation of the dampers, (d,) m.
+        ductility: that over the deformation at which they yield, (d,).
+    """
+
+    damper_stroke: np.ndarray
+    ductility: np.ndarray
+
+
+def hysteretic_estimate(
+    frame: HystereticFrame, yield_force: np.ndarray, vibration: SecantVibration, action: Action
+) -> HystereticEstimate:
+    """Estimate the response with yield forces of the storeys (s,) N.
+
+    Dampers have the secant stiffness of the first mode in all modes; their damping counts in the first alone.
+
+    Source: as `estimate`; ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
+    """
+    modes, storage = vibration.modes, vibration.stiffness
+    added = np.zeros(modes.omega.size)
+    added[0] = vibration.damping
+    peaks = spectral_peaks(frame.building, action, modes, added)
+    secants = frame.secants(frame.scale(yield_force), peaks.combined(modes.dampers))
+    found = frame_estimate(frame.building, modes, storage, peaks, secants.force)
+    ductility = secants.stroke * (frame.loop.stiffness / frame.loop.yield_force)
+    return HystereticEstimate(**vars(found), damper_stroke=secants.stroke, ductility=ductility)
+
+
+def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:
+    """Estimate the response of the frame without dampers."""
+    modes, nothing = frame.bare, np.zeros(frame.building.frame.n_devices)
+    peaks = spectral_peaks(frame.building, action, modes, np.zeros(modes.omega.size))
+    return frame_estimate(frame.building, modes, nothing, peaks, nothing)

@@ -1,0 +1,288 @@
+"""A frame in the first mode with hysteretic dampers as the secants of their loops at its amplitude."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+import scipy
+
+from edesign.damper.hysteresis import Hysteresis, behind_brace
+from edesign.errors import AnalysisError
+from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, HystereticDesign, RoofAmplitude
+from edesign.study.design.building import Building, mode_shears
+from edesign.study.design.condensed import LinearModes
+from edesign.study.design.estimate import Action, spectral_peaks
+from edesign.study.design.own_frequency import AGREEMENT
+from edesign.study.design.relaxation import Relaxation
+
+_MOST_ITERATIONS = 300  # of shapes, and of Newton's method; ten where storeys do not hand the drift to each other
+_MOST_DOUBLINGS = 60  # of an amplitude, or halvings, on the way to the one that is wanted
+_LEAST_STEP = 0.01  # of Newton's
+_LEAST = 1e-9  # deformation of a damper over the largest: below it, none
+_GAUSS = np.polynomial.legendre.leggauss(64)  # the kink where a damper yields costs the average about 1e-4
+_SHARES, _WEIGHTS = 0.5 * (1.0 + _GAUSS[0]), 0.5 * _GAUSS[1]
+
+
+@dataclass(frozen=True)
+class Secants:
+    """Dampers with their braces at amplitudes of their deformation.
+
+    Attributes:
+        stroke: amplitude of the dampers alone, (..., d) m.
+        force: at the amplitude, (..., d) N.
+        tangent: of the force by the deformation of damper and brace, (..., d) N/m.
+        energy: of a cycle, (..., d) J.
+    """
+
+    stroke: np.ndarray
+    force: np.ndarray
+    tangent: np.ndarray
+    energy: np.ndarray
+
+
+@dataclass(frozen=True)
+class SecantVibration:
+    """The frame with its dampers in the first mode at the amplitude of the design.
+
+    Attributes:
+        roof: amplitude at the roof, m.
+        deformation: amplitude of dampers and braces together, (d,) m.
+        secants: of the dampers there.
+        modes: with the secant stiffness of dampers and braces.
+        damping_at_amplitude: equivalent damping ratio of the first mode by a cycle of the amplitude (Jacobsen).
+        damping_average: its mean over all amplitudes up to this one.
+        damping: the one that counts.
+    """
+
+    roof: float
+    deformation: np.ndarray
+    secants: Secants
+    modes: LinearModes
+    damping_at_amplitude: float
+    damping_average: float
+    damping: float
+
+    @property
+    def period(self) -> float:
+        """Of the first mode, s."""
+        return 2.0 * math.pi / float(self.modes.omega[0])
+
+    @property
+    def stiffness(self) -> np.ndarray:
+        """Secant stiffness of dampers and braces, (d,) N/m."""
+        return self.secants.force / self.deformation
+
+
+class HystereticFrame:
+    """The frame of a design with what its dampers are made of.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        loop: of the law of the design.
+        action: the spectrum; None: there is none.
+    """
+
+    def __init__(self, building: Building, spec: HystereticDesign, loop: Hysteresis, action: Action | None) -> None:
+        self.building, self.spec, self.loop, self.action = building, spec, loop, action
+        self.bare = building.frame.modes()
+        ratio = spec.brace.ratio if isinstance(spec.brace, BraceRatio) else None
+        self.brace = None if ratio is None else ratio * building.designed_stiffness
+        self.shear_of = spec.shear or ("first_mode" if action is None else "spectrum")
+        self.shears = self._shears()
+
+    def scale(self, yield_force: np.ndarray) -> np.ndarray:
+        """Forces of all dampers of each place over those of the law, (d,), of yield forces along the drift (s,) N."""
+        return self.building.at_places(yield_force, 1.0) / self.loop.yield_force
+
+    def secants(self, scale: np.ndarray, deformation: np.ndarray) -> Secants:
+        """Dampers of a scale (d,) at amplitudes (..., d) m of their deformation with their braces."""
+        flexibility = np.zeros_like(scale)
+        if self.brace is not None:
+            flexibility = scale / self.building.at_places(self.brace)
+        stroke = behind_brace(self.loop, deformation, flexibility)
+        tangent = scale * self.loop.tangent(stroke)
+        tangent = tangent / (1.0 + tangent * flexibility / scale)
+        return Secants(stroke, scale * self.loop.force(stroke), tangent, scale * self.loop.energy(stroke))
+
+    def elastic_modes(self, yield_force: np.ndarray) -> LinearModes:
+        """Modes with dampers that do not yield, of yield forces (s,) N."""
+        flexibility = 1.0 / (self.scale(yield_force) * self.loop.stiffness)
+        if self.brace is not None:
+            flexibility = flexibility + 1.0 / self.building.at_places(self.brace)
+        return self.building.frame.modes(1.0 / flexibility)
+
+    def yield_drift(self, yield_force: np.ndarray) -> np.ndarray:
+        """Drift over height at which dampers and braces of each storey yield, (s,), their feet held."""
+        stroke = self.loop.yield_force / self.loop.stiffness
+        deformation = np.full(self.building.place_storey.size, stroke)
+        if self.brace is not None:
+            force = self.building.at_places(yield_force, 1.0)
+            deformation = deformation + force / self.building.at_places(self.brace)
+        storeys = self.building.place_storey
+        horizontal = np.bincount(storeys, deformation / self.building.cosine) / np.bincount(storeys)
+        return np.asarray(horizontal / self.building.heights[self.building.storeys - 1])
+
+    def vibration(self, yield_force: np.ndarray, action: Action | None = None) -> SecantVibration:
+        """The first mode with yield forces (s,) N: shape, period, amplitude and secants in agreement.
+
+        At each amplitude of the roof shape and secants agree; the amplitude is the one that the design asks for.
+
+        Args:
+            yield_force: of all dampers of each storey along its drift.
+            action: whose spectrum gives the amplitude; None: what the design says.
+
+        Raises:
+            AnalysisError: they do not agree.
+        """
+        scale, amplitude = self.scale(yield_force), self.spec.amplitude
+        if action is None and isinstance(amplitude, RoofAmplitude):
+            found = self._at_roof(scale, amplitude.roof_displacement, None)
+        else:
+            found = self._at_wanted_roof(scale, action)
+        return replace(found, damping_average=self._average(scale, found.deformation, found.modes))
+
+    def bare_damping(self, yield_force: np.ndarray) -> float:
+        """Damping ratio by rigid-plastic dampers of yield forces (s,) N in the first mode without them."""
+        roof = self._roof(self.bare, 0.0, None)
+        work = 4.0 * float(self.building.at_places(yield_force, 1.0) @ self._deformation(self.bare, roof))
+        generalised = roof / float(self.bare.floors[0, -1])
+        return work / (2.0 * math.pi * (float(self.bare.omega[0]) * generalised) ** 2)
+
+    def _at_wanted_roof(self, scale: np.ndarray, action: Action | None) -> SecantVibration:
+        """The first mode at the amplitude that its period, shape and damping at this amplitude want."""
+        found: SecantVibration | None = None
+
+        def excess(logarithm: float) -> float:
+            """Logarithm of the amplitude that is wanted over the one taken; it falls as the amplitude grows."""
+            nonlocal found
+            found = self._at_roof(scale, math.exp(logarithm), found)
+            return math.log(self._roof(found.modes, found.damping, action)) - logarithm
+
+        low = high = math.log(self._roof(self.bare, 0.0, action))
+        at_start = excess(low)
+        for _ in range(_MOST_DOUBLINGS):
+            if at_start >= 0.0:
+                high += math.log(2.0)
+                if excess(high) <= 0.0:
+                    break
+            else:
+                low -= math.log(2.0)
+                if excess(low) >= 0.0:
+                    break
+        else:
+            raise AnalysisError("no amplitude of the first mode with these dampers is the one that the design wants")
+        excess(scipy.optimize.brentq(excess, low, high, xtol=AGREEMENT))
+        assert found is not None
+        return found
+
+    def _at_roof(self, scale: np.ndarray, roof: float, start: SecantVibration | None) -> SecantVibration:
+        """The first mode at an amplitude of the roof, m: shape and secants in agreement.
+
+        The inertia forces of the present shape act on the frame with its dampers along their skeletons, whose forces
+        only grow: there is one answer. Its secants give the next shape.
+        """
+        modes = self.bare if start is None else start.modes
+        u = roof / float(modes.floors[0, -1]) * modes.dampers[0]
+        shape, relax = modes.masses[0] / modes.floors[0, -1], Relaxation()
+        for _ in range(_MOST_ITERATIONS):
+            u = self._static(scale, roof, self.building.frame.mass * shape, u)
+            deformation = np.maximum(np.abs(u), _LEAST * np.abs(u).max())
+            secants = self.secants(scale, deformation)
+            modes = self.building.frame.modes(secants.force / deformation)
+            following = roof / float(modes.floors[0, -1]) * modes.dampers[0]
+            if float(np.max(np.abs(following - u))) <= AGREEMENT * float(np.max(np.abs(u))):
+                return self._vibration(scale, roof, deformation, secants, modes)
+            shape = relax(shape, modes.masses[0] / modes.floors[0, -1])
+        raise AnalysisError(f"shape of the first mode and secants of the dampers did not agree to {AGREEMENT:g}")
+
+    def _static(self, scale: np.ndarray, roof: float, loads: np.ndarray, start: np.ndarray) -> np.ndarray:
+        """Deformations of the dampers (d,) m under loads on the masses (m,), scaled until the roof moves by `roof`, m.
+
+        Newton's method: u = B p - C f(u), with p such that the roof moves as it shall.
+
+        Raises:
+            AnalysisError: it does not converge.
+        """
+        frame = self.building.frame
+        by_loads, by_force = frame.B @ loads / float(frame.floor_A[-1] @ loads), frame.floor_B[-1]
+        flexibility = frame.C - np.outer(by_loads, by_force)
+
+        def residual(u: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+            secants = self.secants(scale, np.abs(u))
+            force = np.sign(u) * secants.force
+            return u - by_loads * roof + flexibility @ force, secants.tangent
+
+        u = start
+        r, tangent = residual(u)
+        for _ in range(_MOST_ITERATIONS):
+            size = float(np.max(np.abs(r)))
+            if size <= 1e-3 * AGREEMENT * float(np.max(np.abs(u))):
+                return u
+            step = np.linalg.solve(np.eye(u.size) + flexibility * tangent, r)
+            part = 1.0
+            while True:
+                tried = u - part * step
+                r, tangent = residual(tried)
+                if float(np.max(np.abs(r))) < size or part < _LEAST_STEP:
+                    break
+                part *= 0.5
+            u = tried
+        raise AnalysisError("the frame with its dampers under the inertia forces of its first mode did not converge")
+
+    def _vibration(
+        self, scale: np.ndarray, roof: float, deformation: np.ndarray, secants: Secants, modes: LinearModes
+    ) -> SecantVibration:
+        energy = float(secants.energy @ (modes.dampers[0] / deformation) ** 2)  # of generalised displacement 1
+        at_amplitude = energy / (2.0 * math.pi * float(modes.omega[0]) ** 2)
+        average = self.spec.equivalent_damping == "average"
+        damping = self._average(scale, deformation, modes) if average else at_amplitude
+        return SecantVibration(roof, deformation, secants, modes, at_amplitude, math.nan, damping)
+
+    def _average(self, scale: np.ndarray, deformation: np.ndarray, modes: LinearModes) -> float:
+        """Mean of the equivalent damping over amplitudes up to that of a deformation (d,) m, in the same shape."""
+        first, amplitudes = modes.dampers[0], _SHARES[:, None] * deformation
+        found = self.secants(scale, amplitudes)
+        here = self.secants(scale, deformation)
+        frame = float(modes.omega[0]) ** 2 - float((here.force / deformation) @ first**2)
+        stiffness = frame + (found.force / amplitudes) @ first**2
+        energy = found.energy @ (first / deformation) ** 2 / _SHARES**2
+        return float(_WEIGHTS @ (energy / (2.0 * math.pi * stiffness)))
+
+    def _roof(self, modes: LinearModes, damping: float, action: Action | None) -> float:
+        """Amplitude of the first of modes at the roof, m, with a damping ratio that the dampers add."""
+        amplitude = self.spec.amplitude
+        at_roof = float(modes.floors[0, -1])
+        if action is None and isinstance(amplitude, RoofAmplitude):
+            return amplitude.roof_displacement
+        if action is None and isinstance(amplitude, DriftAmplitude):
+            drifts = np.abs(np.diff(modes.floors[0], prepend=0.0)) / self.building.heights
+            return amplitude.drift * abs(at_roof) / float(drifts.max())
+        action = action or self.action
+        assert action is not None, "check_design wants a level"
+        ratio = min(action.inherent_damping + damping, 1.0)
+        return abs(float(modes.participation[0]) * at_roof) * action.displacement(float(modes.omega[0]), ratio)
+
+    @staticmethod
+    def _deformation(modes: LinearModes, roof: float) -> np.ndarray:
+        """Deformation of dampers and braces (d,) m in the first of modes with an amplitude at the roof."""
+        size = np.abs(modes.dampers[0])
+        return np.asarray(roof / abs(float(modes.floors[0, -1])) * np.maximum(size, _LEAST * size.max()))
+
+    def _shears(self) -> np.ndarray:
+        """Shears of the storeys with dampers, without them, linear, (s,) N: of the spectrum, or of the first mode."""
+        frame, bare = self.building.frame, self.bare
+        if self.shear_of == "spectrum":
+            assert self.action is not None, "check_design wants a level"
+            peaks = spectral_peaks(self.building, self.action, bare, np.zeros(bare.omega.size))
+            found = peaks.combined(mode_shears(frame, bare))
+        else:
+            if self.action is not None:
+                omega, ratio = float(bare.omega[0]), self.action.inherent_damping
+                generalised = float(bare.participation[0]) * self.action.displacement(omega, ratio)
+            else:
+                generalised = self._roof(bare, 0.0, None) / float(bare.floors[0, -1])
+            found = np.abs(generalised * mode_shears(frame, bare)[0])
+        return np.asarray(found[self.building.storeys - 1])

@@ -1,0 +1,162 @@
+"""A design of hysteretic dampers as variables of the archive."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.project.dampers.checks_hysteretic_designs import TARGETS
+from edesign.project.dampers.designs import Optimum
+from edesign.study.design.bounds import Bound, governing
+from edesign.study.design.building import Building
+from edesign.study.design.estimate import FrameEstimate
+from edesign.study.design.hysteretic import LARGEST_SHARE, HystereticSizing, damping_curve
+from edesign.study.design.hysteretic_estimate import HystereticEstimate, hysteretic_estimate
+from edesign.study.design.hysteretic_frame import HystereticFrame
+from edesign.study.design.loop import Round
+from edesign.study.design.optimum import objective
+from edesign.study.design.results import (
+    MODES,
+    of_storeys,
+    store_bound_responses,
+    store_drifts,
+    store_storeys,
+    store_verdicts,
+)
+from edesign.study.recording import coordinate
+
+_DAMPING = "added equivalent damping ratio of the first mode, secant stiffness and loops with braces"
+_CURVE_POINTS, _CURVE_START = 25, 0.01  # shares of the storey shears, in geometric steps up to the largest
+
+
+def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: HystereticSizing, device: np.ndarray) -> None:
+    """Add the dampers of each storey and the modes without and with them.
+
+    Args:
+        group: of the design.
+        frame: with its dampers' law.
+        sizing: the dampers.
+        device: yield or slip force of one damper in each storey with dampers, (s,) N.
+    """
+    building, vibration, loop, number = frame.building, sizing.vibration, frame.loop, frame.spec.number
+    store_storeys(group, building, sizing.brace)
+    add = group.add
+    label = {"spectrum": "CQC of the response spectrum", "first_mode": "first mode"}[frame.shear_of]
+    add("storey_shear", ("storey",), frame.shears, "N", f"elastic shear of the storey without dampers, {label}")
+    add("yield_force", ("storey",), sizing.yield_force, "N", "yield force of all dampers of the storey along its drift")
+    label = "yield force of the dampers of the storey over its shear"
+    add("shear_share", ("storey",), sizing.yield_force / frame.shears, "1", label)
+    add("device_yield_force", ("storey",), device, "N", "yield or slip force of one damper")
+    scale = device / loop.yield_force
+    add("device_scale", ("storey",), scale, "1", "yield force of one damper over that of its law")
+    add("device_stiffness", ("storey",), scale * loop.stiffness, "N/m", "initial stiffness of one damper")
+    devices = number * np.bincount(building.place_storey)
+    add("device_count", ("storey",), devices, "1", "number of dampers in the storey")
+    label = "drift over height at which dampers and braces yield, their feet held"
+    add("yield_drift", ("storey",), frame.yield_drift(sizing.yield_force), "1", label)
+    label = "deformation of the dampers at the amplitude of the design, first mode"
+    stroke = of_storeys(building, vibration.secants.stroke)
+    add("design_stroke", ("storey",), stroke, "m", label)
+    label = "that deformation over the one at which they yield"
+    add("design_ductility", ("storey",), stroke * loop.stiffness / loop.yield_force, "1", label)
+    secant = of_storeys(building, vibration.stiffness) / number
+    add("device_secant_stiffness", ("storey",), secant, "N/m", "secant stiffness of one damper with its brace")
+    group.attributes |= {
+        "number": number,
+        "places": int(building.place_storey.size),
+        "yield_deformation_m": loop.yield_force / loop.stiffness,
+        "hardening": loop.hardening,
+        "target": next(key for key in TARGETS if getattr(frame.spec, key) is not None),
+        "share": sizing.share,
+        "shear_of": frame.shear_of,
+        "equivalent_damping": frame.spec.equivalent_damping,
+        "roof_displacement_m": vibration.roof,
+        "damping": vibration.damping,
+        "damping_at_amplitude": vibration.damping_at_amplitude,
+        "damping_average": vibration.damping_average,
+    }
+    elastic = frame.elastic_modes(sizing.yield_force)
+    count = min(MODES, frame.bare.omega.size)
+    coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
+    for name, modes, label in (
+        ("bare_period", frame.bare, "natural period without dampers"),
+        ("elastic_period", elastic, "natural period with dampers that do not yield, and braces"),
+        ("period", vibration.modes, "natural period with the secants of dampers and braces"),
+    ):
+        add(name, ("mode",), 2.0 * np.pi / modes.omega[:count], "s", label)
+
+
+def store_hysteretic_curve(group: Group, frame: HystereticFrame, sizing: HystereticSizing) -> None:
+    """Add what the first mode would have with forces in the same distribution, for a share of the shears each."""
+    shares = np.geomspace(_CURVE_START, LARGEST_SHARE, _CURVE_POINTS)
+    found = damping_curve(frame, sizing.yield_force / sizing.share, shares)
+    coordinate(group, "curve_share", shares, "1", "yield forces over storey shears, sums over the storeys")
+    add = group.add
+    damping = [math.nan if v is None else v.damping for v in found]
+    add("curve_damping", ("curve_share",), damping, "1", _DAMPING)
+    periods = [math.nan if v is None else v.period for v in found]
+    add("curve_period", ("curve_share",), periods, "s", "first period with the secants of dampers and braces")
+    if frame.action is not None:
+        unit, drift = sizing.yield_force / sizing.share, []
+        for share, v in zip(shares, found, strict=True):
+            estimate = None if v is None else hysteretic_estimate(frame, share * unit, v, frame.action)
+            drift.append(math.nan if estimate is None else float(estimate.drift.max()))
+        label = "largest storey drift over height estimated by the response spectrum"
+        add("curve_storey_drift", ("curve_share",), drift, "1", label)
+
+
+def store_hysteretic_rounds(
+    group: Group, rounds: Sequence[Round[HystereticSizing]], devices: Sequence[np.ndarray], changed: str
+) -> None:
+    """Add the rounds of sizing and verification.
+
+    Args:
+        group: of the design, with its dampers.
+        rounds: all.
+        devices: yield force of one damper in each storey with dampers, (s,) N, of each round.
+        changed: what the rounds change, for people.
+    """
+    store_verdicts(group, rounds, changed)
+    add = group.add
+    add("round_device_yield_force", ("round", "storey"), np.array(devices), "N", "yield or slip force of one damper")
+    shares = [r.sizing.share for r in rounds]
+    add("round_share", ("round",), shares, "1", "yield forces over storey shears, sums over the storeys")
+    periods = [r.sizing.vibration.period for r in rounds]
+    add("round_period", ("round",), periods, "s", "first period with the secants of dampers and braces")
+    damping = [r.sizing.vibration.damping for r in rounds]
+    add("round_damping_equivalent", ("round",), damping, "1", _DAMPING)
+
+
+def store_objectives(group: Group, rounds: Sequence[Round[HystereticSizing]], optimum: Optimum) -> None:
+    """Add what is made least, of each round."""
+    found = [math.nan if r.outcome is None else objective(r.outcome, optimum.least) for r in rounds]
+    label = {"worst": "largest", "mean": "mean"}[optimum.least]
+    group.add("round_objective", ("round",), found, "1", f"{label} demand over limit of the criteria: made least")
+
+
+def store_hysteretic_estimate(
+    group: Group, building: Building, number: int, found: HystereticEstimate, bare: FrameEstimate
+) -> None:
+    """Add the response that the spectrum estimates, with (`found`) and without dampers (`bare`).
+
+    Forces are of all dampers of a place; those of one are divided by their `number`.
+    """
+    store_drifts(group, building, found, bare)
+    add = group.add
+    force = of_storeys(building, found.damper_force) / number
+    add("estimated_device_force", ("storey",), force, "N", "estimated force of one damper")
+    stroke = of_storeys(building, found.damper_stroke)
+    add("estimated_device_stroke", ("storey",), stroke, "m", "estimated stroke of a damper, without its brace")
+    ductility = of_storeys(building, found.ductility)
+    add("estimated_device_ductility", ("storey",), ductility, "1", "that stroke over the deformation at yield")
+
+
+def store_hysteretic_bounds(group: Group, building: Building, found: tuple[Bound[HystereticEstimate], ...]) -> None:
+    """Add the response with the bounds of the forces, and which of them governs each quantity."""
+    store_bound_responses(group, building, found, "forces of the dampers over those of the design", _DAMPING)
+    strokes = [of_storeys(building, b.response.damper_stroke) for b in found]
+    group.add("bound_damper_stroke", ("bound", "storey"), strokes, "m", "estimated stroke of the dampers")
+    group.attributes["governing"] = governing(found, {"damper_stroke": lambda r: float(r.damper_stroke.max())})
