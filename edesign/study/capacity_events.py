@@ -1,4 +1,4 @@
-"""Events along a capacity curve: first yielding, first hinge, drifts of performance levels, peak, collapse."""
+"""Events along a capacity curve: first yielding, hinge and buckling, drifts of performance levels, peak, collapse."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class CapacityEvent:
     Attributes:
         step: the step, 0 is under gravity alone.
         what: "first yield of a beam", ...
-        place: name of the member, or `storey 3`; "" where there is none.
+        place: name of the member or of the node of the panel zone, or `storey 3`; "" where there is none.
     """
 
     step: int
@@ -67,12 +67,22 @@ class EventChannels:
         self._storeys = q.line_drift_storeys(frame)
         self._drifts = q.line_drifts(frame)
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
-        self._yielding = [found for kind in KINDS if (found := _yielding(project, frame, kind))] * (steps <= MOST_STEPS)
+        follows = steps <= MOST_STEPS
+        self._yielding = [found for kind in KINDS if follows and (found := _yielding(project, frame, kind))]
+        self._braces = _Braces(project, frame) if follows and frame.of_kind("brace") else None
+        self._panels = list(frame.panels) if follows else []
+        terms: list[Terms] = [
+            ((built.panel.stiffness / built.panel.yield_moment, "deformation", built.element, 0),)
+            for built in frame.panels.values()
+        ]
+        self._distortions = _followed("panel_distortion", terms[: len(self._panels)])
 
     @property
     def quantities(self) -> list[Quantity]:
         """To be recorded; nothing of them is archived."""
-        return [self._followed, *(item for one in self._yielding for item in (one.strains, one.rotations))]
+        found = [self._followed, *(item for one in self._yielding for item in (one.strains, one.rotations))]
+        found += [self._braces.forces, self._braces.elongations] if self._braces else []
+        return [*found, self._distortions] if self._panels else found
 
     def events(self, response: Response, base_shear: np.ndarray) -> list[CapacityEvent]:
         """Return the events of a push in their order.
@@ -83,9 +93,15 @@ class EventChannels:
         """
         found = []
         for one in self._yielding:
-            found += _first(f"first yield of a {one.kind}", one.strains.values(response), 1.0, one.members)
+            names = [member.name for member in one.members]
+            found += _first(f"first yield of a {one.kind}", one.strains.values(response), 1.0, names)
             rotations = one.rotations.values(response)
-            found += _first(f"first hinge in a {one.kind}", rotations, ELASTIC_ROTATION, one.members)
+            found += _first(f"first hinge in a {one.kind}", rotations, ELASTIC_ROTATION, names)
+        if self._panels:
+            distortions = self._distortions.values(response)[..., np.newaxis]
+            found += _first("first yield of a panel zone", distortions, 1.0, self._panels)
+        if self._braces:
+            found += self._braces.events(response)
         drifts = np.abs(self._followed.values(response))
         for level in PERFORMANCE_LEVELS:
             limit = drift_limits(level).transient
@@ -120,7 +136,7 @@ def store_capacity_events(
     at, dims = [event.step for event in events], ("capacity_event",)
     coordinate(group, "capacity_event", np.arange(1, len(events) + 1), "1", "number of the event on the capacity curve")
     group.add("capacity_event_what", dims, [event.what for event in events], "", "what happens for the first time")
-    group.add("capacity_event_place", dims, [event.place for event in events], "", "member or storey where it happens")
+    group.add("capacity_event_place", dims, [event.place for event in events], "", "member, node of a panel zone, or storey where it happens")
     group.add("capacity_event_step", dims, at, "1", "step in which it has happened")
     label = "displacement of the control node since gravity"
     group.add("capacity_event_displacement", dims, displacement[at], "m", label)
@@ -164,10 +180,62 @@ def _yielding(project: Project, frame: FrameModel, kind: str) -> _Yielding | Non
     )
 
 
-def _first(what: str, values: np.ndarray, limit: float, members: Sequence[Member]) -> list[CapacityEvent]:
+def _followed(name: str, cells: Sequence[Terms]) -> Quantity:
+    """What is kept of each step while a push runs, without extremes."""
+    return Quantity(f"event_{name}", (name,), (len(cells),), tuple(cells), "1", "", True, ())
+
+
+class _Braces:
+    """Axial forces of the braces of a frame, N, and elongations over those at which they yield.
+
+    Args:
+        project: the validated project.
+        frame: its model, with braces.
+    """
+
+    def __init__(self, project: Project, frame: FrameModel) -> None:
+        braces, runs = frame.of_kind("brace"), project.frame.members
+        self._names = [brace.name for brace in braces]
+        self._buckles = np.array([brace.yield_elongation is not None for brace in braces])
+        steels = [project.materials[runs[name].material] for name in self._names]
+        yields = [
+            np.inf if isinstance(steel, ElasticMaterial) else steel.fy / steel.E * project.frame.length(name)
+            for name, steel in zip(self._names, steels, strict=True)
+        ]
+        self._yields = np.array(yields)
+        self.forces = _followed("brace_force", [((1.0, "axial_force", brace.element, 0),) for brace in braces])
+        self.elongations = _followed("brace_elongation", [((1.0, "deformation", b.element, 0),) for b in braces])
+
+    def events(self, response: Response) -> list[CapacityEvent]:
+        """Return the first yield and the first buckling of a brace.
+
+        A brace that buckles yields in tension, as it shortens by its deflection too; another one in compression also.
+        It has buckled at its largest compression, if it then shortens further under less.
+        """
+        elongations = self.elongations.values(response)
+        stretched = np.where(self._buckles, np.maximum(elongations, 0.0), elongations) / self._yields
+        found = _first("first yield of a brace", stretched[..., np.newaxis], 1.0, self._names)
+        compressions = -self.forces.values(response)
+        buckled = [
+            (step, name)
+            for i, name in enumerate(self._names)
+            if self._buckles[i] and (step := _limit_point(compressions[:, i], -elongations[:, i])) is not None
+        ]
+        return [*found, *(CapacityEvent(step, "first buckling of a brace", name) for step, name in sorted(buckled)[:1])]
+
+
+def _limit_point(compression: np.ndarray, shortening: np.ndarray) -> int | None:
+    """The step of the largest compression so far after which a brace first shortens further under less; None: none."""
+    largest = np.maximum.accumulate(compression)
+    at = np.maximum.accumulate(np.where(compression == largest, np.arange(largest.size), 0))
+    beyond = (compression < largest * (1.0 - DESCENT)) & (shortening > shortening[at]) & (largest > 0.0)
+    return int(at[np.argmax(beyond)]) if beyond.any() else None
+
+
+def _first(what: str, values: np.ndarray, limit: float, names: Sequence[str]) -> list[CapacityEvent]:
     """The first step in which a value of a member, (steps, members, places), reaches a limit, and which member."""
     largest = np.abs(values).max(axis=2)
     there = np.nonzero(largest.max(axis=1) >= limit)[0]
     if not there.size:
         return []
-    return [CapacityEvent(int(there[0]), what, members[int(np.argmax(largest[there[0]]))].name)]
+    return [CapacityEvent(int(there[0]), what, names[int(np.argmax(largest[there[0]]))])]

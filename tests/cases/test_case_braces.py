@@ -74,3 +74,16 @@ def test_what_buckles_is_not_doubted_for_its_compression(results_of: Results) ->
         group = results_of(CASE, analysis)
         assert "brace_buckling" not in str(group.attributes["warnings"])
         assert np.all(np.isnan(group.variables["brace_buckling_resistance"].values))
+
+
+def test_the_capacity_curve_marks_the_first_buckling(results_of: Results) -> None:
+    """The first brace to carry its largest compression: D_1_1_f, in the step in which what is kept of it is least."""
+    group = results_of(CASE, "push")
+    events = group.variables["capacity_event_what"].values.tolist()
+    at = events.index("first buckling of a brace")
+    assert group.variables["capacity_event_place"].values[at] == "D_1_1_f"
+    force = of_brace(group, "recorded_brace_axial_force", "D_1_1_f")
+    assert group.variables["capacity_event_step"].values[at] == np.argmin(force)
+    assert "first yield of a brace" not in events  # none is stretched that far
+    ductility = group.variables["brace_ductility_max"].values
+    assert np.all(ductility < 1.0)

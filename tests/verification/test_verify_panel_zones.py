@@ -126,4 +126,6 @@ def test_panels_of_a_frame_share_the_work() -> None:
         line = np.interp(ductility, [0.0, 1.0, 4.0, 104.0], [0.0, M_y, M_p, M_p + 3.0 * M_y])
         assert abs(moment) == pytest.approx(line, rel=1e-6)
         distortion[doubler] = ductility
+        events = push.variables["capacity_event_what"].values.tolist()
+        assert ("first yield of a panel zone" in events) == (doubler == "")
     assert distortion[""] > 2.0 and distortion[", doubler: 40 mm"] < 1.0

@@ -1,0 +1,61 @@
+"""Events of braces along capacity curves, against statics."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.project import parse_project
+from edesign.study.analyses import run_analysis
+from edesign.study.capacity_events import _limit_point
+
+TRUSS = """\
+edesign: 1
+title: A braced bay on hinges
+frame:
+  bays: [4 m]
+  storeys: [3 m]
+  supports: pinned
+  columns: [{storeys: all, section: C, material: E}]
+  beams: [{floors: all, section: C, material: E}]
+  braces: [{bays: 1, storeys: 1, kind: rising, section: CHS60.3x4, material: S235}]
+  releases: [{beams: {floors: all}, ends: both}]
+sections: {C: {area: 1 m^2, inertia: 1e-3 m^4}}
+materials:
+  S235: {law: bilinear, E: 210 GPa, fy: 235 MPa, hardening: 1 %}
+  E: {law: elastic, E: 210 GPa}
+elements: {geometry: {columns: linear, beams: linear, braces: linear}}
+masses: {given: [{floors: all, mass: 1 t}]}
+analyses: [{name: push, kind: pushover, pattern: uniform, direction: @way@, roof_drift: 1 %, steps: 1000}]
+"""
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+def test_a_bar_yields_where_its_elongation_is_that_of_yield(way: str) -> None:
+    """Stiff beams and columns: u cos(a) = f_y L / E, with L = 5 m and cos a = 0.8, both ways of a bar.
+
+    The columns are a thousandth of a millimetre shorter or longer; the event is in the first step beyond, of 0.03 mm.
+    """
+    project = parse_project(TRUSS.replace("@way@", way), "project.yaml")
+    group = run_analysis(project, project.analyses[0])
+    events = group.variables["capacity_event_what"].values.tolist()
+    at = events.index("first yield of a brace")
+    assert group.variables["capacity_event_place"].values[at] == "D_1_1_r"
+    u = 235e6 / 210e9 * 5.0 / 0.8
+    assert 0.0 <= group.variables["capacity_event_displacement"].values[at] - u < 3e-5 + 1e-2 * u
+
+
+@pytest.mark.parametrize(
+    ("compression", "shortening", "step"),
+    [
+        ([0, 1, 2, 1.5, 1], [0, 1, 2, 3, 4], 2),  # a limit point
+        ([0, 1, 2, 1.5, 1], [0, 1, 2, 1.5, 1], None),  # unloading along the line of loading
+        ([0, 1, 2, 1.5, 2.5, 2], [0, 1, 2, 1.5, 2.5, 3], 4),  # unloading, and then a limit point
+        ([0, 1, 2, 3], [0, 1, 2, 3], None),
+        ([0, -1, -2, -1], [0, -1, -2, -3], None),  # in tension
+    ],
+)
+def test_a_brace_has_buckled_at_its_limit_point(
+    compression: list[float], shortening: list[float], step: int | None
+) -> None:
+    assert _limit_point(np.array(compression, dtype=float), np.array(shortening, dtype=float)) == step
