@@ -1,4 +1,7 @@
-"""Tables of plastic hinges, joints, panel zones and springs under the columns: what they are and what they did."""
+"""Tables of plastic hinges, joints, panel zones and springs under the columns: what they are and what they did.
+
+All values of a row are of the analysis that the row names.
+"""
 
 from __future__ import annotations
 
@@ -9,6 +12,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.report.table import Table, number
+from edesign.report.text import wrapped
 
 SHOWN = 20
 """Rows of a table at most, those that were used most: a page of them can be read."""
@@ -37,6 +41,18 @@ def _worst(groups: Mapping[str, Group], variable: str, coordinate: str) -> dict[
     return found
 
 
+def _value(group: Group, variable: str, coordinate: str, name: str) -> float | None:
+    """The value of one name of a coordinate; None: it is not in the archive."""
+    stored = group.variables.get(variable)
+    return None if stored is None else float(stored.values[group.coords[coordinate].values.tolist().index(name)])
+
+
+def _peak(group: Group, variable: str, coordinate: str, name: str) -> float | None:
+    """The largest magnitude of a variable of one name of its coordinate; None: it is not in the archive."""
+    values = peak(group, variable)
+    return None if values is None else float(values[group.coords[coordinate].values.tolist().index(name)])
+
+
 def _facts(groups: Mapping[str, Group], coordinate: str, variables: tuple[str, ...]) -> dict[str, tuple[object, ...]]:
     """What does not change: the variables of each name of a coordinate."""
     found: dict[str, tuple[object, ...]] = {}
@@ -62,12 +78,6 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
     if not turned:
         return None
     facts = _facts(groups, "hinge", ("hinge_M_y", "hinge_theta_p"))
-    left: dict[str, float] = {}
-    for group in groups.values():
-        if "hinge_strength_left_final" in group.variables:
-            values = group.variables["hinge_strength_left_final"].values.tolist()
-            for name, value in zip(group.coords["hinge"].values.tolist(), values, strict=True):
-                left[name] = min(left.get(name, 1.0), value)
     table = Table(
         "Plastic hinges",
         [
@@ -80,22 +90,35 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
             "analysis",
         ],
     )
-    rows = []
-    for name, (rotation, analysis) in turned.items():
-        M_y, theta_p = (float(np.asarray(value)) for value in facts[name])
-        rows.append((rotation / theta_p, name, M_y, theta_p, rotation, analysis))
-    rows.sort(key=lambda row: (-row[0], row[1]))
-    for ratio, name, M_y, theta_p, rotation, analysis in rows[:SHOWN]:
-        cells = (number(M_y, scale=1e3), number(theta_p, scale=1e-3), number(rotation, scale=1e-3, negligible=1e-9))
-        table.rows.append(
-            [name, *cells, number(100.0 * ratio, 3, negligible=1e-6), number(100.0 * left.get(name, 1.0)), analysis]
-        )
-    table.notes.append(
-        "Plastic rotation: the largest of all analyses; strength left: the least yield moment at their ends over that "
-        "at first, 0 % beyond the ultimate rotation or the energy capacity."
+    theta_p = {name: float(np.asarray(facts[name][1])) for name in turned}
+    order = sorted(turned, key=lambda name: (-turned[name][0] / theta_p[name], name))
+    weakest = _weakest_hinges(groups)
+    for name in order[:SHOWN]:
+        M_y = float(np.asarray(facts[name][0]))
+        for analysis in dict.fromkeys((turned[name][1], weakest.get(name, turned[name][1]))):
+            rotation = _peak(groups[analysis], "hinge_plastic_rotation", "hinge", name) or 0.0
+            left = _value(groups[analysis], "hinge_strength_left_final", "hinge", name)
+            cells = (number(M_y, scale=1e3), number(theta_p[name], scale=1e-3))
+            cells += (number(rotation, scale=1e-3, negligible=1e-9), number(rotation / theta_p[name], 3, 0.01, 1e-8))
+            table.rows.append([name, *cells, number(left, 4, 0.01), analysis])
+    table.notes += wrapped(
+        "Of each hinge the analysis in which it turned most, and the one that left it least strength. Strength left: "
+        "yield moment at its end over that at first, 0 % beyond the ultimate rotation or the energy capacity."
     )
-    _note_left_out(table, len(rows), "hinges that turned most of theta_p")
+    _note_left_out(table, len(order), "hinges that turned most of theta_p")
     return table
+
+
+def _weakest_hinges(groups: Mapping[str, Group]) -> dict[str, str]:
+    """The analysis that left each hinge least strength, of those that have lost some."""
+    least: dict[str, tuple[float, str]] = {}
+    for analysis, group in groups.items():
+        if "hinge_strength_left_final" in group.variables:
+            values = group.variables["hinge_strength_left_final"].values.tolist()
+            for name, value in zip(group.coords["hinge"].values.tolist(), values, strict=True):
+                if value < least.get(name, (1.0, ""))[0]:
+                    least[name] = value, analysis
+    return {name: analysis for name, (_, analysis) in least.items()}
 
 
 def _joints(groups: Mapping[str, Group]) -> Table | None:
@@ -103,7 +126,6 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
     if not turned:
         return None
     facts = _facts(groups, "joint", ("joint_stiffness", "joint_M_y", "joint_stiffness_ratio", "joint_class"))
-    moments = _worst(groups, "joint_moment", "joint")
     columns = [
         "joint",
         "S_j [MN m/rad]",
@@ -112,9 +134,10 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
         "M_j,Rd [kN m]",
         "moment [kN m]",
         "rotation [mrad]",
+        "analysis",
     ]
     table = Table("Joints", columns)
-    for name, (rotation, _) in _most(turned):
+    for name, (rotation, analysis) in _most(turned):
         stiffness, resistance, ratio, word = facts[name]
         capacity = float(np.asarray(resistance))
         table.rows.append(
@@ -124,10 +147,12 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
                 number(float(np.asarray(ratio)), 3),
                 str(word),
                 number(capacity if np.isfinite(capacity) else None, scale=1e3),
-                number(moments[name][0], scale=1e3),
+                number(_peak(groups[analysis], "joint_moment", "joint", name), scale=1e3),
                 number(rotation, scale=1e-3),
+                analysis,
             ]
         )
+    table.notes.append("Of each joint the analysis in which it turned most.")
     table.notes.append("Class by the stiffness of the analysis, of an unbraced frame (EN 1993-1-8, 5.2.2.5).")
     _note_left_out(table, len(turned), "joints that turned most")
     return table
@@ -138,7 +163,6 @@ def _panels(groups: Mapping[str, Group]) -> Table | None:
     if not distorted:
         return None
     facts = _facts(groups, "panel", ("panel_stiffness", "panel_yield_moment"))
-    moments = _worst(groups, "panel_moment", "panel")
     columns = [
         "panel",
         "yield moment [kN m]",
@@ -152,30 +176,31 @@ def _panels(groups: Mapping[str, Group]) -> Table | None:
     for name, (distortion, analysis) in _most(distorted):
         stiffness, moment = (float(np.asarray(value)) for value in facts[name])
         at_yield = moment / stiffness
-        cells = (number(moment, scale=1e3), number(moments[name][0], scale=1e3), number(at_yield, scale=1e-3))
+        largest = _peak(groups[analysis], "panel_moment", "panel", name)
+        cells = (number(moment, scale=1e3), number(largest, scale=1e3), number(at_yield, scale=1e-3))
         table.rows.append([name, *cells, number(distortion, scale=1e-3), number(distortion / at_yield, 3), analysis])
-    table.notes.append("Largest distortions of all analyses; yield: of the web in shear.")
+    table.notes.append("Of each panel zone the analysis with its largest distortion; yield: of the web in shear.")
     _note_left_out(table, len(distorted), "panel zones that were distorted most")
     return table
 
 
+_OF_SUPPORTS = (
+    ("support_displacement_x", "sway [mm]", 1e-3),
+    ("support_displacement_y", "vertical displacement [mm]", 1e-3),
+    ("support_rotation", "rotation [mrad]", 1e-3),
+    ("support_reaction_x", "horizontal reaction [kN]", 1e3),
+    ("support_reaction_y", "vertical reaction [kN]", 1e3),
+    ("support_reaction_moment", "moment [kN m]", 1e3),
+)
+
+
 def _supports(groups: Mapping[str, Group]) -> Table | None:
-    quantities = (
-        ("support_displacement_x", "sway [mm]", 1e-3),
-        ("support_displacement_y", "vertical [mm]", 1e-3),
-        ("support_rotation", "rotation [mrad]", 1e-3),
-        ("support_reaction_x", "horizontal force [kN]", 1e3),
-        ("support_reaction_y", "vertical force [kN]", 1e3),
-        ("support_reaction_moment", "moment [kN m]", 1e3),
-    )
-    found = {name: _worst(groups, name, "sprung_support") for name, _, _ in quantities}
-    there = [item for item in quantities if found[item[0]]]
-    if not there:
-        return None
-    table = Table("Springs at supports", ["support", *(label for _, label, _ in there)])
-    names = list(dict.fromkeys(node for name, _, _ in there for node in found[name]))
-    for node in names:
-        cells = [number(found[name].get(node, (0.0, ""))[0], scale=scale, negligible=1e-12) for name, _, scale in there]
-        table.rows.append([node, *cells])
-    table.notes.append("Largest magnitudes of all analyses; 0 where no spring stands.")
-    return table
+    table = Table("Springs at supports", ("support", "quantity", "largest", "analysis"), left=2)
+    found = {name: _worst(groups, name, "sprung_support") for name, _, _ in _OF_SUPPORTS}
+    for node in dict.fromkeys(node for of in found.values() for node in of):
+        for name, label, scale in _OF_SUPPORTS:
+            value, analysis = found[name].get(node, (0.0, ""))
+            if (shown := number(value, scale=scale, negligible=1e-12)) != "0":
+                table.rows.append([node, label, shown, analysis])
+    table.notes.append("Largest magnitudes; what no spring holds, and what does not move, is left out.")
+    return table if table.rows else None
