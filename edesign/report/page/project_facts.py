@@ -13,6 +13,7 @@ from edesign.ground_motion.hazard import action_of
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
 from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.frame.hinges import Hinges, Joints
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.supports import support_name
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -33,7 +34,10 @@ def project_rows(project: Project) -> Rows:
         ("Bays", f"{frame.n_bays} of {_lengths(frame.bay_widths)}, {frame.x[-1]:g} m in all"),
         ("Columns", _over_height(columns, "storey")),
         ("Beams", _over_height(beams, "floor")),
-        ("Braces", f"{len(frame.brace_at)}" if frame.brace_at else ""),
+        ("Braces", _braces(project)),
+        ("Plastic hinges", _hinges(project)),
+        ("Joints that turn", _joints(project)),
+        ("Panel zones", _panel_zones(project)),
         ("Rigid ends", _rigid_ends(project)),
         ("Supports", _supports(project)),
         ("Steel", "; ".join(_steel(name, project) for name in project.materials)),
@@ -125,6 +129,46 @@ def _steel(name: str, project: Project) -> str:
     return f"{text}, fy = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
 
 
+def _braces(project: Project) -> str:
+    """How many there are, and how many of them buckle."""
+    runs = project.frame.brace_at.values()
+    buckling = sum(run.buckling is not None for run in runs)
+    return f"{len(runs)}, of which {buckling or 'none'} buckle in the analysis" if runs else ""
+
+
+def _at_ends(project: Project, run: Hinges | Joints) -> str:
+    """The members that springs are at the ends of: at both ends of 6 beams."""
+    count = sum(1 for _ in project.frame.members_in(run.beams, run.columns))
+    where = "both ends" if run.ends == "both" else f"the {run.ends}"
+    return f"at {where} of {count} {'beam' if run.beams is not None else 'column'}{'s' * (count != 1)}"
+
+
+def _hinges(project: Project) -> str:
+    values = [
+        "Lignos and Krawinkler (2011)"
+        if isinstance(run.parameters, str)
+        else f"M_y = {plain(run.parameters.M_y / 1e3)} kN m"
+        for run in project.hinges
+    ]
+    return "; ".join(f"{_at_ends(project, run)}, {text}" for run, text in zip(project.hinges, values, strict=True))
+
+
+def _joints(project: Project) -> str:
+    texts = []
+    for run in project.joints:
+        text = f"{_at_ends(project, run)}, S_j = {plain(run.stiffness / 1e6)} MN m/rad"
+        texts.append(text + (f", M_j,Rd = {plain(run.resistance / 1e3)} kN m" if run.resistance is not None else ""))
+    return "; ".join(texts)
+
+
+def _panel_zones(project: Project) -> str:
+    texts = []
+    for run in project.panel_zones:
+        plates = f", doubler plates {plain(1e3 * run.doubler)} mm" if run.doubler is not None else ""
+        texts.append(f"lines {run.lines}, floors {run.floors}{plates}")
+    return "; ".join(texts)
+
+
 def _rigid_ends(project: Project) -> str:
     asked = project.elements.rigid_ends
     kinds = (("columns", asked.columns, "beams"), ("beams", asked.beams, "columns"))
@@ -143,7 +187,7 @@ def _damping(project: Project) -> str:
     several = damping.ratio if isinstance(damping.ratio, tuple) else (damping.ratio,)
     ratio = f"{', '.join(f'{100 * value:g}' for value in several)} % of critical"
     if isinstance(damping, ModalDamping):
-        return f"modal, {ratio} in modes 1-{damping.count}"
+        return f"modal, {ratio} in {f'modes 1-{damping.count}' if damping.count > 1 else 'mode 1'}"
     if isinstance(damping, CaugheyDamping):
         return f"Caughey, {ratio} {_anchors(damping.modes, damping.periods)}"
     if isinstance(damping, RayleighDamping):

@@ -19,6 +19,7 @@ from edesign.project.study.study import Study
 from edesign.report.archived import archived_building, archived_project, archived_study
 from edesign.report.assessment_tables import read_histories
 from edesign.report.captions import UniqueNames, file_name
+from edesign.report.incremental_results import IncrementalResults, read_incremental
 from edesign.report.page.section import Heading, Part, Picture
 from edesign.report.summary import entry, planned, results
 
@@ -82,6 +83,11 @@ class Source:
     def levels(self) -> list[str]:
         """Names of the hazard levels in the order of the plan."""
         return list(dict.fromkeys(found.level for found in self.sets))
+
+    @cached_property
+    def incremental(self) -> list[IncrementalResults]:
+        """The incremental studies that have results."""
+        return read_incremental(self.archive, self.groups)
 
     @cached_property
     def study(self) -> Study | None:

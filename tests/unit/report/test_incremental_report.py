@@ -8,7 +8,9 @@ import pytest
 from edesign.assess.incremental import COLLAPSE, Stripes
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
 from edesign.report.incremental_figures import fragility_figure, ida_figure
+from edesign.report.incremental_results import IncrementalResults
 from edesign.report.incremental_tables import fractile_table, fragility_table
+from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 
 G = 9.80665
 IM = G * np.array([0.2, 0.4, 0.6, 0.8])
@@ -37,6 +39,30 @@ def test_fragilities_in_g_with_margins_and_reasons() -> None:
     assert "damped, LS, capacities: no fragility: 0 of 3 records pass the limit; two are needed" in table.notes
     assert "bare: 1 analyses without a result are left out" in table.notes
     assert len(fragility_table(fragilities()).columns) == len(table.columns) - 1
+
+
+def test_the_summary_says_who_collapses_and_at_what_median() -> None:
+    stripes = {one.variant: {one.measure: one} for one in STRIPES}
+    results = IncrementalResults(
+        "ida",
+        "spectral acceleration (g)",
+        "m/s^2",
+        "MCE",
+        {},
+        stripes,
+        tuple(fragilities()),
+        {"bare": {"completed": 11}},
+    )
+    tiles = {(tile.label, tile.detail.partition(";")[0]): tile for tile in incremental_tiles(results)}
+    assert tiles["Records that collapse, ida", "bare"].value == "2 of 3"
+    assert tiles["Records that collapse, ida", "damped"].value == "0 of 3"
+    needed = np.exp(np.log([0.5, 0.35, 0.25]).mean())
+    median = tiles["Median spectral acceleration at LS, ida", "bare"]
+    assert median.value == f"{needed:.3f}\N{NO-BREAK SPACE}g" and median.detail.endswith(
+        f"{needed / 0.3:.2f} times MCE"
+    )
+    assert ("Median spectral acceleration at LS, ida", "damped") not in tiles  # no record reaches it
+    assert incremental_summary(results) == "ida: 3 records at 4 intensities; histories of bare: 11 completed."
 
 
 def test_intensities_that_fractions_need() -> None:

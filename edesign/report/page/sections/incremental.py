@@ -5,11 +5,14 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from edesign.archive.reader import Archive
+from edesign.report.captions import plain
 from edesign.report.incremental_figures import results_figures
-from edesign.report.incremental_results import IncrementalResults, read_incremental
+from edesign.report.incremental_results import DRIFT, UNITS, IncrementalResults
 from edesign.report.incremental_tables import results_tables
-from edesign.report.page.section import Heading, Part, Section
+from edesign.report.page.section import Heading, Headline, Part, Section
 from edesign.report.page.source import Source
 
 if TYPE_CHECKING:
@@ -18,12 +21,32 @@ if TYPE_CHECKING:
 
 def incremental(source: Source) -> Section:
     """What follows from the histories of each incremental study."""
-    found = read_incremental(source.archive, source.groups)
+    found = source.incremental
     parts: list[Part] = []
     for one in found:
         parts += [Heading(one.name)] if len(found) > 1 else []
         parts += _study(source, one)
-    return Section("incremental", "Incremental dynamic analysis", tuple(_asked(one) for one in found), tuple(parts))
+    return Section("incremental", "Incremental dynamic analysis", tuple(map(incremental_summary, found)), tuple(parts))
+
+
+def incremental_tiles(results: IncrementalResults) -> tuple[Headline, ...]:
+    """Return of each variant how many records collapse, and the median intensity of every limit with a fragility."""
+    unit, scale = UNITS[results.unit]
+    label = results.label.removesuffix(f" ({unit})")
+    tiles = []
+    for stripes in results.stripes_of(DRIFT):
+        collapsed = int(np.isposinf(stripes.values).any(axis=1).sum())
+        records = f"{collapsed} of {len(stripes.records)}"
+        tiles.append(Headline(records, f"Records that collapse, {results.name}", stripes.variant))
+    for one in results.fragilities:
+        if one.fit is None:
+            continue
+        value = plain(one.fit.theta / scale) + (f"\N{NO-BREAK SPACE}{unit}" if unit != "1" else "")
+        detail = f"{one.variant}; dispersion {plain(one.fit.beta)}, {one.records} records"
+        if one.margin is not None:
+            detail += f"; {plain(one.margin)} times {results.level}"
+        tiles.append(Headline(value, f"Median {label} at {one.limit}, {results.name}", detail))
+    return tuple(tiles)
 
 
 def _study(source: Source, results: IncrementalResults) -> list[Part]:
@@ -33,15 +56,13 @@ def _study(source: Source, results: IncrementalResults) -> list[Part]:
     return [*source.pictures(incremental_figures), *results_tables(results)]
 
 
-def _asked(results: IncrementalResults) -> str:
-    """How many histories there are, and how they ended, in a sentence."""
+def incremental_summary(results: IncrementalResults) -> str:
+    """Return how many histories there are, and how they ended, in a sentence."""
     stripes = next(iter(next(iter(results.stripes.values())).values()))
     counts = [
         f"{variant}: " + ", ".join(f"{count} {state}" for state, count in sorted(states.items()))
         for variant, states in results.states.items()
     ]
-    return (
-        f"{results.name}: {len(stripes.records)} records at {stripes.intensity.size} intensities; histories of "
-        + "; ".join(counts)
-        + "."
-    )
+    count = len(stripes.records)
+    records = "1 record" if count == 1 else f"{count} records"
+    return f"{results.name}: {records} at {stripes.intensity.size} intensities; histories of {'; '.join(counts)}."

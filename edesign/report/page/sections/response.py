@@ -18,7 +18,8 @@ def response(source: Source) -> Section:
     if sets:
         tables = statistics_tables(source.sets)
         parts += tables[:SHOWN]
-        parts.append(Folded("Median, and 84 % percentile", tuple(tables[SHOWN:])))
+        if tables[SHOWN:]:
+            parts.append(Folded("Median, and 84 % percentile", tuple(tables[SHOWN:])))
         each = tuple(record_measures_table(found) for found in sets)
         parts.append(Folded("Response measures of each record", each))
     else:

@@ -12,6 +12,7 @@ from edesign.report.captions import at_level, plain, record_label
 from edesign.report.measure_columns import ROUNDING
 from edesign.report.measure_tables import missing_notes
 from edesign.report.page.section import Headline, Headlines, Part, Section, Warnings
+from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 from edesign.report.page.sections.verdicts import judged, verdict_tiles
 from edesign.report.page.source import Source
 from edesign.report.summary import input_warnings
@@ -42,7 +43,12 @@ def summary(source: Source) -> Section:
     """What a reader should know who reads nothing else."""
     parts: list[Part] = [*_failures(source.entries), *_warnings(source)]
     verdicts, tables = judged(source)
-    parts += [Headlines(tiles) for tiles in (verdict_tiles(verdicts, source.study), _tiles(source.statistics)) if tiles]
+    rows = (
+        verdict_tiles(verdicts, source.study),
+        _tiles(source.statistics),
+        *map(incremental_tiles, source.incremental),
+    )
+    parts += [Headlines(tiles) for tiles in rows if tiles]
     parts += tables
     governing = governing_table(source.statistics)
     parts += [governing] if governing.rows else []
@@ -128,11 +134,12 @@ def _tile(label: str, unit: str, shown: Sequence[tuple[str, float, int]]) -> Hea
 
 
 def _asked(source: Source) -> str:
-    """What the run was to find, in a sentence or two."""
+    """What the run was to find, in a few sentences."""
     entries = [item for item in source.entries if not source.groups[item["name"]].attributes.get("incremental")]
     sets = source.sets
+    scaled = [incremental_summary(one) for one in source.incremental]
     if not entries:
-        return "Ground motions fitted to a spectrum; no frame was analysed."
+        return " ".join(scaled) or "Ground motions fitted to a spectrum; no frame was analysed."
     done = sum(item["status"] == "completed" for item in entries)
     kinds = {kind: sum(item["kind"] == kind for item in entries) for kind in dict.fromkeys(i["kind"] for i in entries)}
     counted = ", ".join(f"{count} {_plural(str(kind), count)}" for kind, count in kinds.items() if kind)
@@ -143,11 +150,16 @@ def _asked(source: Source) -> str:
         records = {str(g.attributes.get("record")) for one in sets for g in one.histories.values()}
         what = f"The frame{' as ' + variants if variants else ''} was subjected to {len(records)} "
         found.insert(0, what + f"ground motion{'s' * (len(records) > 1)}{at_level(levels)}.")
-    return " ".join(found)
+    return " ".join([*found, *scaled])
 
 
 def _plural(kind: str, count: int) -> str:
-    words = {"history": ("history", "histories"), "modal": ("modal", "modal"), "gravity": ("gravity", "gravity")}
+    words = {
+        "history": ("history", "histories"),
+        "modal": ("modal", "modal"),
+        "gravity": ("gravity", "gravity"),
+        "target": ("state at a target displacement", "states at target displacements"),
+    }
     return words.get(kind, (kind, f"{kind}s"))[count != 1]
 
 
