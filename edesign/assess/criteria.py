@@ -9,6 +9,7 @@ from typing import Literal
 
 from edesign.archive.dataset import Group
 from edesign.assess.judgement import share_met, statistic_of, within
+from edesign.assess.measures import Located
 from edesign.assess.members import VariantMembers
 from edesign.assess.performance import By
 from edesign.assess.requirement import Requirement, performance_requirement, requirement_of
@@ -36,7 +37,7 @@ class Verdict:
             over the histories that have a value; None if none has. Of performance levels: usage, met up to 1. Of a
             share of the motions: that share.
         limit: that decides, in SI; of a share the least one.
-        unit: SI unit of both, "1" for ratios.
+        unit: SI unit of both, "1" for ratios, "D/C" of performance levels.
         met: None: it does not apply, there is no history yet, or it depends on histories that have not run.
         remark: "better than the range", "failed histories count as infinite", why it does not apply, ...
         governing_history, governing_storey, governing_member, governing_floor: of the largest value (smallest for
@@ -201,7 +202,7 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         governing = max(there, key=lambda name: there[name]) if bad > 0.0 else min(there, key=lambda name: there[name])
     place = places.get(governing)
     return replace(
-        _unanswered(asked, found, _remark(asked, found, value, met), applies=True),
+        _unanswered(asked, found, _remark(asked, found, value, met, place), applies=True),
         statistic=statistic,
         value=value,
         met=met,
@@ -242,8 +243,14 @@ def _limit(asked: Requirement) -> tuple[float, str]:
     return limit, asked.unit
 
 
-def _remark(asked: Requirement, found: HistorySet, value: float | None, met: bool | None) -> str:
-    remarks = []
+def _remark(
+    asked: Requirement,
+    found: HistorySet,
+    value: float | None = None,
+    met: bool | None = None,
+    place: Located | None = None,
+) -> str:
+    remarks = [place.remark] if place is not None and place.remark and met is False else []
     if not found.histories:
         remarks.append("no such histories")
     if asked.share is None and asked.most is not None and asked.least is not None and met and value is not None:

@@ -27,12 +27,14 @@ class Located:
         storey: number of the storey, or of the floor above it; None where there is none.
         member: name of the column, beam, brace, damper or support, "" where there is none.
         floor: number of the floor, of quantities of floors.
+        remark: what else is to be said of it.
     """
 
     value: float
     storey: int | None = None
     member: str = ""
     floor: int | None = None
+    remark: str = ""
 
 
 @dataclass(frozen=True)

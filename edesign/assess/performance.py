@@ -26,14 +26,26 @@ class Usage:
         governing: "transient drift", "residual drift" or "plastic rotation".
         storey: where it governs.
         member: the column or beam that governs, "" for a drift.
-        force_controlled: the member is a column with P/P_CL > 0.5.
+        rotation: largest plastic rotation of the member, rad.
+        axial_ratio: P/P_CL of a column that is force-controlled, above 0.5; None: nothing is.
     """
 
     ratio: float
     governing: str
     storey: int | None = None
     member: str = ""
-    force_controlled: bool = False
+    rotation: float = 0.0
+    axial_ratio: float | None = None
+
+    @property
+    def of_force(self) -> str:
+        """What is to be said of a force-controlled column: it has to stay elastic; "" of anything else."""
+        if self.axial_ratio is None:
+            return ""
+        column = f"column {self.member} is force-controlled (P/P_CL = {self.axial_ratio:.2f})"
+        if self.ratio <= 1.0:
+            return f"{column} and elastic"
+        return f"{column} and yields: plastic rotation {1e3 * self.rotation:.3g} mrad"
 
 
 @dataclass(frozen=True)
@@ -99,12 +111,15 @@ def member_performance(
     if not usages:
         return None
     worst = max(usages, key=lambda usage: usage.ratio)
+    member = worst.member
+    force_controlled = member.kind == "column" and member.limits(worst.axial_ratio * member.strength) is None
     return Usage(
         worst.ratio,
         "plastic rotation",
-        worst.member.storey,
-        worst.member.name,
-        worst.member.kind == "column" and worst.member.limits(worst.axial_ratio * worst.member.strength) is None,
+        member.storey,
+        member.name,
+        worst.rotation,
+        worst.axial_ratio if force_controlled else None,
     )
 
 

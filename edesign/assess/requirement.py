@@ -35,6 +35,7 @@ UNITS = {
     "rad": ("rad", 1.0),
     "1": ("%", 0.01),
     "": ("", 1.0),
+    (DEMAND_OVER_CAPACITY := "D/C"): ("", 1.0),
 }
 """Unit in which values of an SI unit are shown to people, with its size in SI."""
 _ROUNDING = 1e-9  # in SI: far below what any measure means
@@ -156,12 +157,12 @@ def performance_requirement(
 
     def place(group: Group) -> Located | None:
         found = usage(group, members, level, by, KINDS[of], storeys)
-        return None if found is None else Located(found.ratio, found.storey, found.member)
+        return None if found is None else Located(found.ratio, found.storey, found.member, remark=found.of_force)
 
     ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
     whose = f" of {of}" if by != "drift" and of != "all" else ""
     words = f"{PERFORMANCE_LEVELS[level]} by {ways[by]}{whose}"
-    return Requirement(name, words, statistic, place, 1.0, None, "1")
+    return Requirement(name, words, statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
 
 
 def shown(value: float, unit: str) -> str:

@@ -42,6 +42,8 @@ def record_measures_table(found: HistorySet) -> Table:
 def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     """Return a table for each statistic: rows are measures, columns variants at levels.
 
+    Where no set has more than one history, all statistics are its values, and stand in one table.
+
     At each level the difference of every further variant from the first one follows it, in per cent: over the records
     that both have completed; left out where there is none.
 
@@ -53,8 +55,13 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     pairs = [_pair(ordered[_first(ordered, at)], found) for at, found in enumerate(ordered)]
     shown = [row for row in MEASURE_ROWS if any(each[row[1]].count for each in over)]
     tables = []
-    for statistic, of in STATISTICS.items() if ordered else ():
-        table = Table(f"{STATISTIC_TITLES[statistic]} response", ("measure", *_headers(ordered, pairs)))
+    single = all(len(found.completed) == 1 for found in ordered)
+    titles = (
+        {"maximum": "Response"} if single else {key: f"{title} response" for key, title in STATISTIC_TITLES.items()}
+    )
+    for statistic, title in titles.items() if ordered else ():
+        of = STATISTICS[statistic]
+        table = Table(title, ("measure", *_headers(ordered, pairs)))
         for name, measure, unit in shown:
             cells = []
             for each, pair in zip(over, pairs, strict=True):

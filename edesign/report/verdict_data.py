@@ -7,6 +7,7 @@ from pathlib import Path
 from edesign.archive.csv_files import Cell, write_csv_file
 from edesign.archive.reader import Archive
 from edesign.assess.criteria import Verdict, judge
+from edesign.assess.requirement import DEMAND_OVER_CAPACITY
 from edesign.errors import InputError
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_judged
@@ -36,7 +37,7 @@ def verdict_entry(verdict: Verdict) -> dict[str, Cell]:
         "statistic": verdict.statistic,
         "value": verdict.value,
         "limit": verdict.limit,
-        "unit": verdict.unit,
+        "unit": "1" if verdict.unit == DEMAND_OVER_CAPACITY else verdict.unit,
         "demand_over_capacity": verdict.ratio,
         "governing_place": verdict.place,
         "governing_history": verdict.governing_history,

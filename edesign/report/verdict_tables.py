@@ -19,7 +19,7 @@ from edesign.report.measure_tables import missing_notes
 from edesign.report.table import Table
 from edesign.report.text import wrapped
 
-TARGETS = "Of target displacements the usage is the maximum over patterns and directions."
+TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
 
 
 def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
@@ -51,9 +51,11 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
             governs.rows.append([*about, verdict.place or "frame", _motion(verdict), *of])
         if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
             remarks.rows.append([*about, f"{verdict.answer}: {said}"])
-    answers.notes += ["D/C: demand over capacity, value / limit, of a least value limit / value."]
+    answers.notes += wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound.")
     if governs.rows:
-        governs.notes += wrapped("Largest value, of a least value the smallest; of: histories that have it.")
+        governs.notes += wrapped(
+            "Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."
+        )
         governs.notes += _few(verdicts)
     return [table for table in (answers, governs, remarks, requirements) if table.rows]
 
@@ -72,7 +74,7 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
         ):
             counts = [*(str(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
             table.rows.append([p.variant or "-", p.level or "-", level or "-", *counts, _usage(worst)])
-    governs = "Governs: the history with the largest usage of Collapse Prevention; it is met up to 100 %."
+    governs = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
     transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
     by_drift.notes = [
         *wrapped(f'{transient} {100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'),
@@ -80,9 +82,9 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
         *missing_notes(sets),
     ]
     by_members.notes = wrapped(
-        f"Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled: up to {ELASTIC_ROTATION:g} rad count as "
-        "elastic. P is its largest compression in the history, with what dampers add; P_CL its buckling strength over "
-        f"the storey (K = 1). {governs}"
+        f"Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to stay elastic: up to "
+        f"{1e3 * ELASTIC_ROTATION:g} mrad count as that. P is its largest compression in the history, with what "
+        f"dampers add; P_CL its buckling strength over the storey (K = 1). {governs}"
     )
     if not any(members(found.variant) for found in sets):
         by_members.notes.append("No member has a section and a material that Table 5-6 knows.")
@@ -99,18 +101,20 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         "hazard level",
         "performance",
         "class",
-        "usage",
+        "D/C",
         "histories",
         "governs",
     )
-    table = Table("Rehabilitation objectives (thesis Table 5.4; mean usage, met up to 100 %)", columns, left=7)
+    table = Table(
+        "Rehabilitation objectives (thesis Table 5.4; mean D/C, demand over capacity, met up to 1)", columns, left=7
+    )
     for letter in objectives:
         objective = OBJECTIVES[letter]
         hazard = f"{100 * objective.probability:g} % in 50 years"
         for verdict in verdicts:
             if not verdict.name.startswith(f"objective {letter},"):
                 continue
-            value = "-" if verdict.value is None else shown(verdict.value, "1")
+            value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
             level = objective_level(letter, project.hazard)
             table.rows.append(
                 [
@@ -151,9 +155,10 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
     if worst is None:
         return "-"
     history, usage = worst
+    if usage.of_force:
+        return f"{usage.of_force}, {history}"
     place = usage.member or f"storey {usage.storey}"
-    force = ", force-controlled" if usage.force_controlled else ""
-    return f"{shown(usage.ratio, '1')} of CP: {usage.governing}, {place}{force}, {history}"
+    return f"D/C {usage.ratio:.3g}: {usage.governing}, {place}, {history}"
 
 
 def _few(verdicts: Sequence[Verdict]) -> list[str]:

@@ -136,7 +136,13 @@ def store_capacity_events(
     at, dims = [event.step for event in events], ("capacity_event",)
     coordinate(group, "capacity_event", np.arange(1, len(events) + 1), "1", "number of the event on the capacity curve")
     group.add("capacity_event_what", dims, [event.what for event in events], "", "what happens for the first time")
-    group.add("capacity_event_place", dims, [event.place for event in events], "", "member, node of a panel zone, or storey where it happens")
+    group.add(
+        "capacity_event_place",
+        dims,
+        [event.place for event in events],
+        "",
+        "member, node of a panel zone, or storey where it happens",
+    )
     group.add("capacity_event_step", dims, at, "1", "step in which it has happened")
     label = "displacement of the control node since gravity"
     group.add("capacity_event_displacement", dims, displacement[at], "m", label)

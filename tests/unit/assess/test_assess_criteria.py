@@ -296,15 +296,24 @@ def test_performance_of_one_history_by_hand() -> None:
     column = member_performance(one, members, "IO", ("column",))
     assert column is not None and column.member == "C_A_1"
     assert column.ratio == pytest.approx(0.002 / 0.0036750, rel=1e-4)
-    assert not column.force_controlled
+    assert column.of_force == ""
 
 
 def test_a_force_controlled_column_may_not_turn() -> None:
     one = history("damped", "DBE")
     one.variables["column_axial_force_min"].values[:] = [-2.6e6, -8e5]  # P/P_CL = 2600/4958 = 0.52
     column = member_performance(one, frame_members(frame()), "CP", ("column",))
-    assert column is not None and column.force_controlled
+    assert column is not None
+    said = "column C_A_1 is force-controlled (P/P_CL = 0.52) and yields: plastic rotation 2 mrad"
+    assert column.of_force == said
     assert column.ratio == pytest.approx(0.002 / 0.001, rel=1e-12)  # of what still counts as elastic
+    (table,) = performance_tables([HistorySet("damped", "DBE", {"one": one})], VariantMembers(frame()))[1:]
+    assert table.rows[0][8] == f"{said}, one"
+    (verdict,) = verdicts("criteria: [{name: c, performance: CP, by: members, of: columns}]", {"damped.DBE.one": one})
+    assert (verdict.met, verdict.remark) == (False, said)
+    one.variables["column_plastic_rotation_max"].values[:] *= 0.4
+    column = member_performance(one, frame_members(frame()), "CP", ("column",))
+    assert column is not None and column.of_force == "column C_A_1 is force-controlled (P/P_CL = 0.52) and elastic"
 
 
 def test_performance_of_a_set() -> None:
