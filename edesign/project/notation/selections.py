@@ -11,6 +11,7 @@ from pydantic import BeforeValidator
 
 from edesign.project.notation.names import line_index
 from edesign.project.reading.base import refuse
+from edesign.project.reading.problems import as_seen
 
 _NUMBER_RANGE = re.compile(r"\s*([0-9]{1,6})\s*(?:-\s*([0-9]{1,6})\s*)?")
 _LINE_RANGE = re.compile(r"\s*([A-Z]{1,3})\s*(?:-\s*([A-Z]{1,3})\s*)?")
@@ -112,7 +113,7 @@ def _items(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
 def _number_range(item: Any, at: tuple[int, ...]) -> tuple[int, int]:
     match = None if isinstance(item, (bool, float)) else _NUMBER_RANGE.fullmatch(str(item))
     if not match:
-        raise refuse(f"{_seen(item)} is no selection; write `all`, `3`, `1-4` or `[1, 3, 5-7]`", *at)
+        raise refuse(f"{as_seen(item)} is no selection; write `all`, `3`, `1-4` or `[1, 3, 5-7]`", *at)
     first, last = int(match[1]), int(match[2] or match[1])
     if first > last:
         raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
@@ -122,17 +123,11 @@ def _number_range(item: Any, at: tuple[int, ...]) -> tuple[int, int]:
 def _line_range(item: Any, at: tuple[int, ...]) -> tuple[str, str]:
     match = _LINE_RANGE.fullmatch(item) if isinstance(item, str) else None
     if not match:
-        raise refuse(f"{_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]`", *at)
+        raise refuse(f"{as_seen(item)} is no selection of lines; write `all`, `B`, `A-D` or `[A, C-D]`", *at)
     first, last = match[1], match[2] or match[1]
     if line_index(first) > line_index(last):
         raise refuse(f"the range `{item}` runs backwards; write `{last}-{first}`", *at)
     return first, last
-
-
-def _seen(item: Any) -> str:
-    if isinstance(item, (list, tuple)):
-        return "a list"
-    return "a mapping" if isinstance(item, dict) else f"`{item}`"
 
 
 def _span(first: str, last: str) -> str:

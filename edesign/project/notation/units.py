@@ -1,4 +1,7 @@
-"""Values with units at the edge: `3.5 m` becomes 3.5, `275 MPa` becomes 275e6. Inside everything is a float in SI."""
+"""Values with units at the edge: `3.5 m` becomes 3.5, `275 MPa` becomes 275e6. Inside everything is a float in SI.
+
+A value that no quantity of its kind can have, such as `1e300 m`, is refused here, whatever key it stands at.
+"""
 
 from __future__ import annotations
 
@@ -13,6 +16,7 @@ from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
 from edesign.project.reading.base import refuse
+from edesign.project.reading.problems import as_seen
 
 if TYPE_CHECKING:
     import pint
@@ -34,38 +38,51 @@ _COMMON = (
 
 @dataclass(frozen=True)
 class Kind:
-    """A physical quantity: its name, its SI unit, and an example to show."""
+    """A physical quantity: its name, its SI unit, an example to show, and the magnitudes that it can have.
+
+    Attributes:
+        least: magnitude, SI, below which only zero is allowed.
+        most: largest magnitude, SI.
+    """
 
     name: str
     unit: str
     example: str
+    least: float = 1e-30
+    most: float = 1e30
+    """Of what has no bounds of its own: the product of ten such numbers is still one of double precision."""
 
 
+# The bounds are wide: what lies beyond them is a slip of the power or of the unit. Each pair says what it is taken from.
 _KINDS = (
-    LENGTH := Kind("length", "m", "3.5 m"),
-    AREA := Kind("area", "m^2", "100 cm^2"),
-    INERTIA := Kind("second moment of area", "m^4", "33740 cm^4"),
-    FORCE := Kind("force", "N", "120 kN"),
-    LINE_LOAD := Kind("force per length", "N/m", "23 kN/m"),
-    STIFFNESS := Kind("stiffness", "N/m", "120 kN/mm"),
-    STRESS := Kind("stress", "Pa", "275 MPa"),
-    MASS := Kind("mass", "kg", "29.5 t"),
-    TIME := Kind("time", "s", "0.01 s"),
-    ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g"),
+    LENGTH := Kind("length", "m", "3.5 m", 1e-10, 4.1e7),  # atoms in iron, 2.5e-10 m; the equator
+    AREA := Kind("area", "m^2", "100 cm^2", 1e-12, 1e6),  # squares of a micrometre and of a kilometre
+    INERTIA := Kind("second moment of area", "m^4", "33740 cm^4", 1e-24, 1e12),  # their fourth powers
+    FORCE := Kind("force", "N", "120 kN", 1e-9, 1e13),  # the finest balances; the weight of 1e12 kg
+    LINE_LOAD := Kind("force per length", "N/m", "23 kN/m", 1e-9, 1e13),  # that force on a metre
+    STIFFNESS := Kind("stiffness", "N/m", "120 kN/mm", 1e-6, 1e18),  # 1e18: E A / L of 1 km^2 of steel 0.2 m long
+    STRESS := Kind("stress", "Pa", "275 MPa", 1e-6, 1e15),  # a thousand times diamond, E = 1.2e12 Pa
+    MASS := Kind("mass", "kg", "29.5 t", 1e-9, 1e12),  # a microgram; the heaviest buildings have 1e10 kg
+    TIME := Kind("time", "s", "0.01 s", 1e-12, 1.5e17),  # below any sampling; the age of the Earth
+    ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g", 1e-10, 1e6),  # seismometers; shock tables reach 1e5 g
     Kind("volume", "m^3", "1 m^3"),
-    MOMENT := Kind("moment", "N*m", "10 kN*m"),
-    VELOCITY := Kind("velocity", "m/s", "360 m/s"),
-    DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3"),
+    MOMENT := Kind("moment", "N*m", "10 kN*m", 1e-12, 1e16),  # those forces at a millimetre and at a kilometre
+    VELOCITY := Kind("velocity", "m/s", "360 m/s", 1e-12, 3e8),  # creep of a micrometre in ten days; light
+    DENSITY := Kind("density", "kg/m^3", "7850 kg/m^3", 1e-6, 1e6),  # osmium has 22 590; the rest is for added mass
     Kind("mass per length", "kg/m", "77.6 kg/m"),
-    FREQUENCY := Kind("frequency", "1/s", "1 Hz"),
+    FREQUENCY := Kind("frequency", "1/s", "1 Hz", 1e-12, 1e12),  # of times within 1e-12 s to 30 000 years
     Kind("temperature", "K", "293 K"),
     NUMBER := Kind("number without dimension", "dimensionless", "1"),
     # of one dimension with those above, which are named where another quantity is needed
-    AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2"),
-    ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad"),
-    ENERGY := Kind("energy", "J", "25 kJ"),
-    ROTATION := Kind("rotation", "rad", "0.002 rad"),
+    AREA_LOAD := Kind("force per area", "N/m^2", "4.5 kN/m^2", 1e-9, 1e13),  # that force on a square metre
+    ROTATIONAL_STIFFNESS := Kind("rotational stiffness", "N*m/rad", "50 MN*m/rad", 1e-9, 1e18),  # as of stiffness
+    ENERGY := Kind("energy", "J", "25 kJ", 1e-15, 1e18),  # those forces over a micrometre; a magnitude of 8.8
+    ROTATION := Kind("rotation", "rad", "0.002 rad", 1e-12, 1e9),  # a hinge that shall never end may have any
 )
+LARGEST_FACTOR = 1e12
+"""Of ratios without a limit of their own, and the inverse of the least of those above zero. Beyond it one of the two
+numbers that a ratio is of has no digits left in a sum with the other: double precision has sixteen, of which the
+tolerance of equilibrium, 1e-7, takes the last seven of the larger."""
 
 
 def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
@@ -80,10 +97,10 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
         The value in the SI unit of `kind`.
 
     Raises:
-        PydanticCustomError: no number, no unit, unknown unit, another dimension, or a refused sign.
+        PydanticCustomError: no number, no unit, unknown unit, another dimension, a refused sign, or out of bounds.
     """
     if isinstance(value, bool) or not isinstance(value, (str, int, float)):
-        raise refuse(f"{a(kind.name)} with its unit is needed, for example `{kind.example}`")
+        raise refuse(f"{a(kind.name)} with its unit is needed, for example `{kind.example}`, not {as_seen(value)}")
     match = _VALUE.fullmatch(str(value))
     if not match:
         raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}`")
@@ -102,6 +119,10 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
         raise refuse(f"`{value}` must be greater than zero")
     if sign == "not negative" and result < 0.0:
         raise refuse(f"`{value}` must not be negative")
+    if result != 0.0 and not kind.least <= abs(result) <= kind.most:
+        zero = "" if sign == "positive" else ", or zero"
+        span = f"{kind.least:g} to {kind.most:g} {kind.unit}{zero}"
+        raise refuse(f"`{value}` is beyond what {a(kind.name)} can be, {span}; look at its power and its unit")
     return result
 
 
@@ -111,7 +132,7 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
     if isinstance(value, (str, int, float)) and not isinstance(value, bool):
         match = _VALUE.fullmatch(str(value))
     if not match:
-        raise refuse("a ratio is needed: a plain number or a percentage, for example `0.02` or `2 %`")
+        raise refuse(f"a ratio is needed, a plain number or a percentage such as `0.02` or `2 %`, not {as_seen(value)}")
     number, unit = match[1], match[2]
     if unit not in ("", "%"):
         raise refuse(f"`{value}` has the unit `{unit}`, but a ratio is a plain number or a percentage such as `2 %`")
@@ -122,6 +143,9 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
         lower = f"at least {low:g}" if low_allowed else f"greater than {low:g}"
         upper = "" if high == math.inf else f" and at most {high:g}" if high_allowed else f" and less than {high:g}"
         raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed")
+    if result > LARGEST_FACTOR or 0.0 < abs(result) < 1.0 / LARGEST_FACTOR:
+        span = f"{1.0 / LARGEST_FACTOR:g} to {LARGEST_FACTOR:g}" + (", or zero" if low_allowed and low <= 0.0 else "")
+        raise refuse(f"`{value}` is beyond what a ratio can be, {span}")
     return result
 
 

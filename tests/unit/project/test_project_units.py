@@ -87,8 +87,55 @@ def test_ratios_outside_zero_to_one(value: object) -> None:
 
 
 @given(st.floats(allow_nan=False, allow_infinity=False, width=64))
-def test_every_float_keeps_its_value(value: float) -> None:
-    assert parse_quantity(f"{value!r} m", units.LENGTH) == value
+def test_every_float_keeps_its_value_or_is_refused(value: float) -> None:
+    if value == 0.0 or 1e-10 <= abs(value) <= 4.1e7:
+        assert parse_quantity(f"{value!r} m", units.LENGTH) == value
+        return
+    with pytest.raises(PydanticCustomError, match="is beyond what a length can be, 1e-10 to 4.1e\\+07 m, or zero"):
+        parse_quantity(f"{value!r} m", units.LENGTH)
+
+
+@pytest.mark.parametrize(
+    ("value", "kind"),
+    [
+        ("40075 km", units.LENGTH),  # the equator
+        ("20015 km", units.LENGTH),  # the farthest earthquake
+        ("22590 kg/m^3", units.DENSITY),  # osmium
+        ("1.2 TPa", units.STRESS),  # diamond
+        ("10000000 years", units.TIME),  # the return periods of hazard curves
+        ("1 um", units.LENGTH),  # noise of a transducer
+        ("1 us", units.TIME),
+        ("1 km^2", units.AREA),
+        ("1000000 kN/mm", units.STIFFNESS),
+        ("1 mN", units.FORCE),
+        ("1 degree", units.ROTATION),
+    ],
+)
+def test_what_is_somewhere_in_the_world_is_no_slip(value: str, kind: Kind) -> None:
+    assert parse_quantity(value, kind) > 0.0
+
+
+@pytest.mark.parametrize("kind", units._KINDS, ids=lambda kind: kind.name)
+def test_no_quantity_is_without_bounds(kind: Kind) -> None:
+    unit = "" if kind is units.NUMBER else kind.unit
+    for number in ("1e300", "1e-300", "-1e300"):
+        if unit:
+            with pytest.raises(PydanticCustomError, match=f"`{number} .*` is beyond what an? {kind.name} can be"):
+                parse_quantity(f"{number} {unit}", kind)
+
+
+@pytest.mark.parametrize("value", ["1e300", 1e13, "1e-13", "1e300 %"])
+def test_no_ratio_is_without_bounds(value: object) -> None:
+    with pytest.raises(PydanticCustomError, match="is beyond what a ratio can be, 1e-12 to 1e\\+12"):
+        parse_ratio(value, 0.0, float("inf"), low_allowed=False)
+
+
+@pytest.mark.parametrize(("value", "seen"), [(None, "nothing"), (True, "`true`"), ((1,), "a list"), ({}, "a mapping")])
+def test_what_is_no_value_is_shown(value: object, seen: str) -> None:
+    with pytest.raises(PydanticCustomError, match=f"a length with its unit is needed, .*, not {seen}"):
+        parse_quantity(value, units.LENGTH)
+    with pytest.raises(PydanticCustomError, match=f"a ratio is needed, .*, not {seen}"):
+        parse_ratio(value, 0.0, 1.0)
 
 
 def test_pint_is_not_loaded_for_the_units_of_most_projects() -> None:
