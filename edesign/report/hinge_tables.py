@@ -98,8 +98,8 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
         for analysis in dict.fromkeys((turned[name][1], weakest.get(name, turned[name][1]))):
             rotation = _peak(groups[analysis], "hinge_plastic_rotation", "hinge", name) or 0.0
             left = _value(groups[analysis], "hinge_strength_left_final", "hinge", name)
-            cells = (number(M_y, scale=1e3), number(theta_p[name], scale=1e-3))
-            cells += (number(rotation, scale=1e-3, negligible=1e-9), number(rotation / theta_p[name], 3, 0.01, 1e-8))
+            cells = [number(M_y, scale=1e3), number(theta_p[name], scale=1e-3)]
+            cells += [number(rotation, scale=1e-3, negligible=1e-9), number(rotation / theta_p[name], 3, 0.01, 1e-8)]
             table.rows.append([name, *cells, number(left, 4, 0.01), analysis])
     table.notes += wrapped(
         "Of each hinge the analysis in which it turned most, and the one that left it least strength. Strength left: "

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
 from edesign.project.notation.units import PositiveRatio, PositiveTime, UnitRatio
-from edesign.project.reading.base import Model, by_key
+from edesign.project.reading.base import Model, by_key, plain_or_list
 
 ModeNumber = Annotated[int, Field(ge=1)]
 State = Literal["gravity", "initial"]
@@ -15,14 +15,10 @@ State = Literal["gravity", "initial"]
 DampingStiffness = Literal["initial", "committed", "current"]
 
 
-def _shape(value: Any) -> str:
-    return "?list" if isinstance(value, (list, tuple)) else "?plain"
-
-
 Ratios = Annotated[
     Annotated[PositiveRatio, Tag("?plain")]
     | Annotated[Annotated[tuple[UnitRatio, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(_shape),
+    Discriminator(plain_or_list),
 ]
 """One ratio for all modes, or one for each."""
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal
+from typing import Annotated, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
@@ -53,10 +53,6 @@ _Choice = Annotated[
 ]
 
 
-def _one_or_more(value: Any) -> Any:
-    return value if isinstance(value, (list, tuple)) else (value,)
-
-
 class Pushover(Model):
     """Lateral loads of fixed patterns under gravity, each up to a roof drift (roof displacement / height).
 
@@ -65,7 +61,7 @@ class Pushover(Model):
     are taken from, by default that of the hazard. `site_class` is of ASCE/SEI 41, by default by the ground type.
     """
 
-    pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), BeforeValidator(_one_or_more)]
+    pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), BeforeValidator(several)]
     direction: Literal["right", "left", "both"] = "right"
     roof_drift: PushedDrift | None = None
     steps: Steps = PUSHOVER_STEPS

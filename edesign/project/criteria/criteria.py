@@ -10,9 +10,10 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag, ValidationInfo,
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
 from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
+from edesign.project.notation.several import several
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
 from edesign.project.reading.base import Model, keys_in, refuse
-from edesign.project.reading.problems import unknown_name
+from edesign.project.reading.problems import as_seen, unknown_name
 
 PerformanceLevel = Literal["IO", "LS", "CP"]
 MemberKinds = Literal["columns", "beams", "all"]
@@ -24,13 +25,14 @@ def _some_names(value: Any) -> Any:
     """One name, a list of names, or `all` (an empty tuple)."""
     if value == "all":
         return ()
-    if isinstance(value, str):
-        return (value,)
-    if not isinstance(value, (list, tuple)) or not all(isinstance(item, str) for item in value):
-        raise refuse("a name, a list of names, or `all` is needed")
-    if not value:
+    names = several(value)
+    for i, name in enumerate(names):
+        if not isinstance(name, str):
+            at = (i,) if names is value else ()
+            raise refuse(f"a name, a list of names, or `all` is needed, not {as_seen(name)}", *at)
+    if not names:
         raise refuse("the list is empty; write `all`, or at least one name")
-    return tuple(value)
+    return tuple(names)
 
 
 def _measure(value: Any) -> Any:

@@ -19,7 +19,7 @@ from edesign.project.notation.units import (
     PositiveRatio,
     PositiveStiffness,
 )
-from edesign.project.reading.base import Model, by_key, by_shape, keys_in
+from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
 
 Layers = Annotated[int, Field(ge=1, le=1000)]
 Count = Annotated[int, Field(ge=1, le=1000)]
@@ -69,16 +69,12 @@ class DamperLaw(LawDescription):
     property_factor: PositiveFactor = 1.0
 
 
-def _one_or_list(value: Any) -> str:
-    return "?list" if isinstance(value, (list, tuple)) else "?plain"
-
-
 class BraceStiffness(Model):
     """Stiffness in series with a damper, along its deformation; `play` of its pins from end to end."""
 
     stiffness: Annotated[
         Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(_one_or_list),
+        Discriminator(plain_or_list),
     ]
     play: PositiveLength | None = None
 
@@ -92,15 +88,15 @@ class BraceSection(Model):
 
 Areas = Annotated[
     Annotated[PositiveArea, Tag("?plain")] | Annotated[tuple[PositiveArea, ...], Tag("?list")],
-    Discriminator(_one_or_list),
+    Discriminator(plain_or_list),
 ]
 Lengths = Annotated[
     Annotated[PositiveLength, Tag("?plain")] | Annotated[tuple[PositiveLength, ...], Tag("?list")],
-    Discriminator(_one_or_list),
+    Discriminator(plain_or_list),
 ]
 Scales = Annotated[
     Annotated[PositiveFactor, Tag("?plain")] | Annotated[tuple[PositiveFactor, ...], Tag("?list")],
-    Discriminator(_one_or_list),
+    Discriminator(plain_or_list),
 ]
 
 

@@ -22,14 +22,10 @@ from edesign.project.notation.units import (
     PositiveStress,
     UnitRatio,
 )
-from edesign.project.reading.base import Model, by_key, by_shape, keys_in
+from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
 
 Count = Annotated[int, Field(ge=1, le=1000)]
 Rounds = Annotated[int, Field(ge=1, le=100)]
-
-
-def _is_list(value: Any) -> str:
-    return "?list" if isinstance(value, (list, tuple)) else "?plain"
 
 
 def _by_keys(value: Any) -> str:
@@ -147,7 +143,7 @@ class _Design(Model):
     drift: PositiveRatio | None = None
     storey_stiffness: Annotated[
         Annotated[Literal["computed"], Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
-        Discriminator(_is_list),
+        Discriminator(plain_or_list),
     ] = "computed"
     state: State = "gravity"
     level: str | None = None
@@ -169,7 +165,7 @@ class _ElastomerDesign(_Design):
         Annotated[
             Annotated[PositiveFrequency, Tag("?plain")]
             | Annotated[tuple[PositiveFrequency, PositiveFrequency], Tag("?list")],
-            Discriminator(_is_list),
+            Discriminator(plain_or_list),
         ]
         | None
     ) = None

@@ -7,21 +7,16 @@ from typing import Annotated
 from pydantic import Discriminator, Field, Tag
 
 from edesign.project.notation.units import Mass, NotNegativeForce
-from edesign.project.reading.base import Model
-
-
-def _shape(value: object) -> str:
-    return "?list" if isinstance(value, (list, tuple)) else "?plain"
-
+from edesign.project.reading.base import Model, plain_or_list
 
 FloorForces = Annotated[
     Annotated[NotNegativeForce, Tag("?plain")]
     | Annotated[Annotated[tuple[NotNegativeForce, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(_shape),
+    Discriminator(plain_or_list),
 ]
 FloorMasses = Annotated[
     Annotated[Mass, Tag("?plain")] | Annotated[Annotated[tuple[Mass, ...], Field(min_length=1)], Tag("?list")],
-    Discriminator(_shape),
+    Discriminator(plain_or_list),
 ]
 
 

@@ -8,8 +8,8 @@ from pydantic import BeforeValidator, Field
 
 
 def several(value: Any) -> Any:
-    """A single name or quantity is a list of one."""
-    return (value,) if isinstance(value, (str, int, float)) else value
+    """What is no list is a list of one."""
+    return value if isinstance(value, (list, tuple)) else (value,)
 
 
 Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(several)]

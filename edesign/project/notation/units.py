@@ -53,7 +53,7 @@ class Kind:
     """Of what has no bounds of its own: the product of ten such numbers is still one of double precision."""
 
 
-# The bounds are wide: what lies beyond them is a slip of the power or of the unit. Each pair says what it is taken from.
+# The bounds are wide: what lies beyond them is a slip of the power or of the unit. Each says what it is taken from.
 _KINDS = (
     LENGTH := Kind("length", "m", "3.5 m", 1e-10, 4.1e7),  # atoms in iron, 2.5e-10 m; the equator
     AREA := Kind("area", "m^2", "100 cm^2", 1e-12, 1e6),  # squares of a micrometre and of a kilometre
@@ -247,8 +247,7 @@ def _factor(value: str, unit: str, kind: Kind) -> float:
     parsed = _parse_unit(value, unit, kind)
     if parsed.dimensionality != _dimension(kind.unit):
         raise refuse(
-            f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} {_dimensions(_dimension(kind.unit))} "
-            f"is needed, for example `{kind.example}`"
+            f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} is needed, for example `{kind.example}`"
         )
     return float(_registry().Quantity(1.0, parsed).to_base_units().magnitude)
 
@@ -276,15 +275,15 @@ def _with_powers(unit: str) -> str:
 def _name(dimensionality: Any) -> str:
     for kind in _KINDS:
         if _dimension(kind.unit) == dimensionality:
-            return f"{kind.name} {_dimensions(dimensionality)}"
+            return kind.name
     return f"quantity of dimension {_dimensions(dimensionality)}"
 
 
 def _dimensions(dimensionality: Any) -> str:
     parts = []
     for name, power in sorted(dimensionality.items()):
-        parts.append(f"[{name.strip('[]')}]" + (f"^{power:g}" if power != 1 else ""))
-    return "(" + " ".join(parts) + ")" if parts else "(no dimension)"
+        parts.append(name.strip("[]") + (f"^{power:g}" if power != 1 else ""))
+    return " * ".join(parts) if parts else "1"
 
 
 def _of(kind: Kind, sign: Sign = "any") -> BeforeValidator:

@@ -52,6 +52,11 @@ def by_shape(value: Any) -> str:
     return TAG + ("mapping" if isinstance(value, (Mapping, BaseModel)) else "plain")
 
 
+def plain_or_list(value: Any) -> str:
+    """Discriminator that tells a list (`?list`) from everything else (`?plain`)."""
+    return TAG + ("list" if isinstance(value, (list, tuple)) else "plain")
+
+
 def refuse(message: str, *at: str | int) -> PydanticCustomError:
     """A problem of a value, ready to be raised in a validator.
 

@@ -11,7 +11,7 @@ from pydantic import BaseModel, Tag, ValidationError
 from pydantic_core import ErrorDetails
 
 from edesign.project.reading.base import TAG
-from edesign.project.reading.problems import Keys, Problems, as_seen, did_you_mean, listed
+from edesign.project.reading.problems import Keys, Problems, as_seen, did_you_mean, listed, nearest
 
 _VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_rts",))
 """Keys whose value is the version of a file format."""
@@ -20,45 +20,86 @@ _VERSIONS = (("edesign",), ("edesign_building",), ("edesign_suite",), ("edesign_
 def explain(error: ValidationError, model: type[BaseModel], problems: Problems) -> None:
     """Turn all errors of a validation into problems.
 
+    A misspelt key is told once: what follows from it, such as the key that is missing, is not.
+
     Args:
         error: as raised by `model.model_validate` on the plain data of the file.
         model: the model that was validated.
         problems: collects the result.
     """
-    for detail in error.errors(include_url=False):
-        _explain_one(detail, model, problems)
+    details = error.errors(include_url=False)
+    meant = {detail["loc"]: key for detail in details if (key := _meant(detail, model, problems))}
+    missing = {(*loc[:-1], key) for loc, key in meant.items()}
+    otherwise = {loc[:-1] for loc, key in meant.items() if key not in _allowed_keys(_model_at(model, loc[:-1]))}
+    for detail in details:
+        loc = detail["loc"]
+        follows = (detail["type"] == "missing" and loc in missing) or loc[:-1] in otherwise
+        if loc in meant or not follows:
+            _explain_one(detail, model, problems, meant.get(loc, ""))
 
 
-def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problems) -> None:
-    kind, context = detail["type"], detail.get("ctx", {})
-    keys = _keys(detail["loc"], problems)
+def _meant(detail: ErrorDetails, model: type[BaseModel], problems: Problems) -> str:
+    """The key that an unknown one was probably meant to be, of the alternatives of its mapping too; "" of others."""
+    if detail["type"] != "extra_forbidden":
+        return ""
+    loc = detail["loc"]
+    allowed = _allowed_keys(_model_at(model, loc[:-1]))
+    given = problems.node(_keys(loc[:-1], problems)).entries or {}
+    others = [key for key in _keys_of_alternatives(model, loc[:-1]) if key not in given]
+    return nearest(str(loc[-1]), allowed) or nearest(str(loc[-1]), others)
+
+
+def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problems, meant: str) -> None:
+    kind, context, loc = detail["type"], detail.get("ctx", {}), detail["loc"]
+    keys = _keys(loc, problems)
     if kind == "missing":
         key = str(keys[-1])
-        example = _example(_model_at(model, detail["loc"][:-1]), key)
+        example = _example(_model_at(model, loc[:-1]), key)
         problems.under(keys[:-1], key, f"this key is missing{example}")
     elif kind == "extra_forbidden":
-        allowed = _allowed_keys(_model_at(model, detail["loc"][:-1]))
-        hint = did_you_mean(str(keys[-1]), allowed)
+        allowed = _allowed_keys(_model_at(model, loc[:-1]))
+        hint = f"; did you mean `{meant}`?" if meant else ""
         problems.at_key(keys, f"unknown key{hint} (allowed here: {listed(allowed, 40)})")
     elif kind == "union_tag_invalid":
         _wrong_choice(keys, detail["input"], context, problems)
     elif kind == "too_short" and len(detail["input"]) >= context["min_length"]:
         return  # pydantic counts good items only, and the bad ones have their own problems
     elif kind == "project":
-        problems.at_value((*keys, *context["at"]), context["message"])
-    elif kind == "tuple_type" and detail["loc"][-1] == f"{TAG}plain":
-        other = _allowed_keys(_model_at(model, (*detail["loc"][:-1], f"{TAG}mapping")))
-        problems.at_value(
-            keys, f"a list, or a mapping of {listed(other)}, is needed here, not {as_seen(detail['input'])}"
-        )
+        problems.at_value((*keys, *context["at"]), _as_written(context["message"], detail["input"], context["at"]))
+    elif kind == "tuple_type" and loc[-1] == f"{TAG}plain":
+        other = _other_shape(model, loc) or "a mapping"
+        problems.at_value(keys, f"a list, or {other}, is needed here, not {as_seen(detail['input'])}")
     elif kind == "literal_error" and keys in _VERSIONS:
         problems.at_value(
             keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"
         )
-    elif detail["loc"] and detail["loc"][-1] == "[key]":
+    elif loc and loc[-1] == "[key]":
         problems.at_key(keys, "a name is made of letters, digits and `_`, `-`, `+`, `.`, at most 64 of them")
+    elif kind == "literal_error":
+        allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
+        other = f", or {shape}" if loc[-1] == f"{TAG}plain" and (shape := _other_shape(model, loc)) else ""
+        hint = did_you_mean(str(detail["input"]), allowed)
+        problems.at_value(keys, f"{as_seen(detail['input'])} is unknown{hint} (allowed: {listed(allowed)}{other})")
     else:
         problems.at_value(keys, _message(kind, detail, context))
+
+
+def _as_written(message: str, value: Any, at: Keys) -> str:
+    """A message with a value as the file has it, `true` or a list, in place of what Python prints."""
+    for key in at:
+        if not isinstance(value, (Mapping, list, tuple)):
+            break
+        value = value[key]  # type: ignore[index]
+    return message.replace(f"`{value}`", as_seen(value)) if value is None or not isinstance(value, str) else message
+
+
+def _other_shape(model: type[BaseModel], loc: tuple[int | str, ...]) -> str:
+    """What may stand as a mapping where something plain does, "" if nothing may."""
+    annotation = _annotation_at(model, (*loc[:-1], f"{TAG}mapping"))
+    keys = _allowed_keys(next((kind for kind in _alternatives(annotation) if _is_model(kind)), None))
+    if keys:
+        return f"a mapping of {listed(keys)}"
+    return "a mapping `name: value`" if get_origin(_bare(annotation)) is dict else ""
 
 
 def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: Problems) -> None:
@@ -69,11 +110,13 @@ def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: 
     key, _, seen = str(context["tag"]).lstrip(TAG).partition("=")
     tags = [tag.strip(" '").lstrip(TAG) for tag in str(context["expected_tags"]).split(",")]
     allowed = [tag.partition("=")[2] for tag in tags if tag.startswith(f"{key}=")]
-    if key not in value:
-        problems.under(keys, key, f"this key is missing; allowed: {listed(allowed)}")
-    else:
+    if key in value:
         hint = did_you_mean(seen, allowed)
-        problems.at_value((*keys, key), f"`{seen}` is unknown{hint} (allowed: {listed(allowed)})")
+        problems.at_value((*keys, key), f"{as_seen(value[key])} is unknown{hint} (allowed: {listed(allowed)})")
+    elif misspelt := nearest(key, value):
+        problems.at_key((*keys, misspelt), f"unknown key; did you mean `{key}`? (allowed for it: {listed(allowed)})")
+    else:
+        problems.under(keys, key, f"this key is missing; allowed: {listed(allowed)}")
 
 
 def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str:
@@ -82,9 +125,6 @@ def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str
         return f"{_WORDS[kind](context)} is needed here, not {seen}"
     if kind in _LIMITS:
         return f"{seen} is out of range: it must be {_LIMITS[kind]} {_number(next(iter(context.values())))}"
-    if kind == "literal_error":
-        allowed = re.findall(r"'([^']*)'", str(context["expected"])) or [str(context["expected"])]
-        return f"{seen} is unknown{did_you_mean(str(detail['input']), allowed)} (allowed: {listed(allowed)})"
     if kind == "too_short":
         what = "mapping" if isinstance(detail["input"], Mapping) else "list"
         return (
@@ -146,10 +186,22 @@ def _is_tag(part: str | int) -> bool:
 
 def _model_at(model: type[BaseModel], loc: tuple[int | str, ...]) -> type[BaseModel] | None:
     """The model that was validated at a location of pydantic's errors."""
+    return next((kind for kind in _alternatives(_annotation_at(model, loc)) if _is_model(kind)), None)
+
+
+def _annotation_at(model: type[BaseModel], loc: tuple[int | str, ...]) -> Any:
     annotation: Any = model
     for part in loc:
         annotation = _step(annotation, part)
-    return next((kind for kind in _alternatives(annotation) if _is_model(kind)), None)
+    return annotation
+
+
+def _keys_of_alternatives(model: type[BaseModel], loc: tuple[int | str, ...]) -> list[str]:
+    """Keys of all alternatives of the mapping at a location."""
+    if not (loc and _is_tag(loc[-1])):
+        return []
+    kinds = map(_bare, _alternatives(_annotation_at(model, loc[:-1])))
+    return [key for kind in kinds if _is_model(kind) for key in _allowed_keys(kind)]
 
 
 def _step(annotation: Any, part: str | int) -> Any:

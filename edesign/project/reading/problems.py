@@ -103,15 +103,20 @@ def keys_text(keys: Iterable[str | int]) -> str:
 
 def did_you_mean(seen: str, allowed: Iterable[str]) -> str:
     """`; did you mean ...?` with the nearest allowed name, or nothing."""
+    name = nearest(seen, allowed)
+    return f"; did you mean `{name}`?" if name else ""
+
+
+def nearest(seen: str, allowed: Iterable[str]) -> str:
+    """The allowed name that is most like the one that was seen, "" if none is."""
     names = {name.lower(): name for name in allowed}
     close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
     if not close:
         return ""
     likeness = [difflib.SequenceMatcher(None, name, seen.lower()).ratio() for name in close]
     # of equally near names the one that begins alike: HEB205 is HEB200 rather than HEB320
-    nearest = [name for name, value in zip(close, likeness, strict=True) if value == max(likeness)]
-    best = max(nearest, key=lambda name: len(os.path.commonprefix([name, seen.lower()])))
-    return f"; did you mean `{names[best]}`?"
+    best = [name for name, value in zip(close, likeness, strict=True) if value == max(likeness)]
+    return names[max(best, key=lambda name: len(os.path.commonprefix([name, seen.lower()])))]
 
 
 def listed(names: Iterable[object], most: int = 12) -> str:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from pydantic import BaseModel, ValidationError
 
@@ -12,8 +13,8 @@ from edesign.file_kinds import ARCHIVE, TABLE, kind_of_keys
 from edesign.project.reading.explain import explain
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.limits import YAML_ADVICE, YAML_BYTES
-from edesign.project.reading.problems import Problem, Problems
-from edesign.project.reading.yaml_nodes import Mark, parse
+from edesign.project.reading.problems import Keys, Problem, Problems, keys_text
+from edesign.project.reading.yaml_nodes import Mark, Node, parse
 
 M = TypeVar("M", bound=BaseModel)
 
@@ -72,13 +73,43 @@ def check_model(text: str, model: type[M], what: str, begins: str, hint: str = "
         problems.at_value((), f"a {what} is a mapping that begins with `{begins}`")
     if not root.entries:
         return None, problems
+    faulty = {fault.keys for fault in faults}
+    empty = {keys_text(keys): keys for keys in _empty_keys(root) if keys not in faulty}
+    for keys in empty.values():
+        problems.at_key(keys, "the key is empty; give it a value, or leave it out")
+    told = len(problems.found)
     try:
-        return model.model_validate(root.plain()), problems
+        return model.model_validate(_without(root, set(empty.values()))), problems
     except ValidationError as error:
         explain(error, model, problems)
+        echoes = [problem for problem in problems.found[told:] if problem.keys_text in empty]  # that it is missing
+        problems.found = [problem for problem in problems.found if problem not in echoes]
         problems.found = _without_echoes(problems.found, {fault.mark for fault in faults})
         _tell_other_kind(problems, what, begins)
         return None, problems
+
+
+def _empty_keys(node: Node, keys: Keys = ()) -> Iterator[Keys]:
+    """Keys of mappings without a value, `buckling:` or `buckling: null`: what is meant by them cannot be known."""
+    for key, child in (node.entries or {}).items():
+        if child.value is None and child.entries is None and child.items is None:
+            yield (*keys, key)
+        yield from _empty_keys(child, (*keys, key))
+    for i, child in enumerate(node.items or ()):
+        yield from _empty_keys(child, (*keys, i))
+
+
+def _without(node: Node, left_out: set[Keys], keys: Keys = ()) -> Any:
+    """The plain data of a node without some keys below it."""
+    if node.entries is not None:
+        return {
+            key: _without(child, left_out, (*keys, key))
+            for key, child in node.entries.items()
+            if (*keys, key) not in left_out
+        }
+    if node.items is not None:
+        return tuple(_without(child, left_out, (*keys, i)) for i, child in enumerate(node.items))
+    return node.value
 
 
 def _tell_other_kind(problems: Problems, what: str, begins: str) -> None:

@@ -10,8 +10,10 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag
 
 from edesign.project.actions.hazard_base import LevelName
+from edesign.project.notation.several import several
 from edesign.project.notation.units import LENGTH, TIME, VELOCITY, Factor, PositiveTime, parse_quantity
 from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import as_seen
 from edesign.project.records.matching import FactorBounds, Matching
 from edesign.project.records.record_tables import AccelerationUnit, Layout
 
@@ -68,12 +70,8 @@ def _range(read: Any, example: str) -> BeforeValidator:
 
 def _magnitude(value: Any) -> float:
     if isinstance(value, bool) or not isinstance(value, (int, float)) or not 0.0 <= value <= 10.0:
-        raise refuse(f"`{value}` is no magnitude: a plain number from 0 to 10")
+        raise refuse(f"{as_seen(value)} is no magnitude: a plain number from 0 to 10")
     return float(value)
-
-
-def _one_or_more(value: Any) -> Any:
-    return (value,) if isinstance(value, Mapping) else value
 
 
 class FolderSource(Model):
@@ -160,7 +158,7 @@ class ChosenRecords(Model):
     model_config = ConfigDict(populate_by_name=False)  # the key is `from` alone
 
     choose: Annotated[int, Field(ge=1)]
-    sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), BeforeValidator(_one_or_more)]
+    sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), BeforeValidator(several)]
     T_1: PositiveTime | None = None
     level: LevelName | None = None
     periods: Annotated[tuple[AnyPeriod, AnyPeriod], BeforeValidator(_periods)] | None = None

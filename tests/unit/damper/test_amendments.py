@@ -104,7 +104,7 @@ WRONG = {
         ("form: whole", "form: hole"),
         r"law.yaml:4:25: effects\[0\].form: the effect `payne` has no form `hole`; did you mean `whole`\?",
     ),
-    "unit": (("a0: 3 mm", "a0: 3 kN"), r"law.yaml:4:58: effects\[0\].parameters.a0: `3 kN` is a force .*`1 mm`"),
+    "unit": (("a0: 3 mm", "a0: 3 kN"), r"law.yaml:4:58: effects\[0\].parameters.a0: `3 kN` is a force, but .*`1 mm`"),
     "no unit": (("tau_a: 5 s", "tau_a: 5"), r"effects\[0\].parameters.tau_a: the bare number `5` needs a unit"),
     "unknown parameter": (
         ("E0: 20 kJ", "E_0: 20 kJ"),

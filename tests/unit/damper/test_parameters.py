@@ -50,7 +50,7 @@ def test_spellings_of_an_exponent(text: str) -> None:
 
 
 def test_exponent_that_is_not_the_parameter() -> None:
-    with pytest.raises(ParameterError, match=r"length\]\^0.62 .* for example `1 kN\*\(s/mm\)\^0.374`; alpha = 0.374"):
+    with pytest.raises(ParameterError, match=r"length\^0.62 .* for example `1 kN\*\(s/mm\)\^0.374`; alpha = 0.374"):
         read_parameters(POWER, {"c": "2 kN*(s/mm)^0.38", "alpha": 0.374})
     # nor is the unit of a linear dashpot that of a power of 0.374
     with pytest.raises(ParameterError, match="alpha = 0.374 here"):
@@ -81,7 +81,7 @@ def test_hertz_as_circular_frequency() -> None:
     ("values", "message"),
     [
         ({"k": "8 kN/mm", "c": 5.0}, "parameter `c`: the bare number `5.0` needs a unit"),
-        ({"k": "8 kN/mm", "c": "5 kN"}, r"`5 kN` is a force .* a damping coefficient"),
+        ({"k": "8 kN/mm", "c": "5 kN"}, r"`5 kN` is a force, but a damping coefficient"),
         ({"k": "8 kN/mm", "d": "5 kN"}, r"`d`: there is no such parameter .*there are: k, c"),
         ({"k": "8 kNmm/", "c": "1 kN*s/m"}, "unknown unit"),
         ({"k": "8,5 kN/mm", "c": "1 kN*s/m"}, "decimals stand behind a point"),

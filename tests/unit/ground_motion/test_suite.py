@@ -56,7 +56,7 @@ def test_the_number_of_the_record_may_stand_apart_from_its_name(tmp_path: Path) 
     [
         (HEAD + "  - {id: x, distnace: 3 km, file: y}\n", "4:13", "unknown key; did you mean `distance`?"),
         (HEAD + "  - {id: x, distance: 3, file: y}\n", "4:23", "the bare number `3` needs a unit"),
-        (HEAD + "  - {id: x, distance: 3 kg, file: y}\n", "4:23", "a mass ([mass]), but a length ([length]) is needed"),
+        (HEAD + "  - {id: x, distance: 3 kg, file: y}\n", "4:23", "a mass, but a length is needed"),
         (HEAD + "  - {id: x, distance: -3 km, file: y}\n", "4:23", "must not be negative"),
         (HEAD + "  - {id: x, v_s30: 270 m/s^2, file: y}\n", "4:20", "a velocity"),
         (HEAD + "  - {id: x, magnitude: 65, file: y}\n", "4:24", "at most 10"),

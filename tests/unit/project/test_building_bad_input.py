@@ -43,7 +43,11 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
             "supports: {@a1: pinned}\ncolumns: [",
             "`a1` is no selection of column lines; write `all`, `A2`",
         ),
-        ("columns: [", "supports: @roller\ncolumns: [", "supports: `roller` is unknown (allowed: `fixed`, `pinned`)"),
+        (
+            "columns: [",
+            "supports: @roller\ncolumns: [",
+            "supports: `roller` is unknown (allowed: `fixed`, `pinned`, or a mapping",
+        ),
         (
             "columns: [",
             "supports: {A: {rx: @3 kN}}\ncolumns: [",

@@ -21,7 +21,7 @@ ONE_PROBLEM = {
         "loads.beams[0].G",
         "an area load, which needs a tributary width: give it under `loads.floors`",
     ),
-    "load on a beam as a force": (("G: 20 kN/m", "G: «20 kN"), "loads.beams[0].G", "is a force ("),
+    "load on a beam as a force": (("G: 20 kN/m", "G: «20 kN"), "loads.beams[0].G", "is a force, but"),
     "beyond the beam": (
         (LOADS, LOADS + POINT % "«7 m"),
         "loads.beams[0].points[0].at",
@@ -48,7 +48,7 @@ ONE_PROBLEM = {
     "wrong second value": (
         (LOADS, LOADS + PART % ("1 m", "2 m", "[1 kN/m, «2 kN]")),
         "loads.beams[0].partial[0].G[1]",
-        "is a force (",
+        "is a force, but",
     ),
     "too many places": (
         (LOADS, "loads:\n  «beams:\n" + POINT % f"[{', '.join(f'{k}/40' for k in range(1, 17))}]"),

@@ -54,7 +54,7 @@ ONE_PROBLEM = {
         "G: 20 kN/m",
         "G: «20 m",
         "loads.beams[0].G",
-        "[length]), but a force per length ([mass] [time]^-2)",
+        "is a length, but a force per length is needed",
     ),
     "unknown unit": ("fy: 275 MPa", "fy: «275 MPA", "materials.S275.fy", "did you mean `MPa`?"),
     "gram is no acceleration": ("pga: 0.2 g", "pga: «0.2 kg", "analyses[1].pga", "is a mass"),

@@ -74,7 +74,7 @@ def test_a_table_of_variables(tmp_path: Path) -> None:
         (
             TABLE + "    rows:\n      - {measure: base_shear, label: V, unit: kg, values: {bare: {DBE: 2}}}\n",
             "8:47",
-            "a mass ([mass]), but a force",
+            "a mass, but a force",
         ),
         (
             TABLE.replace("mean", "mean_profile")
