@@ -36,6 +36,7 @@ from edesign.study.modal import fundamental_period, mode_count
 from edesign.study.motions import Motion, check_fits, expected_scale
 from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
+from edesign.study.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
 from edesign.study.structure import frame_alone, make_frame, make_structure
 from edesign.study.study_plan import make_study_plan, recordings
 from edesign.study.suitability import scale_warnings
@@ -76,6 +77,7 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
         check_motion(project, spec, found[spec.record].record)
     check_fits(project, found)
     _check_frame(project, specs)
+    check_project_reach(project, specs)
     return found
 
 
@@ -119,6 +121,9 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
     specs = (*(task.spec for task in plan), *histories)
     found = _check_inputs(base, specs)
     check_hazard_curves(study)
+    check_incremental_reach(study)
+    for i, pushed in enumerate(study.pushovers):
+        check_pushover_reach(study.base, pushed, study.where("pushovers", i, "pattern"), ("pushovers", i, "pattern"))
     for name, variant in study.variants.items():
         if variant.values:
             try:

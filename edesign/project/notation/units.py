@@ -247,7 +247,8 @@ def _factor(value: str, unit: str, kind: Kind) -> float:
     parsed = _parse_unit(value, unit, kind)
     if parsed.dimensionality != _dimension(kind.unit):
         raise refuse(
-            f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} is needed, for example `{kind.example}`"
+            f"`{value}` is {a(_name(parsed.dimensionality))}, but {a(kind.name)} is needed, "
+            f"for example `{kind.example}`"
         )
     return float(_registry().Quantity(1.0, parsed).to_base_units().magnitude)
 
