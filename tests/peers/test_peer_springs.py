@@ -11,15 +11,14 @@ from collections.abc import Sequence
 
 import numpy as np
 import pytest
-from verification.structures import channel
+from verification.structures import turned_spring
 
-from edesign.core import Analysis, DeterioratingSide, DeterioratingSpring, Model, MultilinearSpring
+from edesign.core import DeterioratingSide, DeterioratingSpring
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")
 
 pytestmark = pytest.mark.peer
 
-TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
 K = 1.0e8
 STEEL = DeterioratingSide(plastic=0.025, capping=0.16, ultimate=0.35, yield_force=5e5, capped=1.1, residual=0.4)
 SLAB = DeterioratingSide(
@@ -33,26 +32,6 @@ STEPS = 40
 
 def turning_points(protocol: Sequence[tuple[float, int]]) -> np.ndarray:
     return np.array([sign * drift for drift, cycles in protocol for _ in range(cycles) for sign in (1.0, -1.0)])
-
-
-def ours(law: DeterioratingSpring, turns: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Rotations and moments of a spring from turn to turn in STEPS steps each."""
-    m = Model()
-    ground, node = m.node("ground", 0.0, 0.0), m.node("node", 0.0, 0.0)
-    m.fix(ground, True, True, True)
-    m.fix(node, True, True, False)
-    spring = m.spring("S", ground, node, TURN, law)
-    m.spring("soft", ground, node, TURN, MultilinearSpring(1.0))  # holds the node where the law has no stiffness
-    push = m.pattern()
-    m.nodal_load(push, node, mz=1.0)
-    analysis = Analysis(m)
-    path, moments = [0.0], [0.0]
-    for turn in turns:
-        response = analysis.pushover(push, node, "rz", float(turn), STEPS, [channel("axial_force", spring)])
-        assert response.status == "completed", response.reason
-        path += list(response.time[1:])
-        moments += list(response.values[f"axial_force_{spring}_0"][1:])
-    return np.array(path), np.array(moments)
 
 
 def theirs(law: DeterioratingSpring, path: np.ndarray) -> np.ndarray:
@@ -81,7 +60,7 @@ def test_cyclic_protocols(negative: DeterioratingSide, Lambda: float, protocol: 
     """Moments within 1 % of yield along the path, energy within 0.5 %, while the strength is above the residual one."""
     E_t = Lambda * STEEL.yield_force
     law = DeterioratingSpring(K, STEEL, negative, E_t, E_t, 1.5 * E_t)
-    path, moments = ours(law, turning_points(protocol))
+    path, moments, _ = turned_spring(law, turning_points(protocol), STEPS)
     peer = theirs(law, path)
     assert np.max(np.abs(peer)) > 5e5  # the peer has not refused the values
     # its step begins each reversal with the stiffness of before, ours with the one after: one step's difference

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.core import Analysis, Bilinear, Channel, Elastic, Model, Response, Steel
+from edesign.core import Analysis, Bilinear, Channel, Elastic, Model, MultilinearSpring, Response, SpringLaw, Steel
 
 E = 2.1e11
 FY = 275e6
@@ -171,3 +171,31 @@ def final(structure: Structure, channels: Sequence[Channel], steps: int = 1, **s
     response: Response = structure.analysis(**settings).static(structure.pattern, steps=steps, channels=channels)
     assert response.status == "completed", response.reason
     return response.final
+
+
+TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
+"""Of a spring that turns with the difference of two rotations."""
+
+
+def turned_spring(law: SpringLaw, turns: Sequence[float], steps: int = 50) -> tuple[np.ndarray, np.ndarray, Analysis]:
+    """Turn a rotational spring through turning points, in so many steps from each to the next.
+
+    Returns:
+        Its rotations and moments from rest on, and the analysis.
+    """
+    m = Model()
+    ground, node = m.node("ground", 0.0, 0.0), m.node("node", 0.0, 0.0)
+    m.fix(ground, True, True, True)
+    m.fix(node, True, True, False)
+    spring = m.spring("S", ground, node, TURN, law)
+    m.spring("soft", ground, node, TURN, MultilinearSpring(1.0))  # holds the node where the law has no stiffness
+    push = m.pattern()
+    m.nodal_load(push, node, mz=1.0)
+    analysis = Analysis(m)
+    path, moments = [0.0], [0.0]
+    for turn in turns:
+        response = analysis.pushover(push, node, "rz", float(turn), steps, [channel("axial_force", spring)])
+        assert response.status == "completed", response.reason
+        path += list(response.time[1:])
+        moments += list(response.values[f"axial_force_{spring}_0"][1:])
+    return np.array(path), np.array(moments), analysis

@@ -6,7 +6,7 @@ from math import inf, pi, sqrt
 
 import numpy as np
 import pytest
-from verification.structures import channel
+from verification.structures import TURN, channel, turned_spring
 
 from edesign.core import (
     Analysis,
@@ -16,35 +16,14 @@ from edesign.core import (
     DeterioratingSpring,
     Model,
     MultilinearSpring,
-    SpringLaw,
 )
 
-TURN = (0.0, 0.0, -1.0, 0.0, 0.0, 1.0)
 L, EA, EI = 3.0, 2.0e9, 2.0e7
 
 
 def steel_hinge(stiffness: float = 1.0e7, Lambda: float = 0.8) -> DeterioratingSpring:
     side = DeterioratingSide(plastic=0.025, capping=0.15, ultimate=0.4, yield_force=1e5, capped=1.1, residual=0.4)
     return DeterioratingSpring(stiffness, side, side, *(Lambda * 1e5,) * 3)
-
-
-def along(law: SpringLaw, path: np.ndarray) -> tuple[np.ndarray, Analysis]:
-    """Forces of a spring whose deformation goes through the turning points of a path, 50 steps between each two."""
-    m = Model()
-    ground, node = m.node("ground", 0.0, 0.0), m.node("node", 0.0, 0.0)
-    m.fix(ground, True, True, True)
-    m.fix(node, True, True, False)
-    spring = m.spring("S", ground, node, TURN, law)
-    m.spring("soft", ground, node, TURN, MultilinearSpring(1.0))  # holds the node where the law has no stiffness
-    push = m.pattern()
-    m.nodal_load(push, node, mz=1.0)
-    analysis = Analysis(m)
-    forces = [0.0]
-    for target in path:
-        response = analysis.pushover(push, node, "rz", float(target), 50, [channel("axial_force", spring)])
-        assert response.status == "completed", response.reason
-        forces += list(response.values[f"axial_force_{spring}_0"][1:])
-    return np.array(forces), analysis
 
 
 def base_spring_cantilever(k: float, mass: float = 0.0, n: float = 0.0) -> tuple[Model, int, int, int]:
@@ -131,7 +110,7 @@ def test_corners_and_masing() -> None:
     corners = ((0.002, 100.0), (0.008, 160.0))
     law = MultilinearSpring(2000.0, corners)
     turns = np.array([0.008, 0.012, -0.004, -0.012, 0.012])
-    forces, _ = along(law, turns)
+    _, forces, _ = turned_spring(law, turns)
     ends = forces[50::50]
     assert ends[0] == pytest.approx(160.0)
     assert ends[1] == pytest.approx(168.0)  # 0.004 x 2000 beyond the last corner
@@ -169,7 +148,7 @@ def test_backbone_of_a_deteriorating_spring() -> None:
     slope = 1.1e5 / 0.15
     residual = capping + (1.1e5 - 0.4e5) / slope
     turns = np.array([at_yield, capping, 0.5 * (capping + residual), residual, 0.35, 0.41])
-    forces, _ = along(law, turns)
+    _, forces, _ = turned_spring(law, turns)
     ends = forces[50::50]
     expected = [1e5, 1.1e5, 0.75e5, 0.4e5, 0.4e5, 0.0]
     np.testing.assert_allclose(ends, expected, rtol=1e-9, atol=1e-6)
@@ -183,7 +162,7 @@ def test_strength_deteriorates_by_the_energy_of_each_excursion() -> None:
     """
     side = DeterioratingSide(plastic=1.0, capping=1.0, ultimate=inf, yield_force=1e5, capped=1.0)
     law = DeterioratingSpring(1e7, side, side, strength=0.5e5)
-    forces, _ = along(law, np.array([0.03, -0.03, 0.03]))
+    _, forces, _ = turned_spring(law, np.array([0.03, -0.03, 0.03]))
     E_t = 0.5e5
     first = 1e5 * 0.02
     negative = 1e5 * (1.0 - first / (E_t - first))
@@ -196,7 +175,7 @@ def test_strength_deteriorates_by_the_energy_of_each_excursion() -> None:
 def test_steps_do_not_change_a_deteriorating_path() -> None:
     """From turn to turn in one step or in fifty: the same forces, because a step is followed corner by corner."""
     turns = np.array([0.02, -0.03, 0.04, -0.05, 0.06, -0.01, 0.08])
-    fine, _ = along(steel_hinge(), turns)
+    _, fine, _ = turned_spring(steel_hinge(), turns)
     m = Model()
     ground, node = m.node("ground", 0.0, 0.0), m.node("node", 0.0, 0.0)
     m.fix(ground, True, True, True)
