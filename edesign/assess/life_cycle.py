@@ -11,6 +11,7 @@ import scipy
 from numpy.typing import ArrayLike
 
 from edesign.assess.fragility import Fragility
+from edesign.codes.interpolation import exponents, log_log
 from edesign.errors import InputError
 
 SQRT_2 = math.sqrt(2.0)
@@ -44,13 +45,11 @@ class HazardCurve:
     @property
     def exponents(self) -> np.ndarray:
         """k of each line, (n - 1,): H = k0 im^-k, as in EN 1998-1, 2.1(4)."""
-        return -np.diff(np.log(self.rate)) / np.diff(np.log(self.intensity))
+        return -exponents(self.intensity, self.rate)
 
     def rate_of(self, intensity: ArrayLike) -> np.ndarray:
         """Return the annual rate of exceedance of intensities."""
-        im = np.asarray(intensity, dtype=float)
-        line = np.clip(np.searchsorted(self.intensity, im) - 1, 0, self.intensity.size - 2)
-        return np.asarray(self.rate[line] * (im / self.intensity[line]) ** -self.exponents[line])
+        return log_log(np.asarray(intensity, dtype=float), self.intensity, self.rate)
 
 
 @dataclass(frozen=True)

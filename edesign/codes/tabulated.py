@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.codes.ec8.branches import checked_periods, displacement_of
+from edesign.codes.interpolation import log_log
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 
@@ -106,10 +107,10 @@ class TabulatedSpectrum:
             raise InputError(f"{self.label} ends at {self.last_period:g} s; it has no ordinate at {beyond.flat[0]:g} s")
         known, S = np.array(self.periods), np.array(self.ordinates)
         linear = np.interp(T, known, S)
-        if self.interpolation == "linear":
+        if self.interpolation == "linear" or known.size == 2:  # one point has no line
             return self.factor * linear
         inner = np.maximum(T, known[1])  # without a logarithm of zero
-        power = np.exp(np.interp(np.log(inner), np.log(known[1:]), np.log(S[1:])))
+        power = log_log(inner, known[1:], S[1:])
         return self.factor * np.where(known[1] > T, linear, power)
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
