@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Mapping, Sequence
-from contextlib import suppress
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager, suppress
 from itertools import count
 from pathlib import Path
 from types import TracebackType
@@ -109,15 +109,9 @@ class ArchiveWriter:
         Raises:
             ArchiveError: disk full or another failure; the archive is closed and holds what was written before.
         """
-        try:
+        with self._closed_on_failure():
             self._put(path, group)
             self._commit()
-        except OSError as error:
-            self.close()
-            raise self._failure(error) from error
-        except BaseException:
-            self.close()
-            raise
 
     def has(self, path: str) -> bool:
         """Whether a group was written at a path, or is reused."""
@@ -138,7 +132,7 @@ class ArchiveWriter:
         """
         file = self._open_file()
         self._root.attributes.update({**(attributes or {}), "complete": 1})
-        try:
+        with self._closed_on_failure():
             write_attributes(file, self._root)
             self._commit()
             seal = seal_of(self._disk, self._disk.size)
@@ -150,12 +144,6 @@ class ArchiveWriter:
             self.close()
             os.replace(self.partial, self.path)
             _sync_folder(self.path.parent)
-        except OSError as error:
-            self.close()
-            raise self._failure(error) from error
-        except BaseException:
-            self.close()
-            raise
         return self.path
 
     def discard(self) -> None:
@@ -303,6 +291,18 @@ class ArchiveWriter:
         for path, group in extra.items():
             self._put(path, group)
         self._commit()
+
+    @contextmanager
+    def _closed_on_failure(self) -> Iterator[None]:
+        """Whatever goes wrong, the file is closed; what the disk says becomes an ArchiveError."""
+        try:
+            yield
+        except OSError as error:
+            self.close()
+            raise self._failure(error) from error
+        except BaseException:
+            self.close()
+            raise
 
     def _failure(self, error: OSError | ValueError) -> ArchiveError:
         words = reason(error) if isinstance(error, OSError) else str(error)

@@ -7,7 +7,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Literal, Protocol
+from typing import Any, Literal, Protocol, Self
 
 import numpy as np
 
@@ -187,6 +187,47 @@ class Problem(Protocol):
         """Power of the residuals of the tests fitted to, in units of their noise, over that of noise; 1 where only
         noise is left.
         """
+
+
+class AlwaysFine:
+    """What a problem says that is always predicted as finely, in which nothing is in doubt or a test's own."""
+
+    def nuisance(
+        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
+    ) -> np.ndarray | None:
+        """Nothing is a test's own."""
+        return None
+
+    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
+        """Nothing is in doubt."""
+        return None
+
+    @property
+    def certain(self) -> Self:
+        """Nothing is in doubt."""
+        return self
+
+    @property
+    def coarse(self) -> Self:
+        """It is always as fine."""
+        return self
+
+    @property
+    def rough(self) -> Self:
+        """It is always as fine."""
+        return self
+
+    def finer(self, part: Part) -> tuple[Part, ...]:
+        """There are none."""
+        return ()
+
+    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
+        """There are none."""
+        return ()
+
+    def simpler(self, part: Part) -> tuple[Part, ...]:
+        """There are none."""
+        return ()
 
 
 class PredictionError(Exception):

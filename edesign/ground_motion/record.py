@@ -68,6 +68,21 @@ class Record:
         """Return the record times `factor` (dimensionless)."""
         return replace(self, acceleration=factor * self.acceleration, source=f"{self.source}; times {factor:.9g}")
 
+    def last_sample(self, time_step: float) -> int:
+        """Return the number of the last sample, from 0, with another time step (s).
+
+        Raises:
+            InputError: the step is not greater than zero, or longer than the record.
+        """
+        if not (np.isfinite(time_step) and time_step > 0.0):
+            raise InputError(f"{self.name}: the time step must be greater than zero, not {time_step:g} s")
+        last = int(np.floor(self.duration / time_step + _TOLERANCE))
+        if last < 1:
+            raise InputError(
+                f"{self.name}: the time step of {time_step:g} s is longer than the record ({self.duration:g} s)"
+            )
+        return last
+
     def resampled(self, time_step: float) -> Record:
         """Return the record at another step by linear interpolation, which is how time integration reads a record.
 
@@ -81,15 +96,9 @@ class Record:
         Raises:
             InputError: the step is not greater than zero, or longer than the record.
         """
-        if not (np.isfinite(time_step) and time_step > 0.0):
-            raise InputError(f"{self.name}: the time step must be greater than zero, not {time_step:g} s")
+        last = self.last_sample(time_step)
         if time_step == self.time_step:
             return self
-        last = int(np.floor(self.duration / time_step + _TOLERANCE))
-        if last < 1:
-            raise InputError(
-                f"{self.name}: the time step of {time_step:g} s is longer than the record ({self.duration:g} s)"
-            )
         samples, given = np.empty(last + 1), np.arange(self.acceleration.size)
         for first in range(0, last + 1, _BLOCK):
             position = np.arange(first, min(first + _BLOCK, last + 1)) * (time_step / self.time_step)

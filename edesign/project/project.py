@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Self
@@ -104,11 +103,6 @@ class Project(RecordFiles, FileModel):
             assert found.hazard is not None
             found.lend_contents(found.hazard.lend)
         return found
-
-    @property
-    def checksum(self) -> str:
-        """SHA-256 of the text (UTF-8), hexadecimal."""
-        return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
 
     @property
     def archive_path(self) -> Path:

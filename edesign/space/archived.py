@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
@@ -171,34 +171,38 @@ def _criteria(design: ElasticDesign) -> Group:
     return group
 
 
+def _columns(dim: str, text: str, items: Sequence[object], columns: Iterable[tuple[str, str, str]]) -> Group:
+    """What is archived of numbered things: name of an attribute of theirs, its unit, and what it is."""
+    group = _numbered(dim, len(items), text)
+    for name, unit, label in columns:
+        group.add(name, (dim,), np.array([getattr(item, name) for item in items]), unit, label)
+    return group
+
+
 def _joints(design: ElasticDesign) -> Group:
     joints = design.joints
-    group = _numbered("joint", len(joints), "number of the joint")
-    group.add("node", ("joint",), np.array([joint.node for joint in joints]), "", "node")
-    group.add("axis", ("joint",), np.array([joint.axis for joint in joints]), "", "direction of its beams")
-    for name, unit, text in (
+    columns = (
+        ("node", "", "node"),
+        ("axis", "", "direction of its beams"),
         ("M_Rc", "N*m", "sum of the resistances of the columns"),
         ("M_Rb", "N*m", "sum of the resistances of the beams"),
         ("ratio", "1", "of both, at least 1.3"),
-    ):
-        group.add(name, ("joint",), np.array([getattr(joint, name) for joint in joints]), unit, text)
-    group.add("exempt", ("joint",), np.array([joint.exempt for joint in joints]), "1", "the rule is not asked here")
-    return group
+        ("exempt", "1", "the rule is not asked here"),
+    )
+    return _columns("joint", "number of the joint", joints, columns)
 
 
 def _panels(design: ElasticDesign) -> Group:
     panels = design.panels
-    group = _numbered("panel", len(panels), "number of the web panel")
-    group.add("node", ("panel",), np.array([panel.node for panel in panels]), "", "node")
-    group.add("axis", ("panel",), np.array([panel.axis for panel in panels]), "", "direction of its beams")
-    for name, unit, text in (
+    columns = (
+        ("node", "", "node"),
+        ("axis", "", "direction of its beams"),
         ("V_wp_Ed", "N", "shear when the beams have their hinges"),
         ("V_wp_Rd", "N", "resistance of the web of the column"),
         ("V_wp_Rd_doubled", "N", "resistance with a supplementary web plate"),
         ("doubler", "m", "thickness of that plate, 0: none is needed"),
-    ):
-        group.add(name, ("panel",), np.array([getattr(panel, name) for panel in panels]), unit, text)
-    return group
+    )
+    return _columns("panel", "number of the web panel", panels, columns)
 
 
 def _foundations(design: ElasticDesign) -> Group:

@@ -14,7 +14,7 @@ from edesign.calibrate.dampers.left import Left
 from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
-from edesign.calibrate.problem import Candidate, Part, Piece, Point, Problem, Use
+from edesign.calibrate.problem import AlwaysFine, Candidate, Part, Piece, Use
 from edesign.calibrate.properties.arrangement import Arrangement
 from edesign.calibrate.properties.campaign import Group, PropertyCampaign
 from edesign.calibrate.properties.candidates import candidates_of
@@ -32,7 +32,7 @@ QUICK_CYCLES, QUICK_SAMPLES = (2, 2), 60
 
 
 @dataclass(frozen=True, eq=False)
-class PropertyProblem:
+class PropertyProblem(AlwaysFine):
     """Rows of a property table, in groups.
 
     A value is a property over the measured one, so that all measured values are 1 and a residual is a relative error.
@@ -86,49 +86,12 @@ class PropertyProblem:
         amplitudes = self.force_amplitudes(base, parts, uses)
         return [self._ratios(amplitudes, group) if group.use in uses else None for group in self.groups]
 
-    def nuisance(
-        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
-    ) -> np.ndarray | None:
-        """Nothing is a group's own."""
-        return None
-
-    @property
-    def certain(self) -> Problem:
-        """Nothing is in doubt."""
-        return self
-
-    @property
-    def coarse(self) -> Problem:
-        """It is always as fine."""
-        return self
-
-    @property
-    def rough(self) -> Problem:
-        """It is always as fine."""
-        return self
-
-    def finer(self, part: Part) -> tuple[Part, ...]:
-        """There are none."""
-        return ()
-
-    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
-        """There are none."""
-        return ()
-
-    def simpler(self, part: Part) -> tuple[Part, ...]:
-        """There are none."""
-        return ()
-
     def judged(self, index: int) -> tuple[Piece, ...]:
         """All of a group."""
         return (Piece(self.names[index], slice(None)),)
 
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""
-        return None
-
-    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        """Nothing is in doubt."""
         return None
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:

@@ -11,7 +11,7 @@ from scipy.linalg import eigh
 
 from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.noise import white_noise
-from edesign.calibrate.problem import Candidate, Part, Piece, Point, PredictionError, Problem, Use
+from edesign.calibrate.problem import AlwaysFine, Candidate, Part, Piece, PredictionError, Use
 from edesign.calibrate.structure.band import band_power
 from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.campaign import Isolation, StructureCampaign
@@ -37,7 +37,7 @@ Acting = tuple[StructuralEffect, Values]
 
 
 @dataclass(frozen=True, eq=False)
-class StructureProblem:
+class StructureProblem(AlwaysFine):
     """Tests of one structure in the order in which they were made.
 
     A test is one row of numbers for the loop: its channels one after the other, each over the `scale` of its measure.
@@ -235,39 +235,6 @@ class StructureProblem:
             found.append(response if asked else None)
         return found
 
-    def nuisance(
-        self, base: np.ndarray, parts: Sequence[Part], index: int, about: Point | None = None
-    ) -> np.ndarray | None:
-        """Nothing is each test's own."""
-        return None
-
-    @property
-    def certain(self) -> Problem:
-        """Nothing is in doubt."""
-        return self
-
-    @property
-    def coarse(self) -> Problem:
-        """It is always as fine."""
-        return self
-
-    @property
-    def rough(self) -> Problem:
-        """It is always as fine."""
-        return self
-
-    def finer(self, part: Part) -> tuple[Part, ...]:
-        """There are none."""
-        return ()
-
-    def elsewhere(self, part: Part) -> tuple[Candidate, ...]:
-        """There are none."""
-        return ()
-
-    def simpler(self, part: Part) -> tuple[Part, ...]:
-        """There are none."""
-        return ()
-
     def judged(self, index: int) -> tuple[Piece, ...]:
         """Each channel of a test; a quiet one has the noise of the test, for which a fit takes it."""
         return self._channels_judged[index]
@@ -287,10 +254,6 @@ class StructureProblem:
 
     def weight(self, index: int) -> np.ndarray | None:
         """None: noise is as strong at all times."""
-        return None
-
-    def doubt(self, parts: Sequence[Part], index: int) -> np.ndarray | None:
-        """Nothing is in doubt."""
         return None
 
     def left(self, residuals: Sequence[np.ndarray], noise: Sequence[float]) -> float:

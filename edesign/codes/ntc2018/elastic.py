@@ -63,6 +63,27 @@ class _Spectrum:
         """Return the spectrum of the same action for another ratio of critical damping."""
         return replace(self, damping=damping)
 
+    @property
+    def corners(self) -> Mapping[str, float]:
+        """T_B, T_C and T_D, s."""
+        raise NotImplementedError
+
+    @property
+    def zero_period(self) -> float:
+        """The ordinate at period zero, m/s2."""
+        raise NotImplementedError
+
+    def acceleration(self, period: ArrayLike) -> np.ndarray:
+        """Return S_e(T) (Eq. 3.2.2) or S_ve(T) (Eq. 3.2.8), m/s2, in the shape of `period` (s)."""
+        c = self.corners
+        return self.zero_period * four_branches(
+            period, (c["T_B"], c["T_C"], c["T_D"]), start=1.0, plateau=self.eta * self.F_0
+        )
+
+    def displacement(self, period: ArrayLike) -> np.ndarray:
+        """Return the displacement, m, in the shape of `period` (s): S (T / 2 pi)2 (3.2.3.2.3), beyond T_E too."""
+        return displacement_of(self.acceleration(period), period)
+
 
 @dataclass(frozen=True)
 class NtcSpectrum(_Spectrum):
@@ -89,17 +110,6 @@ class NtcSpectrum(_Spectrum):
         """a_g S, m/s2."""
         return self.a_g * self.S
 
-    def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_e(T), m/s2, in the shape of `period` (s); Eq. 3.2.2."""
-        c = self.corners
-        return self.zero_period * four_branches(
-            period, (c["T_B"], c["T_C"], c["T_D"]), start=1.0, plateau=self.eta * self.F_0
-        )
-
-    def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return S_De(T), m, in the shape of `period` (s): S_e (T / 2 pi)2 (3.2.3.2.3), beyond T_E too."""
-        return displacement_of(self.acceleration(period), period)
-
 
 @dataclass(frozen=True)
 class NtcVerticalSpectrum(_Spectrum):
@@ -122,14 +132,3 @@ class NtcVerticalSpectrum(_Spectrum):
     def zero_period(self) -> float:
         """a_g S_T F_V / F_0, m/s2."""
         return self.a_g * self.site.S_T * self.F_V / self.F_0
-
-    def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_ve(T), m/s2, in the shape of `period` (s); Eq. 3.2.8."""
-        c = self.corners
-        return self.zero_period * four_branches(
-            period, (c["T_B"], c["T_C"], c["T_D"]), start=1.0, plateau=self.eta * self.F_0
-        )
-
-    def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return the displacement, m, in the shape of `period` (s): S_ve (T / 2 pi)2."""
-        return displacement_of(self.acceleration(period), period)

@@ -36,15 +36,9 @@ def resample_band_limited(record: Record, time_step: float) -> Record:
     Source: Oppenheim & Schafer, Discrete-Time Signal Processing, chapter 4 (change of rate by a rational factor) and
         7 (Kaiser window).
     """
-    if not (np.isfinite(time_step) and time_step > 0.0):
-        raise InputError(f"{record.name}: the time step must be greater than zero, not {time_step:g} s")
+    last = record.last_sample(time_step)
     if time_step == record.time_step:
         return record
-    last = int(np.floor(record.duration / time_step + _TOLERANCE))
-    if last < 1:
-        raise InputError(
-            f"{record.name}: the time step of {time_step:g} s is longer than the record ({record.duration:g} s)"
-        )
     exact = record.time_step / time_step
     ratio = Fraction(exact).limit_denominator(_LARGEST)
     if max(ratio.numerator, ratio.denominator) > _LARGEST or abs(float(ratio) - exact) > _TOLERANCE * exact:

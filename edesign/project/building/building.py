@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Mapping
 from functools import cached_property
 from itertools import accumulate
@@ -112,11 +111,6 @@ class Building(FileModel):
         for name in ("layout", "heights", "levels"):
             found.__dict__.pop(name, None)
         return found
-
-    @property
-    def checksum(self) -> str:
-        """SHA-256 of the text (UTF-8), hexadecimal."""
-        return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
 
     @property
     def archive_path(self) -> Path:

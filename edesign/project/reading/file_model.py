@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, Self
@@ -146,6 +147,11 @@ class FileModel(Model):
     def text(self) -> str:
         """The exact text of the file."""
         return self._text
+
+    @property
+    def checksum(self) -> str:
+        """SHA-256 of the text (UTF-8), hexadecimal."""
+        return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
 
     @property
     def root(self) -> Node:

@@ -39,8 +39,8 @@ variants: {bare: {dampers: none}}
 """
 PARTS = {
     "pushovers": "pushovers: [{variants: bare, pattern: {modes: 2}, roof_drift: 1 %}]",
-    "incremental": "incremental: [{name: ida, records: motion, intensity: spectral_acceleration, levels: [0.1 g, 0.2 g], "
-    "level: rare}]",
+    "incremental": "incremental:\n  - {name: ida, records: motion, intensity: spectral_acceleration, "
+    "levels: [0.1 g, 0.2 g], level: rare}",
 }
 
 

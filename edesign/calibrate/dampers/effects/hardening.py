@@ -99,14 +99,20 @@ class Soft(Threshold):
         return np.asarray(p["k"] * w * begun * np.sign(motion.displacement))
 
 
+CURVED_BODIES = "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
+
+
+def contact_force(p: Values, beyond: np.ndarray) -> np.ndarray:
+    """Force, N, of a contact whose bodies have come nearer than their first touch by `beyond`, m: k x (x/r)^(n - 1)."""
+    return np.asarray(p["k"] * beyond * (beyond / p["r"]) ** (p["n"] - 1.0))
+
+
 class Contact(_FromLargest):
     """A contact that stiffens from a deformation on: k x (x/r)^(n - 1) sgn u, x = max(|u| - u0, 0)."""
 
     form: ClassVar[str] = "contact"
     title: ClassVar[str] = "contact that stiffens beyond a deformation"
-    source: ClassVar[str] = (
-        "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
-    )
+    source: ClassVar[str] = CURVED_BODIES
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return contact_unknowns(sizes)
@@ -117,7 +123,7 @@ class Contact(_FromLargest):
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
         beyond = np.maximum(np.abs(motion.displacement) - p["u0"], 0.0)
-        return np.asarray(p["k"] * beyond * (beyond / p["r"]) ** (p["n"] - 1.0) * np.sign(motion.displacement))
+        return contact_force(p, beyond) * np.sign(motion.displacement)
 
 
 class Exponential(_Hardening):

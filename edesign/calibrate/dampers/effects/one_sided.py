@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from edesign.calibrate.dampers.effect import Form, Memory
-from edesign.calibrate.dampers.effects.hardening import contact_unknowns
+from edesign.calibrate.dampers.effects.hardening import CURVED_BODIES, contact_force, contact_unknowns
 from edesign.calibrate.dampers.trial import REFINED, Motion, Sizes, Trial, Values
 from edesign.calibrate.problem import Kind
 from edesign.calibrate.unknown import Unknown
@@ -67,9 +67,7 @@ class SpringNegative(_Spring):
 
 class _Contact(_Spring):
     amendment_form: ClassVar[str] = "contact"
-    source: ClassVar[str] = (
-        "contact of curved bodies: Jankowski (2005), Earthquake Engng Struct. Dyn. 34, 595-611 (power 3/2)"
-    )
+    source: ClassVar[str] = CURVED_BODIES
 
     def unknowns(self, sizes: Sizes) -> tuple[Unknown, ...]:
         return contact_unknowns(sizes)
@@ -83,7 +81,7 @@ class _Contact(_Spring):
 
     def parallel(self, p: Values, trial: Trial, motion: Motion, memory: Memory) -> np.ndarray:
         beyond = np.maximum(p["side"] * motion.displacement - p["u0"], 0.0)
-        return np.asarray(p["side"] * p["k"] * beyond * (beyond / p["r"]) ** (p["n"] - 1.0))
+        return p["side"] * contact_force(p, beyond)
 
 
 class ContactPositive(_Contact):
