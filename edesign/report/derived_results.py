@@ -15,6 +15,9 @@ from edesign.project.study.study import Study
 USUAL = ("interstorey_drift", "roof_acceleration_m_s2", "base_shear_N", "damper_force_N")
 """Measures that are shown where the study does not choose."""
 _NUMBER = re.compile(r"\s*([-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?)\s*(.*?)\s*")
+_STEP = re.compile(r"[^.\[\]]+(?:\[[0-9]+\])?")
+_OF_NO_NAME = ("parameters",)
+"""Keys that do not tell what a quantity is of."""
 
 
 @dataclass(frozen=True)
@@ -46,10 +49,17 @@ class Sweep:
         )
 
     @property
+    def quantity(self) -> str:
+        """What was changed, in words: `fy of S275` of the place materials.S275.fy."""
+        *above, last = _STEP.findall(self.vary.place)
+        of = next((key for key in reversed(above) if key not in _OF_NO_NAME), "")
+        return f"{last} of {of}" if of else last
+
+    @property
     def title(self) -> str:
-        """Place, variant and level."""
+        """What was changed, variant and level."""
         at = f" at {self.level}" if self.level else ""
-        return f"{self.vary.place} of {self.of}{at}"
+        return f"{self.quantity}, {self.of}{at}"
 
     @property
     def numbers(self) -> tuple[tuple[float, ...], str] | None:

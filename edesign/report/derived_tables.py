@@ -28,7 +28,11 @@ def sweep_table(sweep: Sweep) -> Table:
         table.rows.append([value, *means, f"{len(found.completed)}/{len(found.histories)}"])
     names = [found.variant for found in sweep.sets]
     many = f"Variants {names[0]} to {names[-1]}" if len(names) > 1 else f"Variant {names[0]}"
-    table.notes = [f"{many}; of: histories that were completed.", *missing_notes(sweep.sets)]
+    table.notes = [
+        f"Value: {sweep.vary.place}.",
+        f"{many}; of: histories that were completed.",
+        *missing_notes(sweep.sets),
+    ]
     return table
 
 

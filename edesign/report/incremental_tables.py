@@ -68,7 +68,7 @@ def loss_tables(results: IncrementalResults) -> list[Table]:
     years, first = having[0].years, having[0].loss
     assert first is not None
     columns = ["variant", "loss a year [%]", f"in {number(years, 3)} years, at present [%]"]
-    columns += [f"of it {limit} [%]" for limit in first.shares]
+    columns += [f"of which {limit} [%]" for limit in first.shares]
     table = Table(f"{results.name}: expected loss, of the value of the building", columns)
     for one in having:
         loss = one.loss

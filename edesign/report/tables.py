@@ -113,11 +113,16 @@ def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) 
     return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})])
 
 
+KINDS = {"target": "target displacement"}
+"""Kinds of analyses as people read them, where the word of the archive is another."""
+
+
 def analyses_table(entries: list[dict[str, Any]]) -> Table:
     """Return name, kind, labels and status of each analysis; reasons of failures stand below."""
     table = Table("Analyses", ("analysis", "kind", "variant", "record", "level", "status"), left=6)
     for item in entries:
-        labels = [str(item[label] or "-") for label in ("kind", "variant", "record", "level")]
+        kind = KINDS.get(str(item["kind"]), str(item["kind"] or "-"))
+        labels = [kind, *(str(item[label] or "-") for label in ("variant", "record", "level"))]
         table.rows.append([item["name"], *labels, item["status"]])
         if item["reason"]:
             table.notes.append(f"{item['name']}: {item['reason']}")

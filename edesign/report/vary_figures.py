@@ -40,7 +40,7 @@ def vary_figure(sweep: Sweep) -> Figure:
     known = sweep.numbers
     places = known[0] if known is not None else tuple(float(i) for i in range(len(sweep.values)))
     unit = known[1] if known is not None else ""
-    label = f"{sweep.vary.place} [{unit}]" if unit else sweep.vary.place
+    label = f"{sweep.quantity} [{unit}]" if unit else sweep.quantity
     records: dict[str, None] = {}
     for found in sweep.sets:
         records |= dict.fromkeys(str(group.attributes.get("record")) for group in found.completed.values())

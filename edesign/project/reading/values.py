@@ -21,6 +21,7 @@ from edesign.project.reading.yaml_nodes import Node, parse
 KeyPath = str | Keys
 """A place in a file as messages name it, `frame.columns[0].section`, or its keys one by one."""
 
+_NO_PLACE = "`{}` is no place in a file; one is written like `frame.columns[0].section`"
 _STEP = re.compile(r"\[([0-9]+)\]|\.?([^.\[\]]+)")
 
 
@@ -36,13 +37,8 @@ def changed_text(text: str, model: BaseModel, values: Mapping[KeyPath, Any], pro
     root = problems.root
     for path, value in values.items():
         keys = _keys(path, root) if isinstance(path, str) else tuple(path)
-        if keys is None:
-            problems.add(
-                root.mark, (), f"`{path}` is no place in a file; one is written like `frame.columns[0].section`"
-            )
-            continue
-        if message := _missing(model, root, keys):
-            problems.at_key(keys, message)
+        if keys is None or (message := _missing(model, root, keys)):
+            problems.at_key(keys or (), _NO_PLACE.format(path) if keys is None else message)
             continue
         try:
             wanted = _with(root.plain(), keys, parse(yaml_text(value))[0].plain())
@@ -54,6 +50,18 @@ def changed_text(text: str, model: BaseModel, values: Mapping[KeyPath, Any], pro
         if faults or root.plain() != wanted:  # rather than run other values than were asked for
             raise InputError(f"{keys_text(keys)}: the value cannot be changed where it stands; change the file")
     return text
+
+
+def wrong_place(path: str, model: BaseModel, root: Node) -> str:
+    """Return why no value can be written at a place of a file, "" if one can.
+
+    Args:
+        path: of the place, as messages name it.
+        model: what the file says.
+        root: its tree.
+    """
+    keys = _keys(path, root)
+    return _NO_PLACE.format(path) if keys is None else _missing(model, root, keys)
 
 
 def first_difference(model: Any, said: Any, keys: Keys = ()) -> tuple[Keys, Any, Any] | None:

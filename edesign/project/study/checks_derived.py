@@ -8,6 +8,7 @@ from edesign.project.dampers.checks_designs import check_factors
 from edesign.project.dampers.designs import Bounds
 from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import FileProblems, Keys, Problems, listed
+from edesign.project.reading.values import wrong_place
 from edesign.project.study.derived import SHARED, derived_name
 from edesign.project.study.study import Study, Variant
 
@@ -20,7 +21,9 @@ def check_derived(study: Study, problems: Problems) -> None:
         keys: Keys = ("variants", name)
         for place, value in variant.values.items():
             at: Keys = (*keys, "values", place)
-            if _may_change(at, place, (name,), study, problems):
+            if message := wrong_place(place, study.base, study.base.root):
+                problems.at_key(at, f"{study.base.path}: {message}")
+            elif _may_change(at, place, (name,), study, problems):
                 _check_value(at, place, value, study, problems)
         if variant.bounds is not None:
             _bounds(keys, variant, variant.bounds, problems)
@@ -30,7 +33,9 @@ def check_derived(study: Study, problems: Problems) -> None:
             problems.at_value((*keys, "name"), f"`{item.name}` comes twice")
         check_names(problems, (*keys, "variants"), "variant", item.variants, of_file)
         known = tuple(name for name in item.variants if name in of_file)
-        if _may_change((*keys, "place"), item.place, known, study, problems):
+        if message := wrong_place(item.place, study.base, study.base.root):
+            problems.at_value((*keys, "place"), f"{study.base.path}: `{item.place}`: {message}")
+        elif _may_change((*keys, "place"), item.place, known, study, problems):
             for j, value in enumerate(item.values):
                 if not _check_value((*keys, "values", j), item.place, value, study, problems):
                     break

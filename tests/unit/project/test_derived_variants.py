@@ -66,7 +66,7 @@ def test_a_variant_that_is_named_takes_with_it_what_is_made_of_it() -> None:
         ("S275.E: 200", "S355.E: 200", "variants.softer.values.materials.S355.E", "there is no `S355`"),
         ("E: 200 GPa", "E: 200 kN", "variants.softer.values.materials.S275.E", "is a force"),
         ("materials.S275.E: 200 GPa", "hazard.a_gR: 0.2 g", "variants.softer.values.hazard.a_gR", "same for all"),
-        (DASHPOT, "dampers.laws.fluit.parameters.c", "vary[0].values[0]", "did you mean `fluid`?"),
+        (DASHPOT, "dampers.laws.fluit.parameters.c", "vary[0].place", "did you mean `fluid`?"),
         (
             "variants: damped, place: dampers",
             "variants: dampd, place: dampers",
