@@ -12,12 +12,14 @@ from numpy.typing import ArrayLike
 
 from edesign.assess.fragility import Fragility
 from edesign.codes.interpolation import exponents, log_log
+from edesign.codes.motion_sets import STATIONARY_DURATION
 from edesign.errors import InputError
 
 SQRT_2 = math.sqrt(2.0)
 LARGEST_EXPONENT = math.log(np.finfo(float).max)
-MOST_A_YEAR = 365.25 * 86400.0
-"""Once a second: greater rates come from lines that are too steep to go on."""
+MOST_A_YEAR = 365.25 * 86400.0 / STATIONARY_DURATION
+"""Once in 10 s, the least duration of the stationary part of a motion (EN 1998-1, 3.2.3.1.2(3)). Motions that come
+more often overlap, and are no events of a Poisson process; such rates come from lines that are too steep to go on."""
 
 
 @dataclass(frozen=True)
@@ -87,7 +89,7 @@ def exceedance(fragility: Fragility, curve: HazardCurve, dispersion: float = 0.0
         dispersion: of modelling, added to that of the records by the root of the sum of squares.
 
     Raises:
-        InputError: the first line of the curve is so steep that the rate is more than one a second.
+        InputError: the first line of the curve is so steep that the rate is more than one in 10 s.
 
     Source: Cornell, Jalayer, Hamburger & Foutch (2002), Journal of Structural Engineering 128(4), Eq. 18 for one line;
     FEMA P-58-1, 7.6 (time-based assessment).

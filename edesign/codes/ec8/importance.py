@@ -6,8 +6,9 @@ import math
 
 from edesign.errors import InputError
 
-LARGEST_EXPONENT = 100.0
-"""Largest logarithm of gamma_I, either way: no action is e^100 times another, and squares of responses are numbers."""
+LARGEST_EXPONENT = math.log(1e16)
+"""Largest logarithm of gamma_I, either way. Accelerations that are read lie between 1e-10 m/s2, the noise of the best
+seismometers, and 1e6 m/s2, of shock tables: no two actions are further apart."""
 
 
 def factor_of_probability(probability: float, reference: float = 0.10, k: float = 3.0) -> float:
