@@ -1,150 +1,16 @@
+/* Stresses of the layers of a section, what a commit keeps of them, and fatigue that breaks them. */
 #include "section/section.h"
 
 #include "base/clones.h"
 #include "base/lanes.h"
 #include "edcore.h"
 #include "material/fatigue.h"
+#include "section/layout.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
-typedef struct {
-  double y, area;
-  int material;
-} fibre;
-
-static const double FAR = 1e300; /* strain: no limit */
-
-/* A record of curved layers: where they were evaluated, then n_padded stresses and tangents. */
-enum { RECORD_E0, RECORD_KAPPA, RECORD_LAYERS };
-
-/* Of layers that may break: how many have, and the largest damage. */
-enum { BROKEN_LAYERS, DAMAGE, FATIGUE_HEAD };
-
-static int by_depth(const void *left, const void *right)
-{
-  const fibre *a = left, *b = right;
-  if (a->y != b->y)
-    return a->y < b->y ? -1 : 1;
-  if (a->material != b->material)
-    return a->material < b->material ? -1 : 1;
-  return (a->area > b->area) - (a->area < b->area); /* so that the sum does not depend on the order given */
-}
-
-void ed_section_elastic(ed_section *section, double EA, double EI)
-{
-  memset(section, 0, sizeof *section);
-  section->elastic = 1;
-  section->k11 = EA;
-  section->k22 = EI;
-  section->yield_strain = HUGE_VAL;
-}
-
-void ed_section_free(ed_section *section)
-{
-  free(section->block);
-  free(section->steel);
-}
-
-int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *area, const int *material,
-                           const ed_steel *steels)
-{
-  memset(section, 0, sizeof *section);
-  fibre *fibres = malloc((size_t)n * sizeof *fibres);
-  if (!fibres)
-    return 0;
-  for (int i = 0; i < n; i++)
-    fibres[i] = (fibre){y[i], area[i], material[i]};
-  qsort(fibres, (size_t)n, sizeof *fibres, by_depth);
-  int layers = 0;
-  for (int i = 0; i < n; i++) {
-    if (layers && fibres[layers - 1].y == fibres[i].y && fibres[layers - 1].material == fibres[i].material)
-      fibres[layers - 1].area += fibres[i].area;
-    else
-      fibres[layers++] = fibres[i];
-  }
-  const int padded = (layers + ED_LANES - 1) / ED_LANES * ED_LANES;
-  enum { ARRAYS = 13 };
-  section->block = aligned_alloc(64, (size_t)(ARRAYS + ED_MENEGOTTO_PINTO_ARRAYS) * (size_t)padded * sizeof(double));
-  section->steel = malloc((size_t)layers * sizeof *section->steel);
-  if (!section->block || !section->steel) {
-    ed_section_free(section);
-    free(fibres);
-    return 0;
-  }
-  double **arrays[ARRAYS] = {&section->y,    &section->area, &section->E,  &section->EH,  &section->fy,   &section->hardening,
-                             &section->flow, &section->A,    &section->Ay, &section->EA,  &section->EAy,  &section->EAyy,
-                             &section->curved_area};
-  for (int k = 0; k < ARRAYS; k++)
-    *arrays[k] = (double *)section->block + (size_t)k * (size_t)padded;
-  ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)ARRAYS * (size_t)padded);
-  section->n = layers;
-  section->n_padded = padded;
-  section->yield_strain = HUGE_VAL;
-  const ed_steel *some_curved = NULL;
-  int may_break = 0;
-  for (int i = 0; i < layers; i++) {
-    const ed_steel *steel = &steels[fibres[i].material];
-    if (steel->law == ED_MENEGOTTO_PINTO)
-      some_curved = steel;
-    else
-      section->straight = 1;
-  }
-  section->curved = some_curved != NULL;
-  for (int i = 0; i < padded; i++) {
-    const ed_steel *steel = i < layers ? &steels[fibres[i].material] : &steels[fibres[0].material];
-    const int curved = steel->law == ED_MENEGOTTO_PINTO;
-    const double depth = i < layers ? fibres[i].y : 0.0, a = i < layers ? fibres[i].area : 0.0;
-    const double straight_area = curved ? 0.0 : a;
-    section->y[i] = depth;
-    section->area[i] = a;
-    section->E[i] = steel->E;
-    section->EH[i] = steel->E + steel->H;
-    section->fy[i] = i < layers && !curved ? steel->fy : HUGE_VAL;
-    section->hardening[i] = steel->hardening;
-    section->flow[i] = steel->E / (steel->E + steel->H);
-    section->A[i] = straight_area;
-    section->Ay[i] = straight_area * depth;
-    section->EA[i] = steel->E * straight_area;
-    section->EAy[i] = steel->E * straight_area * depth;
-    section->EAyy[i] = steel->E * straight_area * depth * depth;
-    section->curved_area[i] = curved ? a : 0.0;
-    if (some_curved)
-      ed_menegotto_pinto_set(&section->menegotto_pinto, i, curved ? steel : some_curved);
-    if (i >= layers)
-      continue;
-    section->steel[i] = steel;
-    section->depth = fmax(section->depth, fabs(depth));
-    section->stiffest = fmax(section->stiffest, steel->E);
-    section->yield_strain = fmin(section->yield_strain, steel->law == ED_ELASTIC ? HUGE_VAL : steel->fy / steel->E);
-    if (curved)
-      section->yield_strain = 0.0; /* its curve is never straight */
-    may_break |= steel->fatigue_strain > 0.0;
-  }
-  free(fibres);
-  section->record_size = section->curved ? RECORD_LAYERS + 2 * padded : 0;
-  section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
-  if (may_break) {
-    section->fatigue = section->state_size;
-    section->state_size += padded + FATIGUE_HEAD + layers * ED_FATIGUE_STATE;
-    section->yield_strain = 0.0; /* their strains are followed from the first on */
-  }
-  /* the same sums as the kernels', so that an elastic answer equals the initial stiffness bit for bit */
-  double *state = malloc((size_t)section->state_size * sizeof *state);
-  if (!state) {
-    ed_section_free(section);
-    return 0;
-  }
-  ed_section_initialise(section, state);
-  ed_section_response response;
-  ed_section_trial(section, state, 0.0, 0.0, NULL, &response);
-  free(state);
-  section->k11 = response.k11;
-  section->k12 = response.k12;
-  section->k22 = response.k22;
-  return 1;
-}
+static const double NO_LIMIT = 1e300; /* of a strain */
 
 /* The part of a state that curved layers keep. */
 static double *curved_state(const ed_section *section, const double *state)
@@ -199,8 +65,7 @@ typedef struct {
 } half_sum;
 
 /* Adds HALF bilinear or elastic layers from index i on. */
-ED_INLINE void add_layers(const ed_section *section, const double *plastic, double e0,
-                                                             double kappa, int i, half_sum *add)
+ED_INLINE void add_layers(const ed_section *section, const double *plastic, double e0, double kappa, int i, half_sum *add)
 {
   const lanes zero = {0};
   const lanes strain = e0 - kappa * ED_LOAD(section->y + i);
@@ -245,7 +110,7 @@ ED_CLONES static void straight_trial(const ed_section *section, const double *pl
                                      ed_section_response *response)
 {
   half_sum low = {0}, high = {0};
-  low.margin = high.margin = low.N + FAR;
+  low.margin = high.margin = low.N + NO_LIMIT;
   for (int i = 0; i < section->n_padded; i += ED_LANES) {
     add_layers(section, plastic, e0, kappa, i, &low);
     add_layers(section, plastic, e0, kappa, i + HALF, &high);
@@ -287,7 +152,7 @@ ED_CLONES static void curved_trial(const ed_section *section, const double *stat
 {
   half_sum low = {0}, high = {0};
   int elastic = 1;
-  double reach = FAR;
+  double reach = NO_LIMIT;
   if (record) {
     record[RECORD_E0] = e0;
     record[RECORD_KAPPA] = kappa;
@@ -372,7 +237,7 @@ void ed_section_trial(const ed_section *section, const double *state, double e0,
                       ed_section_response *response)
 {
   if (section->elastic) {
-    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1, FAR};
+    *response = (ed_section_response){section->k11 * e0, section->k22 * kappa, section->k11, 0.0, section->k22, 1, NO_LIMIT};
     return;
   }
   layers_trial(section, state, e0, kappa, record, response);

@@ -1,0 +1,171 @@
+/* Sections from fibres, which are merged into layers. */
+#include "edcore.h"
+#include "material/fatigue.h"
+#include "section/layout.h"
+#include "section/section.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+typedef struct {
+  double y, area;
+  int material;
+} fibre;
+
+static int by_depth(const void *left, const void *right)
+{
+  const fibre *a = left, *b = right;
+  if (a->y != b->y)
+    return a->y < b->y ? -1 : 1;
+  if (a->material != b->material)
+    return a->material < b->material ? -1 : 1;
+  return (a->area > b->area) - (a->area < b->area); /* so that the sum does not depend on the order given */
+}
+
+void ed_section_elastic(ed_section *section, double EA, double EI)
+{
+  memset(section, 0, sizeof *section);
+  section->elastic = 1;
+  section->k11 = EA;
+  section->k22 = EI;
+  section->yield_strain = HUGE_VAL;
+}
+
+void ed_section_free(ed_section *section)
+{
+  free(section->block);
+  free(section->steel);
+}
+
+/* Sorts fibres by depth, and merges those of one depth and law; returns how many are left. */
+static int merged(fibre *fibres, int n)
+{
+  int layers = 0;
+  qsort(fibres, (size_t)n, sizeof *fibres, by_depth);
+  for (int i = 0; i < n; i++) {
+    if (layers && fibres[layers - 1].y == fibres[i].y && fibres[layers - 1].material == fibres[i].material)
+      fibres[layers - 1].area += fibres[i].area;
+    else
+      fibres[layers++] = fibres[i];
+  }
+  return layers;
+}
+
+/* Makes room for the arrays of the layers; returns 0 when memory ran out. */
+static int make_arrays(ed_section *section, int layers)
+{
+  double **arrays[] = {&section->y,    &section->area, &section->E,  &section->EH,  &section->fy,   &section->hardening,
+                       &section->flow, &section->A,    &section->Ay, &section->EA,  &section->EAy,  &section->EAyy,
+                       &section->curved_area};
+  enum { ARRAYS = sizeof arrays / sizeof *arrays };
+  const int padded = (layers + ED_LANES - 1) / ED_LANES * ED_LANES;
+  section->n = layers;
+  section->n_padded = padded;
+  section->block = aligned_alloc(64, (size_t)(ARRAYS + ED_MENEGOTTO_PINTO_ARRAYS) * (size_t)padded * sizeof(double));
+  section->steel = malloc((size_t)layers * sizeof *section->steel);
+  if (!section->block || !section->steel)
+    return 0;
+  for (int k = 0; k < ARRAYS; k++)
+    *arrays[k] = (double *)section->block + (size_t)k * (size_t)padded;
+  ed_menegotto_pinto_place(&section->menegotto_pinto, padded, (double *)section->block + (size_t)ARRAYS * (size_t)padded);
+  return 1;
+}
+
+/* Sets a layer; padding has no area, and no limit of its stress. `some_curved`: a curved law of the section, NULL without. */
+static void set_layer(ed_section *section, int i, double depth, double area, const ed_steel *steel, const ed_steel *some_curved)
+{
+  const int curved = steel->law == ED_MENEGOTTO_PINTO;
+  const double straight_area = curved ? 0.0 : area;
+  section->y[i] = depth;
+  section->area[i] = area;
+  section->E[i] = steel->E;
+  section->EH[i] = steel->E + steel->H;
+  section->fy[i] = i < section->n && !curved ? steel->fy : HUGE_VAL;
+  section->hardening[i] = steel->hardening;
+  section->flow[i] = steel->E / (steel->E + steel->H);
+  section->A[i] = straight_area;
+  section->Ay[i] = straight_area * depth;
+  section->EA[i] = steel->E * straight_area;
+  section->EAy[i] = steel->E * straight_area * depth;
+  section->EAyy[i] = steel->E * straight_area * depth * depth;
+  section->curved_area[i] = curved ? area : 0.0;
+  if (some_curved)
+    ed_menegotto_pinto_set(&section->menegotto_pinto, i, curved ? steel : some_curved);
+}
+
+/* What a section keeps of its layers: where the parts of a state begin, and how long state and record are. */
+static void lay_out_state(ed_section *section, int may_break)
+{
+  const int padded = section->n_padded;
+  section->record_size = section->curved ? RECORD_LAYERS + 2 * padded : 0;
+  section->state_size = (section->straight ? padded : 0) + (section->curved ? padded * ED_MENEGOTTO_PINTO_STATE : 0);
+  if (may_break) {
+    section->fatigue = section->state_size;
+    section->state_size += padded + FATIGUE_HEAD + section->n * ED_FATIGUE_STATE;
+  }
+}
+
+/* By the same sums as the kernels', so that an elastic answer equals it bit for bit; returns 0 when memory ran out. */
+static int find_initial_stiffness(ed_section *section)
+{
+  double *state = malloc((size_t)section->state_size * sizeof *state);
+  if (!state)
+    return 0;
+  ed_section_response response;
+  ed_section_initialise(section, state);
+  ed_section_trial(section, state, 0.0, 0.0, NULL, &response);
+  free(state);
+  section->k11 = response.k11;
+  section->k12 = response.k12;
+  section->k22 = response.k22;
+  return 1;
+}
+
+static int set_layers(ed_section *section, const fibre *fibres, int layers, const ed_steel *steels)
+{
+  if (!make_arrays(section, layers))
+    return 0;
+  const ed_steel *some_curved = NULL;
+  int may_break = 0;
+  section->yield_strain = HUGE_VAL;
+  for (int i = 0; i < layers; i++) {
+    const ed_steel *steel = &steels[fibres[i].material];
+    section->steel[i] = steel;
+    section->depth = fmax(section->depth, fabs(fibres[i].y));
+    section->stiffest = fmax(section->stiffest, steel->E);
+    may_break |= steel->fatigue_strain > 0.0;
+    if (steel->law == ED_MENEGOTTO_PINTO)
+      some_curved = steel;
+    else
+      section->straight = 1;
+    if (steel->law != ED_ELASTIC)
+      section->yield_strain = fmin(section->yield_strain, steel->fy / steel->E);
+  }
+  section->curved = some_curved != NULL;
+  if (some_curved || may_break) /* its curve is never straight; strains of what may break are followed from the first on */
+    section->yield_strain = 0.0;
+  for (int i = 0; i < section->n_padded; i++)
+    if (i < layers)
+      set_layer(section, i, fibres[i].y, fibres[i].area, section->steel[i], some_curved);
+    else
+      set_layer(section, i, 0.0, 0.0, section->steel[0], some_curved);
+  lay_out_state(section, may_break);
+  return find_initial_stiffness(section);
+}
+
+int ed_section_from_fibres(ed_section *section, int n, const double *y, const double *area, const int *material,
+                           const ed_steel *steels)
+{
+  memset(section, 0, sizeof *section);
+  fibre *fibres = malloc((size_t)n * sizeof *fibres);
+  if (!fibres)
+    return 0;
+  for (int i = 0; i < n; i++)
+    fibres[i] = (fibre){y[i], area[i], material[i]};
+  const int made = set_layers(section, fibres, merged(fibres, n), steels);
+  if (!made)
+    ed_section_free(section);
+  free(fibres);
+  return made;
+}
