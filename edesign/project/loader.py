@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
@@ -18,7 +19,8 @@ from edesign.project.frame.checks_hinges import check_hinges
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
 from edesign.project.frame.sections import Catalogue
 from edesign.project.project import Project
-from edesign.project.reading.problems import ProjectError
+from edesign.project.reading.partial import check_independent, readable_part
+from edesign.project.reading.problems import Problems, ProjectError
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
 _WHAT = "project file"
@@ -56,22 +58,31 @@ def parse_project(
     path = Path(path)
     hint = "; `edesign new` writes one that runs"
     project, problems = check_model(text, Project, _WHAT, "edesign: 1", hint)
+    read = _Reader(path, profiles, files)
     if project is not None:
-        read = _Reader(path, profiles, files)
         project = read.completed(project)
-        project.read_from(path, text, problems.root, read)
-        # cross checks need a whole project: they come in a second round, after the schema is satisfied
-        check_frame(project, problems, profiles)
-        check_hinges(project, problems)
-        check_foundations(project, problems)
-        check_actions(project, problems, files)
-        check_dampers(project, problems)
-        check_isolation(project, problems)
-        check_hazard(project.hazard, project, problems, files)
-        check_outputs(project, problems)
+    part = project if project is not None else readable_part(Project, problems)
+    if part is not None:
+        part.read_from(path, text, problems.root, read)
+        check_independent(part, _cross_checks(part, problems, profiles, files))
     if project is None or problems.found:
         raise ProjectError(path, problems.found)
     return project
+
+
+def _cross_checks(
+    project: Project, problems: Problems, profiles: Catalogue | None, files: bool
+) -> tuple[Callable[[], None], ...]:
+    return (
+        lambda: check_frame(project, problems, profiles),
+        lambda: check_hinges(project, problems),
+        lambda: check_foundations(project, problems),
+        lambda: check_actions(project, problems, files),
+        lambda: check_dampers(project, problems),
+        lambda: check_isolation(project, problems),
+        lambda: check_hazard(project.hazard, project, problems, files),
+        lambda: check_outputs(project, problems),
+    )
 
 
 @dataclass(frozen=True)

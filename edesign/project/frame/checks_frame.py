@@ -48,6 +48,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     _sections(project, problems, profiles)
     for keys, run in _runs(frame):
         _section_of(project, problems, keys, run, profiles)
+    for keys, run in _runs(frame):
         if run.material not in project.materials:
             problems.at_value((*keys, "material"), unknown_name("material", run.material, project.materials))
 

@@ -326,8 +326,8 @@ BucklingLengthFactor = Annotated[float, _ratio(0.1, 1.0)]
 of a non-dimensional slenderness of 2 over its length has 0.2, at which EN 1993-1-1, 6.3.1.2(4), lets buckling be
 ignored: a brace with less does not buckle, and needs no model of it."""
 PushedDrift = Annotated[float, _ratio(1e-6, 1.0)]
-"""At least 1e-6, at most 1. Steel frames yield at a drift near 0.5 %, so at 1e-6 the base shear is 2e-4 of the strength;
-of forces that are in equilibrium to 1e-7 of the largest that leaves three digits."""
+"""At least 1e-6, at most 1. Steel frames yield at a drift near 0.5 %, so at 1e-6 the base shear is 2e-4 of the
+strength; of forces that are in equilibrium to 1e-7 of the largest that leaves three digits."""
 LeastBrace = Annotated[float, _ratio(0.001, math.inf)]
 """At least 0.001. A damper behind such a brace adds 0.025 % of damping at most, (sqrt(1 + r) - 1) / 2. That is 1/30 of
 the least that EN 1991-1-4, Table F.2, has for a steel building, 0.8 % (delta_s = 0.05): it is none."""

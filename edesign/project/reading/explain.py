@@ -45,8 +45,10 @@ def _meant(detail: ErrorDetails, model: type[BaseModel], problems: Problems) -> 
     loc = detail["loc"]
     allowed = _allowed_keys(_model_at(model, loc[:-1]))
     given = problems.node(_keys(loc[:-1], problems)).entries or {}
-    others = [key for key in _keys_of_alternatives(model, loc[:-1]) if key not in given]
-    return nearest(str(loc[-1]), allowed) or nearest(str(loc[-1]), others)
+    others = [key for key in _keys_of_alternatives(model, loc[:-1]) if key not in allowed]
+    if loc[-1] in others:  # it is spelt right, and belongs to another alternative
+        return ""
+    return nearest(str(loc[-1]), allowed) or nearest(str(loc[-1]), (key for key in others if key not in given))
 
 
 def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problems, meant: str) -> None:

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 
+from edesign.codes.asce7.ground_motions import set_rules
 from edesign.codes.ec8 import SET_RULES, Criterion
-from edesign.codes.motion_sets import SetCheck
+from edesign.codes.motion_sets import SetCheck, SetRules
+from edesign.codes.ntc2018.accelerograms import SERVICEABILITY, ULTIMATE
 from edesign.errors import InputError
 
 check_accelerograms, check_periods = SET_RULES.check, SET_RULES.check_periods
@@ -134,6 +136,18 @@ def test_periods_reach_from_0_2_to_2_t1() -> None:
     periods = check_periods(2.65)
     assert periods[0] == pytest.approx(0.53, rel=1e-12) and periods[-1] == pytest.approx(5.3, rel=1e-12)
     assert np.max(periods[1:] / periods[:-1]) < 1.012
+
+
+@pytest.mark.parametrize("rules", [SET_RULES, ULTIMATE, SERVICEABILITY, set_rules("7-16"), set_rules("7-22")])
+def test_the_ends_of_the_band_are_points_of_the_grid(rules: SetRules) -> None:
+    """To the bit, whatever T_1: a mean that is just enough everywhere fails nowhere, the target ending with the band."""
+    for T_1 in np.random.default_rng(1).uniform(0.05, 5.0, 300):
+        low, high = rules.period_band(T_1)
+        periods = rules.check_periods(T_1)
+        assert (periods[0], periods[-1]) == (low, high)
+        target = Flat(last_period=high)
+        spectra = np.tile(rules.least_ratio * target.acceleration(periods), (11, 1))
+        assert rules.check(periods, spectra, [10.0] * 11, target, T_1).failed == ()
 
 
 @pytest.mark.parametrize(

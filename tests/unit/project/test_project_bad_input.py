@@ -231,6 +231,47 @@ def test_all_problems_of_a_file_are_told_at_once_in_its_order(broken: Broken) ->
     ]
 
 
+def test_cross_checks_of_what_is_right_are_told_with_wrong_values(broken: Broken) -> None:
+    """A steel that is wrong hides neither a section that is unknown nor a record."""
+    problems = broken(
+        ("section: girder, ", "section: «gerder, "),
+        ("fy: 275 MPa", "fy: «275"),
+    )
+    assert [problem.keys_text for problem in problems] == ["frame.beams[0].section", "materials.S275.fy"]
+
+
+def test_what_needs_a_wrong_part_waits(broken: Broken) -> None:
+    """Without the masses that were meant nobody can say what analyses lack."""
+    (problem,) = broken(("masses:", "«maases:"))
+    assert "did you mean `masses`?" in problem.message
+
+
+EMPTY = {
+    "optional": ("damping: {", "«hazard:\ndamping: {", "hazard"),
+    "required": ("E: 210 GPa", "«E: ", "materials.S275.E"),
+    "tilde": ("web: 9 mm", "«web: ~", "sections.girder.web"),
+}
+
+
+@pytest.mark.parametrize("kind", EMPTY)
+def test_an_empty_key_is_no_default(broken: Broken, kind: str) -> None:
+    old, new, key = EMPTY[kind]
+    (problem,) = broken((old, new))
+    assert (problem.keys_text, problem.message) == (key, "the key is empty; give it a value, or leave it out")
+
+
+MISSPELT = {
+    "discriminator": ("{law: bilinear,", "{«lwa: bilinear,", "did you mean `law`? (allowed for it: `elastic`,"),
+    "discriminator by kind": ("kind: rayleigh", "«kin: rayleigh", "did you mean `kind`?"),
+}
+
+
+@pytest.mark.parametrize(("old", "new", "said"), MISSPELT.values(), ids=MISSPELT.keys())
+def test_a_misspelt_key_that_chooses_is_told_once(broken: Broken, old: str, new: str, said: str) -> None:
+    (problem,) = broken((old, new))
+    assert said in problem.message
+
+
 def test_cross_checks_tell_all_problems_at_once(broken: Broken) -> None:
     broken(
         ("section: HEB260", "section: «HEB265"),
