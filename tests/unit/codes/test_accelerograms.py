@@ -140,7 +140,7 @@ def test_periods_reach_from_0_2_to_2_t1() -> None:
 
 @pytest.mark.parametrize("rules", [SET_RULES, ULTIMATE, SERVICEABILITY, set_rules("7-16"), set_rules("7-22")])
 def test_the_ends_of_the_band_are_points_of_the_grid(rules: SetRules) -> None:
-    """To the bit, whatever T_1: a mean that is just enough everywhere fails nowhere, the target ending with the band."""
+    """To the bit, whatever T_1: a mean that is just enough fails nowhere, and the target ends with the band."""
     for T_1 in np.random.default_rng(1).uniform(0.05, 5.0, 300):
         low, high = rules.period_band(T_1)
         periods = rules.check_periods(T_1)
