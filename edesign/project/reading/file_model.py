@@ -69,8 +69,7 @@ class FileModel(Model):
         Args:
             values: new values by their places, which are written as in messages: `frame.columns[0].section`; or one
                 place. A new name with points in it needs its keys one by one: ("materials", "S355.J2").
-            value: the value at this one place: text with its unit, a number, a truth value, None for a key without a
-                value, a list or a mapping.
+            value: the value at this one place: text with its unit, a number, a truth value, a list or a mapping.
 
         Raises:
             FileProblems: a place does not exist, or the file would be wrong; with file, line, column and nearest names.

@@ -22,6 +22,6 @@ def test_what_is_printed_and_written_is_what_there_is(capsys: pytest.CaptureFixt
     rows = {name: cells for name, *cells in table if name in QUANTITIES}
     assert list(rows) == list(QUANTITIES)
     for name, item in QUANTITIES.items():
-        unit = "-" if item.kind.unit == "1" else item.kind.unit.replace("*", " ")
+        unit = "-" if item.kind.unit in ("", "1") else item.kind.unit.replace("*", " ")
         keys = ", ".join(f"`{key}`" for key in keys_of(name)) or "-"
         assert rows[name] == [unit, keys, f"`{item.kept}`" if item.kept else "-", item.meaning]
