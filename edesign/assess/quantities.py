@@ -61,7 +61,7 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
 def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
     """Return why the quantity of a criterion does not apply to a completed analysis, "" where it does."""
     quantity = QUANTITIES[asked.quantity]
-    if is_of_dampers(asked) and "damper" not in group.coords:
+    if asked.of_dampers and "damper" not in group.coords:
         return "there are no dampers"
     if quantity.isolated and not group.attributes.get("isolated"):
         return "the base is not isolated"
@@ -74,11 +74,6 @@ def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
     if asked.quantity in OF_CORES and "core_strain_max" not in group.variables:
         return "no damper is a buckling-restrained brace"
     return ""
-
-
-def is_of_dampers(asked: QuantityCriterion) -> bool:
-    """Say whether the quantity of a criterion means nothing of a frame without dampers."""
-    return "dampers" in (f"{QUANTITIES[asked.quantity].place}s", asked.term) or asked.quantity == "storey_damper_force"
 
 
 def missing_history(group: Group, asked: QuantityCriterion) -> str:

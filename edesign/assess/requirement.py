@@ -10,7 +10,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.measures import Located, located_measure
 from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import By, usage
-from edesign.assess.quantities import is_of_dampers, lacking, located_quantity, missing_history
+from edesign.assess.quantities import lacking, located_quantity, missing_history
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.criteria.criteria import (
     Criterion,
@@ -95,11 +95,11 @@ def _of_its_kind(criterion: Criterion, members: Mapping[str, FrameMember], proje
         of = "members" if criterion.of == "all" else criterion.of
         words = f"no plastic hinges in {of}: at most {criterion.rotation:g} rad{where}"
         return Requirement(criterion.name, words, criterion.statistic, place, criterion.rotation, None, "rad")
-    unit, of_dampers = MEASURE_KINDS[criterion.measure].unit, criterion.measure.startswith("damper_")
+    unit = MEASURE_KINDS[criterion.measure].unit
     place = partial(_worst, measures=[criterion.measure], storeys=storeys, members=names)
     words = f"{short_name(criterion.measure).replace('_', ' ')} {_range(criterion, unit)}{where}"
     lacks = partial(_lacks_measure, measure=criterion.measure)
-    limits = (criterion.most, criterion.least, unit)
+    of_dampers, limits = criterion.of_dampers, (criterion.most, criterion.least, unit)
     return Requirement(criterion.name, words, criterion.statistic, place, *limits, of_dampers=of_dampers, lacks=lacks)
 
 
@@ -118,7 +118,7 @@ def _of_quantity(criterion: QuantityCriterion, project: Project) -> Requirement:
         criterion.most,
         criterion.least,
         quantity.kind.unit,
-        of_dampers=is_of_dampers(criterion),
+        of_dampers=criterion.of_dampers,
         lacks=partial(lacking, asked=criterion, project=project),
         missing=partial(missing_history, asked=criterion),
     )

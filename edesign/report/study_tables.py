@@ -10,6 +10,7 @@ from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.members import VariantMembers
 from edesign.assess.sets import HistorySet, history_sets
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_study
 from edesign.report.assessment_tables import read_histories, read_judged
@@ -108,9 +109,15 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
 
 
 def property_factors_of(study: Study, design: str) -> dict[str, float]:
-    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound."""
+    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
+
+    There are none of a placement, whose dampers may have several laws.
+    """
     dampers = study.base.dampers
-    own = 1.0 if dampers is None else dampers.laws[study.designs[design].law].property_factor
+    spec = study.designs[design]
+    if isinstance(spec, PlacementDesign):
+        return {}
+    own = 1.0 if dampers is None else dampers.laws[spec.law].property_factor
     return {
         key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
         for key, variant in study.variants.items()

@@ -22,6 +22,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, Pl
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, StiffnessDamping
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.pushover import GivenPattern, Pushover
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.reading.problems import keys_text
 from edesign.project.records.records import RecordSet, record_of
@@ -34,6 +35,7 @@ from edesign.study.history import check_motion
 from edesign.study.intensity import check_hazard_curves
 from edesign.study.modal import fundamental_period, mode_count
 from edesign.study.motions import Motion, check_fits, expected_scale
+from edesign.study.placement.placement import check_placement
 from edesign.study.plan import Task, make_plan
 from edesign.study.requested import requested_quantities
 from edesign.study.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
@@ -144,7 +146,11 @@ def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
                 raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
     for name in designs:
         try:
-            check_sizing(study.base, name, study.designs[name], study.folder)
+            spec = study.designs[name]
+            if isinstance(spec, PlacementDesign):
+                check_placement(study.base, name, spec, histories_of_a_round(study, name))
+            else:
+                check_sizing(study.base, name, spec, study.folder)
         except InputError as error:
             raise InputError(f"{study.where('designs', name)}: {error}") from error
     variant_warnings(study, plan)
@@ -162,6 +168,12 @@ def verification_records(study: Study, name: str) -> tuple[str, ...]:
     """References of the recordings that a design of a study is verified with."""
     verify = study.designs[name].verify
     return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
+
+
+def histories_of_a_round(study: Study, name: str) -> int:
+    """How many histories one round of a design's verification takes: its recordings at all its levels."""
+    verify = study.designs[name].verify
+    return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0
 
 
 def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int) -> None:

@@ -13,7 +13,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import HistoryKind, Outputs
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
-from edesign.project.dampers.designs import AnyVerify
+from edesign.project.dampers.verification import AnyVerify
 from edesign.project.study.study import Study, warm_variant
 from edesign.study.study_plan import make_study_plan
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict, judge
@@ -11,16 +11,18 @@ from edesign.one_thread import one_thread
 from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import AnyVerify
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.dampers.verification import AnyVerify
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.backends.work import Work
-from edesign.study.check import verification_records, wanted_designs
+from edesign.study.check import histories_of_a_round, verification_records, wanted_designs
 from edesign.study.criteria import kept_for_verification
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
 from edesign.study.kinds import DESIGNS
 from edesign.study.modal import mode_count
+from edesign.study.placement.placement import run_placement
 from edesign.study.plan import Task, labels
 from edesign.study.variants import variant_project
 from edesign.study.works import analyse
@@ -83,9 +85,12 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
     def keep(group: Group) -> None:
         run.archive(place, Group(group.coords, group.variables, {**group.attributes, **about}))
 
-    def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
+    def respond_in_turn(wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
         assert verify is not None
-        return _respond(study, name, verify, dampers, number, run)
+        return _respond(study, name, verify, wanted, run)
+
+    def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
+        return next(respond_in_turn([(number, dampers)]))
 
     def verdicts(histories: Mapping[str, Group]) -> tuple[Verdict, ...]:
         assert verify is not None
@@ -93,54 +98,80 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
         asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
         return judge(asked, (), histories, study.base)
 
+    resume = run.writer.read(place) if run.writer.has(place) else None
     try:
         with one_thread():
-            result = run_design(
-                study.base,
-                name,
-                spec,
-                study.folder,
-                respond if verify is not None else None,
-                verdicts if verify is not None else None,
-                run.writer.read(place) if run.writer.has(place) else None,
-                lambda message: run.note(f"design {name}: {message}"),
-                keep,
-            )
+            if isinstance(spec, PlacementDesign):
+                result = run_placement(
+                    study.base,
+                    name,
+                    spec,
+                    histories_of_a_round(study, name),
+                    respond_in_turn,
+                    verdicts,
+                    resume,
+                    lambda message: run.say(f"design {name}: {message}"),
+                    keep,
+                )
+            else:
+                result = run_design(
+                    study.base,
+                    name,
+                    spec,
+                    study.folder,
+                    respond if verify is not None else None,
+                    verdicts if verify is not None else None,
+                    resume,
+                    lambda message: run.note(f"design {name}: {message}"),
+                    keep,
+                )
     except _Lost as lost:
         raise lost.error from lost
     keep(result.group)
+    if "certificate" in result.group.attributes:
+        run.note(f"design {name}: {result.group.attributes['certificate']}")
     if result.status != "completed":
         run.note(f"design {name} failed: {result.reason}")
     return result
 
 
 def _respond(
-    study: Study, name: str, verify: AnyVerify, dampers: Dampers, number: int, run: Execution
-) -> dict[str, Group]:
-    """The histories that a round of a design is judged by; they are not archived."""
-    project = study.base.model_copy(update={"dampers": dampers, "outputs": kept_for_verification(study, verify)})
-    works, specs = [], {}
-    for level in verify.levels or ("",):
-        for reference in verification_records(study, name):
-            spec = HistoryAnalysis.model_construct(
-                kind="history",
-                name=".".join([name, str(number), *([level] if level else []), reference]),
-                variant=name,
-                record=reference,
-                level=level,
-                free_vibration=verify.free_vibration,
-            )
-            specs[spec.name] = spec
-            works.append(Work(spec.name, analyse, (project, spec, run.motions[reference], None)))
+    study: Study, name: str, verify: AnyVerify, wanted: Sequence[tuple[int, Dampers]], run: Execution
+) -> Iterator[dict[str, Group]]:
+    """The histories that rounds of a design are judged by, round by round; they are not archived.
+
+    Rounds that are wanted together share the workers; each is yielded as soon as it and those before it are complete.
+    """
+    works: list[Work] = []
+    specs: dict[str, HistoryAnalysis] = {}
+    keys: dict[int, list[str]] = {}
+    outputs = kept_for_verification(study, verify)
+    for number, dampers in wanted:
+        project = study.base.model_copy(update={"dampers": dampers, "outputs": outputs})
+        for level in verify.levels or ("",):
+            for reference in verification_records(study, name):
+                spec = HistoryAnalysis.model_construct(
+                    kind="history",
+                    name=".".join([name, str(number), *([level] if level else []), reference]),
+                    variant=name,
+                    record=reference,
+                    level=level,
+                    free_vibration=verify.free_vibration,
+                )
+                specs[spec.name] = spec
+                keys.setdefault(number, []).append(spec.name)
+                works.append(Work(spec.name, analyse, (project, spec, run.motions[reference], None)))
     found: dict[str, Group] = {}
+    open_rounds = list(keys.values())
     try:
         for result in run.results(works):
             failed = Group(attributes={"status": "failed", "reason": result.reason})
             group = result.value if isinstance(result.value, Group) else failed
             group.attributes |= labels(specs[result.key])
             found[result.key] = group
+            while open_rounds and all(key in found for key in open_rounds[0]):
+                yield {key: found.pop(key) for key in open_rounds.pop(0)}
     except EdesignError as error:
         raise _Lost(error) from error
     if run.stopped():
         raise KeyboardInterrupt
-    return {work.key: found[work.key] for work in works}

@@ -82,6 +82,10 @@ class Execution:
     def note(self, message: str) -> None:
         """Tell the user something that also stands in the summary."""
         self.notes.append(message)
+        self.say(message)
+
+    def say(self, message: str) -> None:
+        """Tell the user how far something is; it does not stand in the summary."""
         self.tell(Progress("note", message=message, count=len(self._places)))
 
     def stopped(self) -> bool:

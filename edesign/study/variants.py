@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import DamperBetween, Dampers
 from edesign.project.dampers.designs import Design, ElastomerDesign
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.study.dampers import law_warnings
@@ -74,11 +75,20 @@ def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
 
 
 def _unsized(base: Project, design: Design) -> Dampers:
-    """The law of a design at its temperature, of a damper that stands nowhere."""
-    dampers = with_temperature(base, design.law, design.temperature).dampers
-    assert dampers is not None, "check_design wants the law"
-    device = DamperBetween(kind="nodes", law=design.law, nodes=("", ""))
-    return Dampers.model_construct(laws={design.law: dampers.laws[design.law]}, devices=(device,))
+    """The laws of a design at its temperature, of dampers that stand nowhere."""
+    names = laws_of_design(design)
+    for name in names:
+        base = with_temperature(base, name, design.temperature)
+    assert base.dampers is not None, "check_design wants the law"
+    devices = tuple(DamperBetween(kind="nodes", law=name, nodes=("", "")) for name in names)
+    return Dampers.model_construct(laws={name: base.dampers.laws[name] for name in names}, devices=devices)
+
+
+def laws_of_design(design: Design) -> tuple[str, ...]:
+    """Names of the laws that the dampers of a design may have."""
+    if isinstance(design, PlacementDesign):
+        return tuple(dict.fromkeys(item.law for item in design.catalogue.values()))
+    return (design.law,)
 
 
 def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:

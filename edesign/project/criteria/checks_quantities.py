@@ -9,6 +9,7 @@ from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES, Place, keys_of
 from edesign.project.dampers.dampers import DamperBetween, Dampers
 from edesign.project.dampers.designs import Design
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.members import BeamRun, BraceRun, ColumnRun
@@ -96,12 +97,16 @@ def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
 
 
 def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
-    """Return the names of the dampers that a design places."""
+    """Return the names of the dampers that a design places, or may place."""
+    kinds = [design.kind]
+    if isinstance(design, PlacementDesign):
+        kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
     return tuple(
         name
+        for kind in kinds
         for storey in design.storeys.numbers(1, frame.n_storeys)
         for bay in design.bays.numbers(1, frame.n_bays)
-        for name in names.damper_names(design.kind, bay, storey)
+        for name in names.damper_names(kind, bay, storey)
     )
 
 

@@ -85,6 +85,11 @@ class _Criterion(Model):
     share: PositiveRatio | None = None
     storeys: Numbers = ALL_NUMBERS
 
+    @property
+    def of_dampers(self) -> bool:
+        """Whether it means nothing of a frame without dampers."""
+        return False
+
 
 class MeasureCriterion(_Criterion):
     """Limits of a response measure, in SI.
@@ -97,6 +102,11 @@ class MeasureCriterion(_Criterion):
     most: float | None = None
     least: float | None = None
     members: Names = ()
+
+    @property
+    def of_dampers(self) -> bool:
+        """Whether it means nothing of a frame without dampers."""
+        return self.measure.startswith("damper_")
 
     @field_validator("most", "least", mode="before")
     @classmethod
@@ -123,6 +133,12 @@ class QuantityCriterion(_Criterion):
     frequency: PositiveFrequency | None = None
     damping: PositiveRatio | None = None
     term: EnergyTerm | None = None
+
+    @property
+    def of_dampers(self) -> bool:
+        """Whether it means nothing of a frame without dampers."""
+        place = QUANTITIES[self.quantity].place
+        return place == "damper" or self.term == "dampers" or self.quantity == "storey_damper_force"
 
     @field_validator("most", "least", mode="before")
     @classmethod

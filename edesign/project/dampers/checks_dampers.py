@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 from edesign.project.analysis.analyses import ModalAnalysis
 from edesign.project.dampers.dampers import (
     PROTOTYPE_SCALE,
@@ -12,6 +14,7 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     Device,
 )
+from edesign.project.dampers.placement import CatalogueItem
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -77,13 +80,8 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
     laws = project.dampers.laws
     if device.law not in laws:
         problems.at_value((*keys, "law"), unknown_name("damper law", device.law, laws))
-    elif laws[device.law].prototype is None and laws[device.law].file is None:
-        for key in ("layers", "layer_area", "layer_thickness"):
-            if getattr(device, key) is not None:
-                message = f"the law `{device.law}` has no `prototype` whose size could be changed"
-                problems.at_key((*keys, key), message)
-    elif laws[device.law].prototype is not None and device.scale is not None:
-        problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
+    else:
+        check_size(problems, keys, device, laws)
     if isinstance(device.brace, BraceSection):
         if device.kind == "storey":
             message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
@@ -95,6 +93,18 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
         _nodes(project, problems, keys, device)
     else:
         _places(project, problems, keys, device)
+
+
+def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, laws: Mapping[str, DamperLaw]) -> None:
+    """Check that a damper gives the size of layers where its law has some, and a scale where it has none."""
+    law = laws[device.law]
+    if law.prototype is None and law.file is None:
+        for key in ("layers", "layer_area", "layer_thickness"):
+            if getattr(device, key) is not None:
+                message = f"the law `{device.law}` has no `prototype` whose size could be changed"
+                problems.at_key((*keys, key), message)
+    elif law.prototype is not None and device.scale is not None:
+        problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
 
 
 def _nodes(project: Project, problems: Problems, keys: Keys, device: DamperBetween) -> None:

@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 from edesign.project.dampers.checks_hysteretic_designs import check_hysteretic_design
+from edesign.project.dampers.checks_placement import (
+    check_candidate_places,
+    check_design_hazard,
+    check_placement_design,
+)
 from edesign.project.dampers.checks_viscous_designs import check_viscous_design
 from edesign.project.dampers.designs import (
     Bounds,
@@ -11,12 +16,12 @@ from edesign.project.dampers.designs import (
     FixedProperties,
     HystereticDesign,
     SimplifiedDesign,
+    SizedDesign,
     StrainEnergyDesign,
     ViscousDesign,
 )
-from edesign.project.frame.checks_frame import Selections
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
-from edesign.project.reading.checks_names import check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, unknown_name
 
 _RECOMMENDED_ALPHA = (10.0, 30.0)
@@ -31,14 +36,18 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
         project: that is studied.
         problems: of the study file; collects what is wrong.
     """
-    _law(keys, spec, project, problems)
-    _places(keys, spec, project, problems)
-    _hazard(keys, spec, project, problems)
     if project.isolation is not None:
         message = f"{project.path} has an isolated base; a design sizes dampers of a frame on its supports"
         problems.at_key(keys, message)
     if project.masses is None:
         problems.at_key(keys, "the project has no `masses`: its frame has no periods to design dampers for")
+    if isinstance(spec, PlacementDesign):
+        check_placement_design(keys, spec, project, problems)
+        return
+    _law(keys, spec, project, problems)
+    check_candidate_places(keys, spec, project, problems)
+    check_design_hazard(keys, spec, project, problems)
+    _stiffnesses(keys, spec, project, problems)
     if spec.bounds is not None:
         _bounds((*keys, "bounds"), spec, spec.bounds, problems)
     if isinstance(spec, ViscousDesign):
@@ -57,7 +66,7 @@ def design_warnings(spec: Design) -> list[str]:
     return []
 
 
-def _law(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+def _law(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
     laws = project.dampers.laws if project.dampers is not None else {}
     if spec.law not in laws:
         problems.at_value((*keys, "law"), unknown_name("damper law", spec.law, laws))
@@ -81,10 +90,7 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Pr
         problems.at_key((*keys, "bounds", "temperatures"), message)
 
 
-def _places(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
-    check = Selections(project.frame, problems)
-    check.numbers((*keys, "bays"), spec.bays, "bay", project.frame.n_bays)
-    check.numbers((*keys, "storeys"), spec.storeys, "storey", project.frame.n_storeys)
+def _stiffnesses(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
     given = spec.storey_stiffness
     if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
         message = f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
@@ -97,15 +103,6 @@ def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
     if spec.layer_thickness is not None and spec.strain_limit is not None:
         message = "`layer_thickness` is given; a thickness from drift and strain limit needs it left out"
         problems.at_key((*keys, "strain_limit"), message)
-
-
-def _hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
-    levels = project.hazard_levels
-    if spec.level is not None and spec.level not in levels:
-        problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))
-    if spec.verify is not None:
-        check_names(problems, (*keys, "verify", "levels"), "level", spec.verify.levels or (), levels)
-        check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
 
 
 def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> None:
@@ -150,7 +147,7 @@ def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
             problems.at_value((*keys, "low_temperature"), "it is above the design `temperature`")
 
 
-def _bounds(keys: Keys, spec: Design, bounds: Bounds, problems: Problems) -> None:
+def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -> None:
     if spec.level is None:
         problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
     check_factors(keys, bounds, problems)

@@ -8,11 +8,11 @@ from typing import Annotated, Any, Literal
 from pydantic import BaseModel, Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import State
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.dampers.verification import HystereticVerify, Verify, ViscousVerify
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
-from edesign.project.notation.several import Names
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
-    Duration,
     LeastBrace,
     PositiveFactor,
     PositiveFrequency,
@@ -25,7 +25,6 @@ from edesign.project.notation.units import (
 from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
 
 Count = Annotated[int, Field(ge=1, le=1000)]
-Rounds = Annotated[int, Field(ge=1, le=100)]
 
 
 def _by_keys(value: Any) -> str:
@@ -96,36 +95,6 @@ class Bounds(Model):
     upper_factors: Extremes | None = None
     lower_factors: Extremes | None = None
     temperatures: tuple[Temperature, Temperature] | None = None
-
-
-class AnyVerify(Model):
-    """Time histories that close the loop: rounds of them, changing something, until the criteria are met."""
-
-    records: Names
-    levels: Names | None = None
-    criteria: Names
-    free_vibration: Duration = 0.0
-    rounds: Rounds = 8
-    precision: PositiveRatio = 0.05
-
-
-class Verify(AnyVerify):
-    """Of dampers with layers."""
-
-    change: Literal["target", "area", "thickness"] = "target"
-
-
-class ViscousVerify(AnyVerify):
-    """Of viscous dampers."""
-
-    change: Literal["target", "coefficient"] = "target"
-
-
-class HystereticVerify(AnyVerify):
-    """Of hysteretic dampers."""
-
-    rounds: Rounds = 12
-    change: Literal["target", "yield_force"] = "target"
 
 
 class _Design(Model):
@@ -275,10 +244,13 @@ class HystereticDesign(_Design):
 
 
 ElastomerDesign = StrainEnergyDesign | SimplifiedDesign
+SizedDesign = ElastomerDesign | ViscousDesign | HystereticDesign
+"""Designs that find the size of one kind of damper in given places."""
 Design = Annotated[
     Annotated[StrainEnergyDesign, Tag("?method=strain_energy")]
     | Annotated[SimplifiedDesign, Tag("?method=simplified")]
     | Annotated[ViscousDesign, Tag("?method=viscous")]
-    | Annotated[HystereticDesign, Tag("?method=hysteretic")],
+    | Annotated[HystereticDesign, Tag("?method=hysteretic")]
+    | Annotated[PlacementDesign, Tag("?method=placement")],
     Discriminator(by_key("method")),
 ]

@@ -12,7 +12,7 @@ from edesign.project.criteria.checks_criteria import check_criteria
 from edesign.project.criteria.checks_quantities import names_of_dampers, names_of_design
 from edesign.project.dampers.checks_designs import check_design
 from edesign.project.dampers.checks_isolation import NO_PUSHOVER, NO_WAVE_PASSAGE
-from edesign.project.dampers.designs import AnyVerify
+from edesign.project.dampers.verification import AnyVerify, PlacementVerify
 from edesign.project.reading.checks_names import ALL, check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 from edesign.project.records.checks_records import check_fitted_levels
@@ -153,11 +153,20 @@ def _verify(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> 
         message = "this key is missing; criteria judge histories at levels of the hazard"
         problems.under(keys, "levels", f"{message}: {listed(study.base.hazard_levels)}")
         return
+    _of_more_than_dampers(study, problems, keys, verify)
     for i, name in enumerate(verify.criteria):
         asked = next((c.levels for c in study.criteria if c.name == name), ())
         if asked and not set(asked) & set(verify.levels):
             message = f"`{name}` is of {listed(asked)}, and the histories here are at {listed(verify.levels)}"
             problems.at_item((*keys, "criteria"), i, message)
+
+
+def _of_more_than_dampers(study: Study, problems: Problems, keys: Keys, verify: AnyVerify) -> None:
+    """A placement needs a criterion of the frame: those of dampers alone are best met without any."""
+    asked = [criterion for criterion in study.criteria if criterion.name in verify.criteria]
+    if isinstance(verify, PlacementVerify) and asked and all(criterion.of_dampers for criterion in asked):
+        message = f"{listed(verify.criteria)} judge dampers alone, and nothing asks for any; add one of the frame"
+        problems.at_value((*keys, "criteria"), message)
 
 
 def _outputs(study: Study, problems: Problems) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.building.devices import DeviceLaw
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
-from edesign.project.dampers.designs import Design
+from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
 from edesign.study.dampers import device_laws
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
@@ -61,7 +61,7 @@ class Building:
         return (of_storeys / self.attachment(power))[self.place_storey]
 
 
-def make_building(project: Project, name: str, spec: Design) -> Building:
+def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
     """Build the frame, find the places and the stiffness of the storeys. Tuned masses are left out.
 
     Raises:
@@ -141,7 +141,7 @@ def with_temperature(project: Project, name: str, temperature_C: float | None) -
     return project.model_copy(update={"dampers": dampers.model_copy(update={"laws": {**dampers.laws, name: law}})})
 
 
-def sized_dampers(building: Building, spec: Design, brace: np.ndarray | None, size: Mapping[str, Any]) -> Dampers:
+def sized_dampers(building: Building, spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> Dampers:
     """The project's dampers with those of the design in place of its devices.
 
     Args:
@@ -159,7 +159,7 @@ def per_storey(values: np.ndarray) -> tuple[float, ...]:
     return tuple(float(value) for value in values)
 
 
-def _run(spec: Design, brace: np.ndarray | None, size: Mapping[str, Any]) -> DamperRun:
+def _run(spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> DamperRun:
     return DamperRun.model_construct(
         kind=spec.kind,
         bays=spec.bays,

@@ -10,7 +10,7 @@ from typing import Any
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import Design, HystereticDesign, ViscousDesign
+from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer_designer import ElastomerDesigner
@@ -39,7 +39,7 @@ class DesignResult:
 def run_design(
     project: Project,
     name: str,
-    spec: Design,
+    spec: SizedDesign,
     folder: Path,
     respond: Respond | None = None,
     judge: Judge | None = None,
@@ -79,7 +79,7 @@ def run_design(
     return DesignResult(run.dampers(done.chosen.sizing), group, status, done.reason)
 
 
-def check_sizing(project: Project, name: str, spec: Design, folder: Path) -> None:
+def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -> None:
     """Size a design once, so that a target which no damper can reach shows before anything is run.
 
     A sizing that does not converge is left to `run_design`, which keeps its history.
@@ -100,7 +100,7 @@ def check_sizing(project: Project, name: str, spec: Design, folder: Path) -> Non
 
 
 def _designer(
-    project: Project, name: str, spec: Design, folder: Path, progress: Callable[[str], None]
+    project: Project, name: str, spec: SizedDesign, folder: Path, progress: Callable[[str], None]
 ) -> Designer[Any]:
     if isinstance(spec, ViscousDesign):
         return ViscousDesigner(project, name, spec, progress)

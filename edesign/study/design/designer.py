@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import Design
+from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, make_building
 from edesign.study.design.estimate import Action, make_action
@@ -30,7 +30,7 @@ class Designer(ABC, Generic[S]):
 
     words: ClassVar[Mapping[str, str]]
 
-    def __init__(self, project: Project, name: str, spec: Design, progress: Callable[[str], None]) -> None:
+    def __init__(self, project: Project, name: str, spec: SizedDesign, progress: Callable[[str], None]) -> None:
         self.name, self.project, self.progress = name, project, progress
         self._spec = spec
         self.building: Building = make_building(project, name, spec)
@@ -104,7 +104,7 @@ class Designer(ABC, Generic[S]):
         return sizing.target if self.changed == "target" else value
 
 
-def labels(spec: Design) -> dict[str, Any]:
+def labels(spec: SizedDesign) -> dict[str, Any]:
     """Attributes that say which design it is."""
     found: dict[str, Any] = {"method": spec.method, "law": spec.law, "kind": spec.kind, "bays": str(spec.bays)}
     found["state"] = spec.state

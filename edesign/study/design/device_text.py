@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import yaml
 
-from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.dampers import Brace, BraceSection, BraceStiffness, DamperRun, Dampers
 
 
 def devices_text(dampers: Dampers) -> str:
@@ -14,18 +14,13 @@ def devices_text(dampers: Dampers) -> str:
 
 def _entry(run: object) -> dict[str, object]:
     assert isinstance(run, DamperRun), "a design makes runs of dampers"
-    brace: object = run.brace
-    if isinstance(run.brace, BraceStiffness):
-        brace = {"stiffness": _with_unit(run.brace.stiffness, "N/m")}
-    size: dict[str, object] = {
-        "layers": run.layers,
-        "layer_area": _with_unit(run.layer_area, "m^2"),
-        "layer_thickness": _with_unit(run.layer_thickness, "m"),
-    }
-    if run.scale is not None:
-        size = {"scale": list(run.scale) if isinstance(run.scale, tuple) else run.scale}
-    if run.design_deformation is not None:
-        size["design_deformation"] = _with_unit(run.design_deformation, "m")
+    size: dict[str, object] = {}
+    if run.layers is not None:
+        size["layers"] = run.layers
+    for key, unit in (("layer_area", "m^2"), ("layer_thickness", "m"), ("scale", ""), ("design_deformation", "m")):
+        value = getattr(run, key)
+        if value is not None:
+            size[key] = _with_unit(value, unit)
     return {
         "kind": run.kind,
         "bays": _selection(str(run.bays)),
@@ -33,8 +28,19 @@ def _entry(run: object) -> dict[str, object]:
         "law": run.law,
         "number": run.number,
         **size,
-        "brace": brace,
+        "brace": _brace(run.brace),
     }
+
+
+def _brace(brace: Brace) -> object:
+    if isinstance(brace, BraceSection):
+        return {"section": brace.section, "material": brace.material}
+    if not isinstance(brace, BraceStiffness):
+        return brace
+    found = {"stiffness": _with_unit(brace.stiffness, "N/m")}
+    if brace.play is not None:
+        found["play"] = _with_unit(brace.play, "m")
+    return found
 
 
 def _selection(text: str) -> object:
@@ -42,6 +48,7 @@ def _selection(text: str) -> object:
 
 
 def _with_unit(value: object, unit: str) -> object:
+    """A value or values with their unit; bare numbers where there is none."""
     if isinstance(value, tuple):
-        return [f"{item!r} {unit}" for item in value]
-    return f"{value!r} {unit}"
+        return [_with_unit(item, unit) for item in value]
+    return f"{value!r} {unit}" if unit else value

@@ -10,10 +10,10 @@ from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.damping import first_ratio
-from edesign.project.dampers.designs import Design, SimplifiedDesign
+from edesign.project.dampers.designs import SimplifiedDesign, SizedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, mode_shears
-from edesign.study.design.condensed import LinearModes
+from edesign.study.design.condensed import CondensedFrame, LinearModes
 from edesign.study.design.damping import strain_energy_damping
 
 _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left out
@@ -61,7 +61,7 @@ class Estimate(FrameEstimate):
     damper_strain: np.ndarray
 
 
-def make_action(project: Project, spec: Design) -> Action | None:
+def make_action(project: Project, spec: SizedDesign) -> Action | None:
     """The action of a design's hazard level; None if it names none.
 
     Raises:
@@ -69,16 +69,24 @@ def make_action(project: Project, spec: Design) -> Action | None:
     """
     if spec.level is None:
         return None
-    ratio = spec.inherent_damping
-    if ratio is None:
-        ratio = first_ratio(project.damping)
-    spectrum = elastic_spectrum(checked_hazard(project), spec.level)
+    action = action_of(project, spec.level, spec.inherent_damping)
+    spectrum = action.spectrum
     if isinstance(spec, SimplifiedDesign) and "T_C" not in spectrum.corners:
         raise InputError(
             f"{project.where('hazard', 'code')}: hazard.code: a simplified design is by the lateral force method "
             f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none, take another method"
         )
-    return Action(spectrum, ratio)
+    return action
+
+
+def action_of(project: Project, level: str, inherent_damping: float | None) -> Action:
+    """The action of a hazard level on a frame with a damping ratio of its own; None: that of the project.
+
+    Raises:
+        InputError: the hazard of the project is wrong.
+    """
+    ratio = first_ratio(project.damping) if inherent_damping is None else inherent_damping
+    return Action(elastic_spectrum(checked_hazard(project), level), ratio)
 
 
 def estimate(
@@ -101,7 +109,7 @@ def estimate(
         Kiureghian (1981), Earthquake Engineering and Structural Dynamics 9(5), with unequal damping.
     """
     modes = building.frame.modes(stiffness.real)
-    peaks = spectral_peaks(building, action, modes, strain_energy_damping(modes, stiffness))
+    peaks = spectral_peaks(building.frame, action, modes, strain_energy_damping(modes, stiffness))
     deformation = peaks.combined(modes.dampers)
     layers = 1.0 if brace is None else np.abs(1.0 - stiffness / brace)  # share of the deformation in the elastomer
     found = frame_estimate(building, modes, stiffness.real, peaks, deformation * np.abs(stiffness))
@@ -129,9 +137,8 @@ class SpectralPeaks:
         return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
 
 
-def spectral_peaks(building: Building, action: Action, modes: LinearModes, added: np.ndarray) -> SpectralPeaks:
+def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, added: np.ndarray) -> SpectralPeaks:
     """The peaks of the modes under an action, each with the damping (n,) that the dampers add to it."""
-    frame = building.frame
     total = float(frame.mass @ frame.influence)
     kept = modes.participation**2 > _NEGLIGIBLE_MASS * total
     damping = np.minimum(action.inherent_damping + added[kept], 1.0)

@@ -35,7 +35,7 @@ def hysteretic_estimate(
     modes, storage = vibration.modes, vibration.stiffness
     added = np.zeros(modes.omega.size)
     added[0] = vibration.damping
-    peaks = spectral_peaks(frame.building, action, modes, added)
+    peaks = spectral_peaks(frame.building.frame, action, modes, added)
     secants = frame.secants(frame.scale(yield_force), peaks.combined(modes.dampers))
     found = frame_estimate(frame.building, modes, storage, peaks, secants.force)
     ductility = secants.stroke * (frame.loop.stiffness / frame.loop.yield_force)
@@ -45,5 +45,5 @@ def hysteretic_estimate(
 def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:
     """Estimate the response of the frame without dampers."""
     modes, nothing = frame.bare, np.zeros(frame.building.frame.n_devices)
-    peaks = spectral_peaks(frame.building, action, modes, np.zeros(modes.omega.size))
+    peaks = spectral_peaks(frame.building.frame, action, modes, np.zeros(modes.omega.size))
     return frame_estimate(frame.building, modes, nothing, peaks, nothing)

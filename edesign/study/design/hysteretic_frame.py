@@ -276,7 +276,7 @@ class HystereticFrame:
         frame, bare = self.building.frame, self.bare
         if self.shear_of == "spectrum":
             assert self.action is not None, "check_design wants a level"
-            peaks = spectral_peaks(self.building, self.action, bare, np.zeros(bare.omega.size))
+            peaks = spectral_peaks(self.building.frame, self.action, bare, np.zeros(bare.omega.size))
             found = peaks.combined(mode_shears(frame, bare))
         else:
             if self.action is not None:

@@ -70,7 +70,16 @@ class RoundOutcome:
     @property
     def demand(self) -> float:
         """The worst ratio of a value to its limit, of a limit to its value where the value must be larger."""
-        return max((_demand(verdict) for verdict in self.verdicts), default=1.0)
+        return max((demand_of(verdict) for verdict in self.verdicts), default=1.0)
+
+    @property
+    def misses(self) -> str:
+        """The criteria that are not met with value and limit, and the histories that were not completed."""
+        text = ", ".join(_said(verdict) for verdict in self.verdicts if not verdict.met)
+        if not self.failed:
+            return text
+        failed = f"{len(self.failed)} histories were not completed, the first {self.failed[0]}"
+        return f"{text}; {failed}" if text else failed
 
 
 @dataclass(frozen=True)
@@ -188,10 +197,7 @@ def _next(rounds: Sequence[Round[S]], largest: float, precision: float) -> float
 def _missed(rounds: Sequence[Round[S]], largest: float, most_rounds: int, beyond: str) -> str:
     last = rounds[-1].outcome
     assert last is not None
-    text = ", ".join(_said(verdict) for verdict in last.verdicts if not verdict.met)
-    if last.failed:
-        failed = f"{len(last.failed)} histories were not completed, the first {last.failed[0]}"
-        text = f"{text}; {failed}" if text else failed
+    text = last.misses
     if beyond:
         return f"the largest value that can be reached, {rounds[-1].changed:.4g}, misses: {text}; beyond it {beyond}"
     if rounds[-1].changed >= largest:
@@ -205,8 +211,8 @@ def _said(verdict: RoundVerdict) -> str:
     return f"{verdict.name} ({verdict.value:.4g}, limit {verdict.limit:.4g})"
 
 
-def _demand(verdict: RoundVerdict) -> float:
-    """The demand of a verdict, or one that says which way to go."""
+def demand_of(verdict: RoundVerdict) -> float:
+    """The demand of a verdict, or one that says which way to go; positive and finite."""
     demand = verdict.demand
     if 0.0 < demand < math.inf:
         return demand

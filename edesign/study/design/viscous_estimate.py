@@ -62,7 +62,7 @@ def _peaks(
     modes = building.frame.modes(storage)
     losses = _assembly(linear, flexibility, modes.omega[:, None]).imag
     added = 0.5 * np.sum(modes.dampers**2 * losses, axis=1) / modes.omega**2
-    return modes, storage, spectral_peaks(building, action, modes, added)
+    return modes, storage, spectral_peaks(building.frame, action, modes, added)
 
 
 def _assembly(linear: np.ndarray, flexibility: np.ndarray, omega: float | np.ndarray) -> np.ndarray:

@@ -15,8 +15,8 @@ from edesign.project.dampers.designs import (
     FixedProperties,
     SimplifiedDesign,
     StrainEnergyDesign,
-    Verify,
 )
+from edesign.project.dampers.verification import Verify
 from edesign.project.reading.base import Model
 
 GOOD = "method: strain_energy, law: rubber, kind: chevron, bays: 1, strain: 20 %, layer_thickness: 20 mm, damping: 5 %"

@@ -7,7 +7,8 @@ import re
 import pytest
 from design_examples import THESIS, design, refusal, shear_project
 
-from edesign.project.dampers.designs import DriftAmplitude, HystereticDesign, HystereticVerify, Optimum
+from edesign.project.dampers.designs import DriftAmplitude, HystereticDesign, Optimum
+from edesign.project.dampers.verification import HystereticVerify
 from edesign.project.reading.base import Model
 
 LAWS = """

@@ -7,7 +7,8 @@ import re
 import pytest
 from design_examples import THESIS, design, refusal, shear_project
 
-from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude, ViscousDesign, ViscousVerify
+from edesign.project.dampers.designs import DriftAmplitude, RoofAmplitude, ViscousDesign
+from edesign.project.dampers.verification import ViscousVerify
 from edesign.project.reading.base import Model
 
 LAWS = """

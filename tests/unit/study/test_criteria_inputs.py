@@ -9,7 +9,7 @@ import pytest
 from edesign.building.project_file import load_project, load_study
 from edesign.errors import InputError
 from edesign.project.criteria.checks_quantities import names_of_dampers
-from edesign.project.dampers.designs import Verify
+from edesign.project.dampers.verification import Verify
 from edesign.project.study.study_loader import parse_study
 from edesign.study.check import check_study_inputs
 from edesign.study.criteria import kept_for_verification

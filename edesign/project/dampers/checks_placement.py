@@ -1,0 +1,106 @@
+"""Cross checks of a placement: places, laws and levels exist, items differ, and limits leave something to choose."""
+
+from __future__ import annotations
+
+from edesign.project.dampers.checks_dampers import check_size
+from edesign.project.dampers.dampers import BraceSection, BraceStiffness
+from edesign.project.dampers.designs import Design
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.frame.checks_frame import Selections
+from edesign.project.project import Project
+from edesign.project.reading.checks_names import check_names, check_records
+from edesign.project.reading.problems import Keys, Problems, unknown_name
+
+
+def check_placement_design(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
+    """Check a placement of a study file.
+
+    Args:
+        keys: of the design in the study file, e.g. ("designs", "placed").
+        spec: without schema problems.
+        project: that is studied.
+        problems: of the study file; collects what is wrong.
+    """
+    check_design_hazard(keys, spec, project, problems)
+    _catalogue((*keys, "catalogue"), spec, project, problems)
+    if check_candidate_places(keys, spec, project, problems):
+        _limits((*keys, "limits"), spec, project, problems)
+
+
+def check_candidate_places(keys: Keys, spec: Design, project: Project, problems: Problems) -> bool:
+    """Check that the bays and storeys of a design are some of the frame's; returns whether it is so."""
+    check = Selections(project.frame, problems)
+    bays = check.numbers((*keys, "bays"), spec.bays, "bay", project.frame.n_bays)
+    return check.numbers((*keys, "storeys"), spec.storeys, "storey", project.frame.n_storeys) and bays
+
+
+def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
+    """Check that the levels and records of a design are some of the project's."""
+    levels = project.hazard_levels
+    if spec.level is not None and spec.level not in levels:
+        problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))
+    if spec.verify is not None:
+        check_names(problems, (*keys, "verify", "levels"), "level", spec.verify.levels or (), levels)
+        check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
+
+
+def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
+    laws = project.dampers.laws if project.dampers is not None else {}
+    same: dict[object, str] = {}
+    for name, item in spec.catalogue.items():
+        where = (*keys, name)
+        if item.law not in laws:
+            problems.at_value((*where, "law"), unknown_name("damper law", item.law, laws))
+        else:
+            check_size(problems, where, item, laws)
+        brace = item.brace
+        if isinstance(brace, BraceStiffness) and isinstance(brace.stiffness, tuple):
+            message = "an item may stand in any place; give one stiffness, and others in items of their own"
+            problems.at_value((*where, "brace", "stiffness"), message)
+        if isinstance(brace, BraceSection):
+            if (item.kind or spec.kind) == "storey":
+                message = "a damper between floors has no brace geometry; give the `stiffness` of its brace"
+                problems.at_value((*where, "brace"), message)
+            if brace.material not in project.materials:
+                message = unknown_name("material", brace.material, project.materials)
+                problems.at_value((*where, "brace", "material"), message)
+        content = item.model_copy(update={"cost": 1.0, "kind": item.kind or spec.kind}).model_dump_json()
+        if content in same:
+            problems.at_key(where, f"the dampers are those of `{same[content]}`; one of them is enough")
+        same.setdefault(content, name)
+
+
+def _limits(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
+    frame, limits = project.frame, spec.limits
+    bays, storeys = spec.bays.numbers(1, frame.n_bays), spec.storeys.numbers(1, frame.n_storeys)
+    if limits.mirrored:
+        alone = [bay for bay in bays if frame.n_bays + 1 - bay not in bays]
+        if alone:
+            message = f"bay {alone[0]} has its mirror image in bay {frame.n_bays + 1 - alone[0]}, which is no candidate"
+            problems.at_value((*keys, "mirrored"), message)
+        elif all(2 * bay == frame.n_bays + 1 for bay in bays) and all(
+            (item.kind or spec.kind) in ("rising", "falling") for item in spec.catalogue.values()
+        ):
+            problems.at_value((*keys, "mirrored"), "a diagonal in the middle bay has no mirror image of its own")
+    fewest = min(item.number for item in spec.catalogue.values())
+    if limits.most_dampers is not None and limits.most_dampers < fewest:
+        message = f"{limits.most_dampers} are fewer than one place takes, {fewest}"
+        problems.at_value((*keys, "most_dampers"), message)
+    check = Selections(frame, problems)
+    taken: set[int] = set()
+    for i, group in enumerate(limits.storey_groups):
+        where = (*keys, "storey_groups", i)
+        if not check.numbers(where, group, "storey", frame.n_storeys):
+            continue
+        numbers = group.numbers(1, frame.n_storeys)
+        outside = [storey for storey in numbers if storey not in storeys]
+        if outside:
+            problems.at_value(where, f"storey {outside[0]} is no candidate")
+        twice = sorted(taken & set(numbers))
+        if twice:
+            problems.at_value(where, f"storey {twice[0]} is in two groups")
+        taken |= set(numbers)
+        between = [storey for storey in storeys if numbers[0] < storey < numbers[-1] and storey not in numbers]
+        if limits.continuous and between:
+            message = f"with `continuous` a group has no gap, and storey {between[0]} is between"
+            problems.at_value(where, message)

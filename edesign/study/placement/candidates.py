@@ -1,0 +1,204 @@
+"""The frame of a placement with every item of the catalogue at every candidate place, and the dampers of a layout."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.building.devices import Device
+from edesign.errors import InputError
+from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperRun, Dampers
+from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
+from edesign.project.notation.selections import NumberSelection
+from edesign.project.project import Project
+from edesign.study.design.building import with_temperature
+from edesign.study.design.condensed import CondensedFrame, condense
+from edesign.study.placement.space import Layout, LayoutSpace, Place, make_positions, make_prices
+from edesign.study.structure import make_structure
+
+_MIRROR: Mapping[Kind, Kind] = {"rising": "falling", "falling": "rising"}
+
+
+@dataclass(frozen=True)
+class Candidates:
+    """What the search for a placement chooses from.
+
+    Attributes:
+        project: that is studied, its laws at the temperature of the design.
+        spec: the design.
+        space: of the layouts.
+        frame: condensed, linear, without dampers, in the state that the design asks for.
+        devices: every item at every place, by number of the item (from 1) and place.
+        index: of each of them in the condensed frame.
+        heights: of the storeys, m.
+    """
+
+    project: Project
+    spec: PlacementDesign
+    space: LayoutSpace
+    frame: CondensedFrame
+    devices: Mapping[tuple[int, Place], Device]
+    index: Mapping[tuple[int, Place], int]
+    heights: np.ndarray
+
+    def equipped(self, layout: Layout) -> dict[Place, int]:
+        """The items at the places of a layout, by place, storey by storey."""
+        found = {
+            place: option
+            for at, option in zip(self.space.positions, layout, strict=True)
+            if option
+            for place in at.places
+        }
+        return dict(sorted(found.items(), key=lambda item: (item[0][1], item[0][0])))
+
+    def dampers(self, layout: Layout) -> Dampers:
+        """The project's dampers with those of a layout in place of its devices; equal ones stand in one run."""
+        columns: dict[tuple[int, Kind, int], list[int]] = {}  # storeys by item, kind and bay
+        for (bay, storey), option in self.equipped(layout).items():
+            columns.setdefault((option, self._kind(option, (bay, storey)), bay), []).append(storey)
+        runs: dict[tuple[int, Kind, tuple[int, ...]], list[int]] = {}
+        for (option, kind, bay), storeys in sorted(columns.items()):
+            runs.setdefault((option, kind, tuple(storeys)), []).append(bay)
+        items = tuple(self.spec.catalogue.values())
+        devices = tuple(
+            _run(items[option - 1], kind, tuple(bays), storeys) for (option, kind, storeys), bays in runs.items()
+        )
+        before = self.project.dampers
+        assert before is not None, "check_placement wants the laws"
+        return before.model_copy(update={"devices": devices})
+
+    def _kind(self, option: int, place: Place) -> Kind:
+        item = list(self.spec.catalogue.values())[option - 1]
+        leaning = self.spec.limits.mirrored and 2 * place[0] > self.project.frame.n_bays + 1
+        return _kind_at(item.kind or self.spec.kind, leaning)
+
+
+def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candidates:
+    """Build the frame with every item of the catalogue at every candidate place. Tuned masses are left out.
+
+    Args:
+        project: with the laws; checked by `check_placement`.
+        name: of the design.
+        spec: the design.
+
+    Raises:
+        InputError: a law is wrong, a place has no nodes, or the frame cannot be built.
+        AnalysisError: the frame is unstable.
+    """
+    for law in dict.fromkeys(item.law for item in spec.catalogue.values()):
+        project = with_temperature(project, law, spec.temperature)
+    before, plane = project.dampers, project.frame
+    assert before is not None, "check_placement wants the laws"
+    kinds = [item.kind or spec.kind for item in spec.catalogue.values()]
+    positions = make_positions(
+        spec.bays.numbers(1, plane.n_bays),
+        spec.storeys.numbers(1, plane.n_storeys),
+        range(1, len(kinds) + 1),
+        plane.n_bays if spec.limits.mirrored else None,
+        spec.limits.continuous,
+        [group.numbers(1, plane.n_storeys) for group in spec.limits.storey_groups],
+        [i for i, kind in enumerate(kinds, start=1) if kind in _MIRROR],
+    )
+    wanted = [
+        (option, place, leaning)
+        for at in positions
+        for option in at.options
+        for place, leaning in zip(at.places, at.mirrored, strict=True)
+    ]
+    items = list(spec.catalogue.values())
+    runs = tuple(
+        _run(items[option - 1], _kind_at(kinds[option - 1], leaning), (bay,), (storey,))
+        for option, (bay, storey), leaning in wanted
+    )
+    trial = Dampers.model_construct(laws=before.laws, devices=runs, attachments=())
+    try:
+        structure = make_structure(project.model_copy(update={"dampers": trial}), dampers=True)
+    except InputError as error:  # the devices stand in no file: the place is the item of the catalogue
+        _, found, rest = str(error).rpartition("dampers.devices[")
+        number, _, message = rest.partition("]: ")
+        if not found or not number.isdigit():
+            raise
+        option, (bay, storey), _ = wanted[int(number)]
+        where = f"designs.{name}.catalogue.{list(spec.catalogue)[option - 1]}"
+        raise InputError(f"{where}: {message} (at bay {bay}, storey {storey})") from error
+    if spec.state == "gravity":
+        structure.apply_gravity()
+    keys = [(option, place) for option, place, _ in wanted]
+    devices = dict(zip(keys, structure.frame.devices, strict=True))
+    costs = spec.costs
+    space = LayoutSpace(
+        positions,
+        make_prices(
+            [item.cost for item in items],
+            [item.number for item in items],
+            costs.place,
+            costs.storey,
+            costs.bay,
+        ),
+        (0, *(item.number for item in items)),
+        spec.limits.most_dampers,
+        _not_larger(items, kinds, devices),
+    )
+    index = {key: i for i, key in enumerate(keys)}
+    return Candidates(project, spec, space, condense(structure), devices, index, np.array(plane.storey_heights))
+
+
+def _kind_at(kind: Kind, leaning: bool) -> Kind:
+    """A kind, leaning the other way where it is a mirror image."""
+    return _MIRROR.get(kind, kind) if leaning else kind
+
+
+def _run(item: CatalogueItem, kind: Kind, bays: tuple[int, ...], storeys: tuple[int, ...]) -> DamperRun:
+    return DamperRun.model_construct(
+        kind=kind,
+        bays=_selection(bays),
+        storeys=_selection(storeys),
+        law=item.law,
+        number=item.number,
+        layers=item.layers,
+        layer_area=item.layer_area,
+        layer_thickness=item.layer_thickness,
+        scale=item.scale,
+        design_deformation=item.design_deformation,
+        brace=item.brace,
+    )
+
+
+def _selection(numbers: tuple[int, ...]) -> NumberSelection:
+    """Ascending numbers, neighbours as a range."""
+    ranges: list[tuple[int, int]] = []
+    for number in numbers:
+        if ranges and ranges[-1][1] == number - 1:
+            ranges[-1] = (ranges[-1][0], number)
+        else:
+            ranges.append((number, number))
+    return NumberSelection(tuple(ranges))
+
+
+def _not_larger(
+    items: list[CatalogueItem], kinds: list[Kind], devices: Mapping[tuple[int, Place], Device]
+) -> np.ndarray:
+    """Whether an option is another, or has its law, kind and layers' thickness and no more force and brace.
+
+    The empty option is not larger than any; items of different laws do not compare.
+    """
+    found = np.eye(len(items) + 1, dtype=bool)
+    found[0] = True
+    for (a, place), small in devices.items():
+        for b in range(1, len(items) + 1):
+            large = devices.get((b, place))
+            if large is None or a == b:
+                continue
+            alike = small.law == large.law and small.deformation_scale == large.deformation_scale
+            alike = alike and kinds[a - 1] == kinds[b - 1] and small.play == large.play
+            braced = _brace(items[a - 1], small) <= _brace(items[b - 1], large)
+            found[a, b] = alike and braced and small.force_scale <= large.force_scale
+    return found
+
+
+def _brace(item: CatalogueItem, device: Device) -> float:
+    """Stiffness of the brace of an item at a place, N/m; infinite where it is rigid."""
+    return device.brace if isinstance(item.brace, (BraceStiffness, BraceSection)) else math.inf

@@ -1,0 +1,130 @@
+"""One placement of a study: candidates, search with histories, certificate, everything kept."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any
+
+from edesign.archive.dataset import Group
+from edesign.errors import AnalysisError, InputError
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.project import Project
+from edesign.study.design.design import DesignResult
+from edesign.study.design.estimate import action_of
+from edesign.study.design.loop import RoundOutcome
+from edesign.study.design.verification import Judge, judged
+from edesign.study.placement.candidates import Candidates, make_candidates
+from edesign.study.placement.certificate import certify
+from edesign.study.placement.estimate import LayoutEstimates
+from edesign.study.placement.knowledge import Knowledge
+from edesign.study.placement.results import kept_outcomes, store_placement
+from edesign.study.placement.search import chosen_of, search
+from edesign.study.placement.space import Layout
+
+RespondInTurn = Callable[[Sequence[tuple[int, Dampers]]], Iterator[Mapping[str, Group]]]
+"""Runs the histories of several dampers with their numbers (from 1), and yields those of each in the same order."""
+
+MOST_POSITIONS = 120
+"""Of which pairs with eight items make half a million layouts nearby, all of which a certificate looks at."""
+
+
+def run_placement(
+    project: Project,
+    name: str,
+    spec: PlacementDesign,
+    per_layout: int,
+    respond: RespondInTurn,
+    judge: Judge,
+    resume: Group | None = None,
+    progress: Callable[[str], None] = lambda text: None,
+    keep: Callable[[Group], None] = lambda group: None,
+) -> DesignResult:
+    """Search for the layout of least cost with which histories meet the criteria.
+
+    Args:
+        project: with the laws; checked by `check_placement_design`.
+        name: of the design.
+        spec: of the design.
+        per_layout: histories that judge one layout.
+        respond, judge: histories and verdicts.
+        resume: what an earlier run kept; its layouts are not analysed again.
+        progress: told what goes on.
+        keep: given the group after each layout, for `resume`.
+
+    Raises:
+        InputError: a law or the hazard is wrong, or the frame cannot be built.
+    """
+    about: dict[str, Any] = {"method": spec.method, "kind": spec.kind, "bays": str(spec.bays), "state": spec.state}
+    try:
+        candidates = make_candidates(project, name, spec)
+        level = spec.level or (spec.verify.levels or ("",))[0]
+        estimates = LayoutEstimates(candidates, action_of(project, level, spec.inherent_damping))
+    except AnalysisError as error:
+        before = project.dampers
+        assert before is not None, "check_placement_design wants the laws"
+        group = Group(attributes=about | {"status": "failed", "reason": str(error)})
+        return DesignResult(before.model_copy(update={"devices": ()}), group, "failed", str(error))
+    known = kept_outcomes(resume)
+    budget = spec.verify.budget // per_layout
+    about |= {"histories_of_a_layout": per_layout, "budget": spec.verify.budget}
+
+    def analyse(wanted: Sequence[tuple[int, Layout]]) -> Iterator[RoundOutcome]:
+        new = [(number, layout) for number, layout in wanted if layout not in known]
+        results = respond([(number, candidates.dampers(layout)) for number, layout in new])
+        for number, layout in wanted:
+            if layout in known:
+                yield known[layout]
+                continue
+            outcome = judged(next(results), judge)
+            progress(f"layout {number} of at most {budget}, {_said(candidates, layout)}: {_judged(outcome)}")
+            yield outcome
+
+    def interrupted(knowledge: Knowledge) -> None:
+        if knowledge.analysed[-1].layout in known:
+            return
+        group = Group(attributes=about | {"status": "interrupted", "reason": "the design is not complete"})
+        store_placement(group, candidates, knowledge)
+        keep(group)
+
+    knowledge = search(candidates.space, analyse, estimates, budget, spec.monotone, interrupted)
+    chosen, proof = chosen_of(knowledge), certify(knowledge, spec.monotone)
+    reason = "" if chosen.outcome.met else f"{proof.sentence}; the nearest misses: {chosen.outcome.misses}"
+    status = "failed" if reason else "completed"
+    group = Group(attributes=about | {"status": status, "reason": reason})
+    store_placement(group, candidates, knowledge, proof)
+    return DesignResult(candidates.dampers(chosen.layout), group, status, reason)
+
+
+def check_placement(project: Project, name: str, spec: PlacementDesign, per_layout: int) -> None:
+    """Build the frame with all candidates, so that what is wrong shows before anything is run.
+
+    Args:
+        project, name, spec, per_layout: as for `run_placement`.
+
+    Raises:
+        InputError: a law or the hazard is wrong, the frame cannot be built, there are too many positions, or the budget
+            is not enough for one layout.
+    """
+    try:
+        positions = len(make_candidates(project, name, spec).space.positions)
+    except AnalysisError:
+        return  # `run_placement` keeps the reason
+    if spec.verify.budget < per_layout:
+        message = f"{spec.verify.budget} histories are not enough for one layout, which takes {per_layout}"
+        raise InputError(f"designs.{name}.verify.budget: {message}")
+    if positions > MOST_POSITIONS:
+        message = f"{positions} positions are more than {MOST_POSITIONS}; take `limits`, or fewer bays and storeys"
+        raise InputError(f"designs.{name}: {message}")
+
+
+def _said(candidates: Candidates, layout: Layout) -> str:
+    """The dampers of a layout and their cost, for people."""
+    space, names = candidates.space, list(candidates.spec.catalogue)
+    equipped = list(candidates.equipped(layout).values())
+    parts = [f"{equipped.count(i)} x {name}" for i, name in enumerate(names, start=1) if i in equipped]
+    return f"{' + '.join(parts) or 'no dampers'}, cost {space.prices.value(space.cost(layout)):.6g}"
+
+
+def _judged(outcome: RoundOutcome) -> str:
+    return f"{'met' if outcome.met else 'missed'}, worst ratio {outcome.demand:.3f}"

@@ -1,0 +1,150 @@
+"""A placement as variables of the archive: the catalogue, all analysed layouts with their verdicts, the chosen one."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.loop import RoundOutcome, RoundVerdict
+from edesign.study.placement.candidates import Candidates
+from edesign.study.placement.certificate import Certificate
+from edesign.study.placement.knowledge import Analysed, Knowledge
+from edesign.study.placement.search import chosen_of
+from edesign.study.placement.space import Layout
+from edesign.study.recording import coordinate
+
+_LARGEST_WHOLE = 2**63 - 1
+
+
+def store_placement(
+    group: Group, candidates: Candidates, knowledge: Knowledge, proof: Certificate | None = None
+) -> None:
+    """Add all that a search has found.
+
+    Args:
+        group: of the design.
+        candidates: that it chose from.
+        knowledge: what it analysed.
+        proof: of the chosen layout; None: the search is not over.
+    """
+    chosen = chosen_of(knowledge)
+    _store_catalogue(group, candidates, chosen.layout)
+    _store_layouts(group, candidates, knowledge)
+    _store_chosen(group, candidates, chosen)
+    group.attributes |= {"warnings": [], "devices": devices_text(candidates.dampers(chosen.layout))}
+    if proof is None:
+        return
+    counts = {
+        "layouts": proof.size,
+        "cheaper": proof.cheaper,
+        "cheaper_analysed": proof.cheaper_analysed,
+        "cheaper_ruled_out": proof.ruled_out,
+        "nearby": proof.nearby,
+        "nearby_analysed": proof.nearby_analysed,
+        "nearby_ruled_out": proof.nearby_ruled_out,
+        "same_cost": proof.alike,
+        "same_cost_analysed": proof.alike_analysed,
+        "harmed_by_more": proof.violations,
+    }
+    group.attributes |= {"proof": proof.proof, "certificate": proof.sentence}
+    known = {key: value for key, value in counts.items() if value is not None}
+    group.attributes |= {key: value if value <= _LARGEST_WHOLE else float(value) for key, value in known.items()}
+
+
+def kept_outcomes(resume: Group | None) -> dict[Layout, RoundOutcome]:
+    """The outcomes of the layouts that an earlier run kept; None: there was none."""
+    if resume is None or "verdict_met" not in resume.variables:
+        return {}
+    layouts = resume.variables["layout_option"].values.tolist()
+    names = [str(name) for name in resume.coords["criterion"].values]
+    value, limit, met = (resume.variables[f"verdict_{part}"].values for part in ("value", "limit", "met"))
+    lost = resume.attributes.get("failed_histories")
+    failed: Mapping[str, list[str]] = lost if isinstance(lost, Mapping) else {}
+    found = {}
+    for i, layout in enumerate(layouts):
+        verdicts = tuple(
+            RoundVerdict(name, float(value[i, j]), float(limit[i, j]), bool(met[i, j]))
+            for j, name in enumerate(names)
+            if not np.isnan(met[i, j])
+        )
+        found[tuple(layout)] = RoundOutcome(verdicts, tuple(failed.get(str(i + 1), ())))
+    return found
+
+
+def _store_catalogue(group: Group, candidates: Candidates, chosen: Layout) -> None:
+    spec, space = candidates.spec, candidates.space
+    items = spec.catalogue.values()
+    equipped = list(candidates.equipped(chosen).values())
+    places = [equipped.count(i) for i in range(1, len(items) + 1)]
+    coordinate(group, "item", list(spec.catalogue), "", "item of the catalogue")
+    add = group.add
+    add("item_law", ("item",), [item.law for item in items], "", "law of its dampers")
+    add("item_number", ("item",), [item.number for item in items], "1", "dampers in a place")
+    add("item_cost", ("item",), [item.cost for item in items], "1", "cost of one damper")
+    at_place = [space.prices.value(cost) for cost in space.prices.items[1:]]
+    add("item_place_cost", ("item",), at_place, "1", "cost of a place with it")
+    add("item_places", ("item",), places, "1", "places of the chosen layout with it")
+    group.attributes |= {f"cost_of_{key}": getattr(spec.costs, key) for key in ("place", "storey", "bay")}
+
+
+def _store_layouts(group: Group, candidates: Candidates, knowledge: Knowledge) -> None:
+    space, analysed = candidates.space, knowledge.analysed
+    coordinate(group, "layout", [one.number for one in analysed], "1", "layout in the order of analysis")
+    names = ["+".join(f"{bay}.{storey}" for bay, storey in at.places) for at in space.positions]
+    coordinate(group, "position", names, "", "places that are equipped alike, BAY.STOREY")
+    add = group.add
+    options = np.array([one.layout for one in analysed], dtype=int)
+    add("layout_option", ("layout", "position"), options, "1", "number of the item of the catalogue, 0: empty")
+    costs = [space.prices.value(one.cost) for one in analysed]
+    add("layout_cost", ("layout",), costs, "1", "cost, in the currency of the file")
+    dampers = [space.dampers(one.layout) for one in analysed]
+    add("layout_dampers", ("layout",), dampers, "1", "number of dampers")
+    ratios = [one.outcome.demand for one in analysed]
+    add("layout_demand", ("layout",), ratios, "1", "worst ratio of demand to limit of all criteria")
+    met = np.array([one.outcome.met for one in analysed], dtype=int)
+    add("layout_met", ("layout",), met, "1", "1: all criteria met")
+    failed = [len(one.outcome.failed) for one in analysed]
+    add("layout_failed_histories", ("layout",), failed, "1", "histories that were not completed")
+    criteria = list(dict.fromkeys(verdict.name for one in analysed for verdict in one.outcome.verdicts))
+    if not criteria:
+        return
+    coordinate(group, "criterion", criteria, "", "name of the criterion")
+    for part, label in (("value", "value that is judged"), ("limit", "its limit"), ("met", "1: met")):
+        rows = np.full((len(analysed), len(criteria)), np.nan)
+        for i, one in enumerate(analysed):
+            for verdict in one.outcome.verdicts:
+                rows[i, criteria.index(verdict.name)] = float(getattr(verdict, part))
+        long_name = f"{label}, in the unit of the criterion; nan: it does not apply"
+        add(f"verdict_{part}", ("layout", "criterion"), rows, "1", long_name)
+    group.attributes["failed_histories"] = {
+        str(one.number): list(one.outcome.failed) for one in analysed if one.outcome.failed
+    }
+
+
+def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> None:
+    space, plane = candidates.space, candidates.project.frame
+    coordinate(group, "bay", range(1, plane.n_bays + 1), "1", "bay of the frame")
+    coordinate(group, "storey", range(1, plane.n_storeys + 1), "1", "storey of the frame")
+    at = np.full((plane.n_storeys, plane.n_bays), -1)
+    for position in space.positions:
+        for bay, storey in position.places:
+            at[storey - 1, bay - 1] = 0
+    equipped = candidates.equipped(chosen.layout)
+    for (bay, storey), option in equipped.items():
+        at[storey - 1, bay - 1] = option
+    label = "number of the item of the catalogue, 0: empty, -1: no candidate"
+    group.add("placement", ("storey", "bay"), at, "1", label)
+    names = [candidates.devices[option, place].name for place, option in equipped.items()]
+    if names:
+        coordinate(group, "damper", names, "", "name of the damper")
+        group.add("damper_item", ("damper",), list(equipped.values()), "1", "number of the item of the catalogue")
+    group.attributes |= {
+        "chosen_layout": chosen.number,
+        "cost": space.prices.value(chosen.cost),
+        "dampers": space.dampers(chosen.layout),
+        "demand": chosen.outcome.demand,
+        "histories": len(group.coords["layout"].values) * int(group.attributes["histories_of_a_layout"]),
+    }

@@ -1,0 +1,247 @@
+"""All layouts of dampers that a search may choose from: what they cost, which are allowed, which has more than another.
+
+A layout says of each position, places that are equipped alike, which option it has: 0 is empty, i the i-th item of the
+catalogue.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from decimal import Decimal
+from functools import cached_property
+
+import numpy as np
+
+Layout = tuple[int, ...]
+Place = tuple[int, int]
+"""Bay and storey, from 1."""
+
+MOST_LISTED = 200_000
+"""Layouts that are held at a time: some 10 MB and seconds of work. Beyond, a search stays local."""
+
+
+@dataclass(frozen=True)
+class Position:
+    """Places that are equipped alike.
+
+    Attributes:
+        places: of which each gets the dampers of an item.
+        mirrored: which of them have diagonals that lean the other way.
+        options: numbers of the items that may stand here.
+        below: index of the position that has to be equipped first; None: none has.
+    """
+
+    places: tuple[Place, ...]
+    mirrored: tuple[bool, ...]
+    options: tuple[int, ...]
+    below: int | None = None
+
+
+@dataclass(frozen=True)
+class Prices:
+    """Costs in whole multiples of one unit, so that equal costs are equal.
+
+    Attributes:
+        items: of a place equipped with each option, its dampers and what the place itself costs; 0 of the empty one.
+        storey, bay: of each that has any damper.
+        unit: that all are multiples of.
+    """
+
+    items: tuple[int, ...]
+    storey: int
+    bay: int
+    unit: Decimal
+
+    def value(self, cost: int) -> float:
+        """Cost in the currency of the file."""
+        return float(cost * self.unit)
+
+
+def make_prices(dampers: Sequence[float], numbers: Sequence[int], place: float, storey: float, bay: float) -> Prices:
+    """Return prices of items of a catalogue as decimal numbers, which is how they were written.
+
+    Args:
+        dampers: cost of one damper of each item.
+        numbers: dampers in a place, of each item.
+        place, storey, bay: cost of each that is equipped.
+    """
+    written = [Decimal(repr(value)) for value in (*dampers, place, storey, bay)]
+    unit = Decimal(1).scaleb(min(0, *(int(value.normalize().as_tuple().exponent) for value in written)))
+    *own, at_place, at_storey, at_bay = (int(value / unit) for value in written)
+    items = (0, *(number * cost + at_place for number, cost in zip(numbers, own, strict=True)))
+    return Prices(items, at_storey, at_bay, unit)
+
+
+@dataclass(frozen=True)
+class LayoutSpace:
+    """The layouts that are allowed.
+
+    Attributes:
+        positions: bay by bay, upwards.
+        prices: of options, storeys and bays.
+        numbers: dampers in a place with each option, 0 first.
+        most_dampers: of a layout; None: no limit.
+        not_larger: (options, options) whether the first is the second, or has the same law and is nowhere larger.
+    """
+
+    positions: tuple[Position, ...]
+    prices: Prices
+    numbers: tuple[int, ...]
+    most_dampers: int | None
+    not_larger: np.ndarray
+
+    @property
+    def empty(self) -> Layout:
+        """The layout without dampers."""
+        return (0,) * len(self.positions)
+
+    def cost(self, layout: Layout) -> int:
+        """What a layout costs, in units of the prices."""
+        equipped = [i for i, option in enumerate(layout) if option]
+        own = sum(self.prices.items[layout[i]] * len(self.positions[i].places) for i in equipped)
+        storeys = frozenset[int]().union(*(self._storeys[i] for i in equipped))
+        bays = frozenset[int]().union(*(self._bays[i] for i in equipped))
+        return own + self.prices.storey * len(storeys) + self.prices.bay * len(bays)
+
+    def dampers(self, layout: Layout) -> int:
+        """How many dampers a layout has."""
+        return sum(self._dampers_at(i, option) for i, option in enumerate(layout))
+
+    def allowed(self, layout: Layout) -> bool:
+        """Whether a layout of allowed options keeps the limits."""
+        if self.most_dampers is not None and self.dampers(layout) > self.most_dampers:
+            return False
+        return all(
+            at.below is None or not option or layout[at.below]
+            for at, option in zip(self.positions, layout, strict=True)
+        )
+
+    @cached_property
+    def size(self) -> int:
+        """How many layouts there are, counted exactly position by position, without making them."""
+        done = {0: 1}  # layouts of the positions so far, by their number of dampers
+        column: dict[int, int] = {}  # those whose last position is equipped, in a column that goes on upwards
+        for i, at in enumerate(self.positions):
+            whole, standing = (done, done) if at.below is None else (done, column)
+            with_damper: dict[int, int] = {}
+            for option in at.options:
+                for count, layouts in standing.items():
+                    more = count + self._dampers_at(i, option)
+                    if self.most_dampers is None:
+                        more = 0  # numbers of dampers need not be told apart
+                    elif more > self.most_dampers:
+                        continue
+                    with_damper[more] = with_damper.get(more, 0) + layouts
+            column = with_damper
+            done = {key: whole.get(key, 0) + with_damper.get(key, 0) for key in {*whole, *with_damper}}
+        return sum(done.values())
+
+    def neighbours(self, layout: Layout, changes: int = 2) -> Iterator[Layout]:
+        """Allowed layouts that differ from one in one position, or in up to two."""
+        for i, at in enumerate(self.positions):
+            for option in (0, *at.options):
+                if option == layout[i]:
+                    continue
+                one = (*layout[:i], option, *layout[i + 1 :])
+                if self.allowed(one):
+                    yield one
+                if changes < 2:
+                    continue
+                for j in range(i + 1, len(self.positions)):
+                    for other in (0, *self.positions[j].options):
+                        two = (*one[:j], other, *one[j + 1 :])
+                        if other != layout[j] and self.allowed(two):
+                            yield two
+
+    def listed(self, most: int | None, at_most: int = MOST_LISTED) -> np.ndarray | None:
+        """All layouts up to a cost, (layouts, positions); None if there are too many.
+
+        Args:
+            most: cost that is not exceeded, in units of the prices; None: whatever the cost.
+            at_most: how many are too many.
+        """
+        found: list[Layout] = []
+        # each layout is made once, from the one without its last equipped position; more dampers cost more
+        open_layouts = [(self.empty, 0, 0, 0, frozenset[int](), frozenset[int]())]
+        while open_layouts:
+            layout, first, own, dampers, storeys, bays = open_layouts.pop()
+            found.append(layout)
+            if len(found) > at_most:
+                return None
+            for i in range(first, len(self.positions)):
+                at = self.positions[i]
+                if at.below is not None and not layout[at.below]:
+                    continue
+                with_storeys, with_bays = storeys | self._storeys[i], bays | self._bays[i]
+                shared = self.prices.storey * len(with_storeys) + self.prices.bay * len(with_bays)
+                for option in at.options:
+                    cost = own + self.prices.items[option] * len(at.places)
+                    count = dampers + self._dampers_at(i, option)
+                    too_many = self.most_dampers is not None and count > self.most_dampers
+                    if not too_many and (most is None or cost + shared <= most):
+                        larger = (*layout[:i], option, *layout[i + 1 :])
+                        open_layouts.append((larger, i + 1, cost, count, with_storeys, with_bays))
+        return np.array(found, dtype=np.int8)
+
+    def below_some(self, layouts: np.ndarray, larger: np.ndarray) -> np.ndarray:
+        """Which of some layouts (n, positions) have nowhere more than one of others (m, positions), (n,)."""
+        below = np.zeros(len(layouts), dtype=bool)
+        for other in larger:
+            left = np.flatnonzero(~below)
+            below[left] = np.all(self.not_larger[layouts[left], other], axis=1)
+        return below
+
+    def above_all(self, layout: Layout) -> bool:
+        """Whether every layout has nowhere more than one."""
+        return all(
+            self.not_larger[other, option]
+            for at, option in zip(self.positions, layout, strict=True)
+            for other in (0, *at.options)
+        )
+
+    @cached_property
+    def _storeys(self) -> tuple[frozenset[int], ...]:
+        return tuple(frozenset(storey for _, storey in at.places) for at in self.positions)
+
+    @cached_property
+    def _bays(self) -> tuple[frozenset[int], ...]:
+        return tuple(frozenset(bay for bay, _ in at.places) for at in self.positions)
+
+    def _dampers_at(self, position: int, option: int) -> int:
+        return self.numbers[option] * len(self.positions[position].places)
+
+
+def make_positions(
+    bays: Sequence[int],
+    storeys: Sequence[int],
+    options: Sequence[int],
+    last_bay: int | None,
+    continuous: bool,
+    groups: Sequence[Sequence[int]],
+    leaning: Sequence[int],
+) -> tuple[Position, ...]:
+    """Return the positions of candidate places.
+
+    Args:
+        bays, storeys: with candidate places, ascending.
+        options: numbers of the items, from 1.
+        last_bay: of the frame, for layouts that are symmetric about its middle; None: others.
+        continuous: whether no position is equipped above an empty one.
+        groups: storeys that are equipped alike.
+        leaning: options of diagonals, which have no mirror image of their own in the middle bay.
+    """
+    alike = {storey: tuple(group) for group in groups for storey in group}
+    rows = list(dict.fromkeys(alike.get(storey, (storey,)) for storey in storeys))
+    found: list[Position] = []
+    for bay in bays:
+        other = bay if last_bay is None else last_bay + 1 - bay
+        if last_bay is not None and other < bay:
+            continue
+        here = (bay,) if other == bay else (bay, other)
+        allowed = tuple(one for one in options if last_bay is None or other != bay or one not in leaning)
+        for i, row in enumerate(rows):
+            places = tuple((one, storey) for storey in row for one in here)
+            below = len(found) - 1 if continuous and i else None
+            found.append(Position(places, tuple(one != bay for one, _ in places), allowed, below))
+    return tuple(found)
