@@ -9,11 +9,13 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.report.archived import archived_project
 from edesign.report.captions import file_name, plain
 from edesign.report.design_tables import ROUND_SIZES, round_damping
 from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
 from edesign.report.hysteretic_figures import hysteretic_figures
+from edesign.report.placement_figures import placement_figures
 from edesign.report.viscous_figures import viscous_figures
 from edesign.study.kinds import DESIGNS
 
@@ -31,6 +33,10 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """The rounds of each design, and its dampers over the height: name of the file, caption, figure."""
     for name in archive.names(DESIGNS):
         group = archive.group(f"{DESIGNS}/{name}")
+        if group.attributes.get("method") == "placement":
+            project = archived_project(archive)
+            yield from placement_figures(name, group, None if project is None else project.frame)
+            continue
         if group.attributes.get("method") == "viscous":
             yield from viscous_figures(name, group)
         if group.attributes.get("method") == "hysteretic":

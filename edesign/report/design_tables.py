@@ -15,6 +15,7 @@ from edesign.report.hysteretic_tables import (
     hysteretic_round_sizes,
     hysteretic_storeys_table,
 )
+from edesign.report.placement_tables import placement_tables
 from edesign.report.table import Table, number
 from edesign.report.viscous_tables import viscous_damping_table, viscous_round_sizes, viscous_storeys_table
 
@@ -45,10 +46,12 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
 
     Args:
         group: designs/NAME of an archive.
-        sets: histories by variant and level, for the order of viscous and hysteretic dampers.
+        sets: histories by variant and level, for the order of dampers.
         factors: property factors of the variants that have the design, by their names.
     """
     method = group.attributes.get("method")
+    if method == "placement":
+        return [table for table in placement_tables(group, sets, factors) if table.rows or table.notes]
     if method == "viscous":
         sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
     elif method == "hysteretic":

@@ -76,13 +76,7 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         frame: its members.
         dampers: names of the dampers in it.
     """
-    for name in dampers:
-        drawing = damper_drawing(frame, name)
-        if drawing is None:
-            continue
-        for (x0, y0), (x1, y1) in drawing.braces:
-            axes.plot((x0, x1), (y0, y1), color=DAMPER, lw=0.7, zorder=1)
-        axes.plot(*drawing.at, marker="s", ms=3.6, color=DAMPER, mec="white", mew=0.4, zorder=2)
+    draw_dampers(axes, frame, dampers)
     for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
         axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
     isolated = any(name.startswith("I_") for name in dampers)
@@ -116,6 +110,17 @@ def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: flo
             axes.plot(x, -2.0 * below, marker="_", ms=10.0, color=MEAN, mew=0.9, zorder=2, clip_on=False)
         if names.base_device_name(line) in dampers:
             axes.plot(x + 2.0 * below, -below, marker="D", ms=3.4, color=DAMPER, mec="white", mew=0.4, clip_on=False)
+
+
+def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = DAMPER, marker: str = "s") -> None:
+    """Draw dampers by their names with their braces; those of places that the frame does not have are left out."""
+    for name in dampers:
+        drawing = damper_drawing(frame, name)
+        if drawing is None:
+            continue
+        for (x0, y0), (x1, y1) in drawing.braces:
+            axes.plot((x0, x1), (y0, y1), color=color, lw=0.7, zorder=1)
+        axes.plot(*drawing.at, marker=marker, ms=3.6, color=color, mec="white", mew=0.4, zorder=2)
 
 
 def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:

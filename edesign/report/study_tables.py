@@ -111,13 +111,12 @@ def designs_tables(archive: Archive, study: Study | None, sets: Sequence[History
 def property_factors_of(study: Study, design: str) -> dict[str, float]:
     """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
 
-    There are none of a placement, whose dampers may have several laws.
+    Of a placement that of the law is left out, as its dampers may have several laws.
     """
-    dampers = study.base.dampers
-    spec = study.designs[design]
-    if isinstance(spec, PlacementDesign):
-        return {}
-    own = 1.0 if dampers is None else dampers.laws[spec.law].property_factor
+    dampers, spec = study.base.dampers, study.designs[design]
+    own = 1.0
+    if dampers is not None and not isinstance(spec, PlacementDesign):
+        own = dampers.laws[spec.law].property_factor
     return {
         key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
         for key, variant in study.variants.items()

@@ -58,7 +58,7 @@ class Candidates:
         """The project's dampers with those of a layout in place of its devices; equal ones stand in one run."""
         columns: dict[tuple[int, Kind, int], list[int]] = {}  # storeys by item, kind and bay
         for (bay, storey), option in self.equipped(layout).items():
-            columns.setdefault((option, self._kind(option, (bay, storey)), bay), []).append(storey)
+            columns.setdefault((option, self.kind(option, (bay, storey)), bay), []).append(storey)
         runs: dict[tuple[int, Kind, tuple[int, ...]], list[int]] = {}
         for (option, kind, bay), storeys in sorted(columns.items()):
             runs.setdefault((option, kind, tuple(storeys)), []).append(bay)
@@ -70,7 +70,8 @@ class Candidates:
         assert before is not None, "check_placement wants the laws"
         return before.model_copy(update={"devices": devices})
 
-    def _kind(self, option: int, place: Place) -> Kind:
+    def kind(self, option: int, place: Place) -> Kind:
+        """How an item stands at a place."""
         item = list(self.spec.catalogue.values())[option - 1]
         leaning = self.spec.limits.mirrored and 2 * place[0] > self.project.frame.n_bays + 1
         return _kind_at(item.kind or self.spec.kind, leaning)

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.project.notation.names import damper_name
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.placement.candidates import Candidates
@@ -137,7 +138,7 @@ def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> Non
         at[storey - 1, bay - 1] = option
     label = "number of the item of the catalogue, 0: empty, -1: no candidate"
     group.add("placement", ("storey", "bay"), at, "1", label)
-    names = [candidates.devices[option, place].name for place, option in equipped.items()]
+    names = [damper_name(candidates.kind(option, place), *place) for place, option in equipped.items()]
     if names:
         coordinate(group, "damper", names, "", "name of the damper")
         group.add("damper_item", ("damper",), list(equipped.values()), "1", "number of the item of the catalogue")

@@ -117,13 +117,13 @@ class _Search:
         best = self.knowledge.best
         centre = (best or self.knowledge.nearest_miss).layout
         bound = None if best is None else best.cost - 1
-        near = [one for one in self.space.neighbours(centre) if bound is None or self.space.cost(one) <= bound]
+        near = self._near(centre, bound)
         chosen = self._first(self._open(near))
         if chosen:
             return chosen
         listed = self._all_up_to(bound)
         if listed is None:
-            return []
+            return self._hopeful(bound) or self._first(self._whole(near))
         chosen = self._first(self._open(listed))
         if chosen:
             return chosen
@@ -133,6 +133,18 @@ class _Search:
             return chosen
         alike = self._all_up_to(best.cost)
         return [] if alike is None else self._first(self._whole(alike))
+
+    def _near(self, centre: Layout, bound: int | None) -> list[Layout]:
+        """Layouts up to a cost that differ from one in one or two positions."""
+        return [one for one in self.space.neighbours(centre) if bound is None or self.space.cost(one) <= bound]
+
+    def _hopeful(self, bound: int | None) -> list[Layout]:
+        """Of a space too large to be listed: what is predicted to meet all criteria near the cheaper near misses."""
+        missed = [one for one in self.knowledge.analysed if bound is None or one.cost <= bound]
+        missed.sort(key=lambda one: (one.outcome.demand, one.layout))
+        around = {near: None for one in missed[:BATCH] for near in self._near(one.layout, bound)}
+        chosen = self._first(self._open(around))
+        return [one for one in chosen if self._predicted(one) <= 1.0]
 
     def _open(self, layouts: Iterable[Layout]) -> list[Layout]:
         """Those that were not analysed, and are not ruled out by one that missed if more dampers never harm."""

@@ -161,6 +161,8 @@ class LayoutSpace:
             most: cost that is not exceeded, in units of the prices; None: whatever the cost.
             at_most: how many are too many.
         """
+        if most is not None and most < 0:
+            return np.empty((0, len(self.positions)), dtype=np.int8)
         found: list[Layout] = []
         # each layout is made once, from the one without its last equipped position; more dampers cost more
         open_layouts = [(self.empty, 0, 0, 0, frozenset[int](), frozenset[int]())]
