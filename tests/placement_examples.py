@@ -53,7 +53,7 @@ dampers:
       parameters: thesis_table_4_2
       prototype: {layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}
 damping: {kind: modal, ratio: 3 %, modes: 2}
-integration: {method: newmark, time_step: 0.01 s}
+integration: {method: newmark, time_step: 0.02 s}
 records:
   first: {file: first.csv, acceleration_unit: m/s^2}
   second: {file: second.csv, acceleration_unit: m/s^2}

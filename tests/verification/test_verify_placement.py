@@ -7,6 +7,9 @@ search is given the same histories, so that any difference is of the search.
 from __future__ import annotations
 
 import itertools
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -14,11 +17,14 @@ from design_examples import design
 from placement_examples import RECORDS, EveryLayout, Item, sequential_search, small_project
 
 from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import judge
 from edesign.project.criteria.criteria import MeasureCriterion
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.study.design.design import DesignResult
-from edesign.study.placement.placement import run_placement
+from edesign.study.placement.placement import RespondInTurn, run_placement
 
 PLACE_COST = 0.5
 FRAMES: dict[str, tuple[str, str, tuple[Item, ...]]] = {
@@ -39,13 +45,20 @@ def places_of(every: EveryLayout) -> list[tuple[int, int]]:
     return list(itertools.product(range(1, frame.n_bays + 1), range(1, frame.n_storeys + 1)))
 
 
-def placed(every: EveryLayout, limit: float, budget: int, monotone: bool = True) -> DesignResult:
-    """The search with the histories of `every`."""
+def placed(
+    every: EveryLayout,
+    limit: float,
+    budget: int,
+    respond: RespondInTurn | None = None,
+    resume: Group | None = None,
+    keep: Callable[[Group], None] = lambda group: None,
+) -> DesignResult:
+    """The search with the histories of `every`, or others."""
     catalogue = ", ".join(f"i{i}: {item.text}" for i, item in enumerate(every.items, start=1))
     verify = f"records: [{', '.join(RECORDS)}], levels: DBE, criteria: drift, budget: {budget * len(RECORDS)}"
     text = (
         f"method: placement, kind: {every.kind}, bays: all, catalogue: {{{catalogue}}}, "
-        f"costs: {{place: {PLACE_COST}}}, monotone: {str(monotone).lower()}, verify: {{{verify}}}"
+        f"costs: {{place: {PLACE_COST}}}, verify: {{{verify}}}"
     )
     spec = design(text, every.project)
     assert isinstance(spec, PlacementDesign)
@@ -54,7 +67,17 @@ def placed(every: EveryLayout, limit: float, budget: int, monotone: bool = True)
     def verdicts(histories: dict[str, Group]) -> object:
         return judge((criterion,), (), histories, every.project)
 
-    return run_placement(every.project, "tried", spec, len(RECORDS), every.respond, verdicts)  # type: ignore[arg-type]
+    asked = every.respond if respond is None else respond
+    return run_placement(
+        every.project,
+        "tried",
+        spec,
+        len(RECORDS),
+        asked,
+        verdicts,  # type: ignore[arg-type]
+        resume,
+        keep=keep,
+    )
 
 
 @pytest.fixture(scope="module", params=list(FRAMES))
@@ -95,3 +118,40 @@ def test_never_dearer_than_a_sequential_search(every: EveryLayout) -> None:
         found = placed(every, limit, 60).group.attributes
         if equipped is not None:
             assert found["status"] == "completed" and found["cost"] <= every.cost(equipped, PLACE_COST)
+
+
+@dataclass
+class Stopped:
+    """Histories of layouts up to one, at which the user stops the run."""
+
+    every: EveryLayout
+    stop_at: int | None = None
+    asked: list[int] = field(default_factory=list)
+
+    def respond(self, wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
+        for number, dampers in wanted:
+            if number == self.stop_at:
+                raise KeyboardInterrupt
+            self.asked.append(number)
+            yield from self.every.respond([(number, dampers)])
+
+
+def test_interrupted_search_goes_on_to_the_same_last_bit(every: EveryLayout, tmp_path: Path) -> None:
+    limit = 0.7 * every.drift(())
+    whole = placed(every, limit, 20)
+    kept: list[Group] = []
+    with pytest.raises(KeyboardInterrupt):
+        placed(every, limit, 20, Stopped(every, 9).respond, keep=kept.append)
+    assert kept[-1].coords["layout"].values.tolist() == list(range(1, 9))
+    assert kept[-1].attributes["status"] == "interrupted" and "certificate" not in kept[-1].attributes
+    with ArchiveWriter(tmp_path / "a.h5", Group()) as writer:
+        writer.write("designs/tried", kept[-1])
+        path = writer.finish({"status": "interrupted"})
+    with open_archive(path) as archive:
+        read = archive.group("designs/tried")
+    again = Stopped(every)
+    resumed = placed(every, limit, 20, again.respond, read)
+    assert again.asked == whole.group.coords["layout"].values.tolist()[8:]
+    assert resumed.group.attributes == whole.group.attributes and resumed.dampers == whole.dampers
+    for name, variable in whole.group.variables.items():
+        assert variable.values.tobytes() == resumed.group.variables[name].values.tobytes(), name

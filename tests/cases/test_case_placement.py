@@ -1,0 +1,124 @@
+"""The case `placement`: a search as a user runs it, and the dampers that it finds written by hand."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+from cases.conftest import HERE
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import open_archive
+from edesign.building.project_file import load_project, load_study
+from edesign.report.page.document import page_text
+from edesign.report.study_tables import study_tables
+from edesign.study.run import run_study
+
+CASE = HERE / "placement"
+PLACE, COST = 0.5, {1: 1.0, 2: 1.6}  # of study.yaml
+Results = Callable[[str, str], Group]
+
+
+def study_in(folder: Path, *changes: tuple[str, str]) -> Path:
+    """A copy of the study with some of its text changed."""
+    shutil.copytree(HERE / "records", folder / "records")
+    shutil.copytree(CASE, folder / "case")
+    path = folder / "case" / "study.yaml"
+    text = path.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    path.write_text(text, encoding="utf-8")
+    return path
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return run_study(load_study(study_in(tmp_path_factory.mktemp("placement")))).archive
+
+
+def test_devices_are_those_of_the_project(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        about = opened.group_attributes("designs/placed")
+    (device,) = yaml.safe_load(str(about["devices"]))["devices"]
+    expected = load_project(CASE / "project.yaml").dampers
+    assert expected is not None and (about["status"], about["proof"]) == ("completed", "optimal")
+    (by_hand,) = expected.devices
+    assert (device["storeys"], str(device["bays"]), device["scale"]) == ("1-2", "1", by_hand.scale)
+    assert device["brace"] == {"stiffness": "60000000.0 N/m"} and device["design_deformation"] == "0.015 m"
+
+
+def test_histories_of_the_chosen_layout_are_those_of_the_dampers_written_by_hand(
+    archive: Path, results_of: Results
+) -> None:
+    """The same frame, dampers, motion and scheme: to rounding of the deformations that are kept."""
+    with open_archive(archive) as opened:
+        searched, design = opened.group("analyses/damped.DBE.motion"), opened.group("designs/placed")
+    by_hand = results_of("placement", "DBE")
+    for name in ("storey_drift_max", "storey_drift_min", "damper_force_max", "floor_acceleration_max"):
+        np.testing.assert_array_equal(searched.variables[name].values, by_hand.variables[name].values)
+    drift = max(np.abs(by_hand.variables[f"storey_drift_{side}"].values).max() for side in ("max", "min"))
+    chosen = int(str(design.attributes["chosen_layout"])) - 1
+    drifts = design.variables["verdict_value"].values[:, design.coords["criterion"].values.tolist().index("drift, DBE")]
+    assert drifts[chosen] == drift <= 0.013
+
+
+def test_costs_by_hand_and_every_cheaper_layout_misses(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        design = opened.group("designs/placed")
+    options, cost, met = (design.variables[f"layout_{key}"].values for key in ("option", "cost", "met"))
+    by_hand = [sum(COST[i] + PLACE for i in row if i) for row in options.tolist()]
+    np.testing.assert_allclose(cost, by_hand, rtol=1e-12)
+    assert design.attributes["cost"] == cost[met == 1].min() == pytest.approx(4.2)
+    cheaper = [row for row in np.ndindex(3, 3, 3) if sum(COST[i] + PLACE for i in row if i) < 4.2 - 1e-9]
+    analysed = {tuple(row): bool(m) for row, m in zip(options.tolist(), met, strict=True)}
+    assert design.attributes["cheaper"] == len(cheaper) and not any(analysed[row] for row in cheaper)
+
+
+def test_tables_and_report(archive: Path) -> None:
+    with open_archive(archive) as opened:
+        tables = {table.title: table for table in study_tables(opened)}
+    layout = tables["Design placed: placement, completed"]
+    assert layout.rows == [["3", "-", ""], ["2", "large", ""], ["1", "large", ""]]
+    assert any(note.startswith("certificate: optimal: each cheaper layout (") for note in layout.notes)
+    order = tables["Devices to order"].rows
+    assert order == [
+        ["small", "oil", "0", "0", "1", "0"],
+        ["large", "oil", "2", "2", "1.6", "3.2"],
+        ["each place", "", "2", "", "0.5", "1"],
+    ]
+    assert "Cost against worst ratio" in page_text(archive)
+
+
+def test_workers_change_nothing(archive: Path, tmp_path: Path) -> None:
+    found = run_study(load_study(study_in(tmp_path)), workers=2).archive
+    with open_archive(found) as one, open_archive(archive) as other:
+        a, b = one.group("designs/placed"), other.group("designs/placed")
+    assert a.attributes == b.attributes
+    for name, variable in a.variables.items():
+        assert variable.values.tobytes() == b.variables[name].values.tobytes()
+
+
+def test_what_cannot_be_met_fails_with_its_reason(tmp_path: Path) -> None:
+    path = study_in(tmp_path, ("most: 1.3 %", "most: 0.4 %"), ("budget: 60", "budget: 20"))
+    summary = run_study(load_study(path))
+    with open_archive(summary.archive) as opened:
+        about = opened.group_attributes("designs/placed")
+    assert about["status"] == "failed" and str(about["reason"]).startswith("none meets the criteria if more dampers")
+    assert "; the nearest misses: drift, DBE (0.0" in str(about["reason"])
+    damped = {outcome.name: outcome for outcome in summary.outcomes}["damped.DBE.motion"]
+    assert damped.status == "failed" and "its design `placed` failed: none meets" in damped.reason
+    assert "placement, failed" in page_text(summary.archive)
+
+
+def test_frame_that_needs_no_dampers_gets_none(tmp_path: Path) -> None:
+    path = study_in(tmp_path, ("most: 1.3 %", "most: 5 %"), ("most: 0.8 g", "most: 5 g"))
+    found = run_study(load_study(path)).archive
+    with open_archive(found) as opened:
+        about = opened.group_attributes("designs/placed")
+    assert (about["cost"], about["dampers"], about["certificate"]) == (0.0, 0, "optimal: no layout is cheaper")
+    assert about["devices"] == "devices: []\n" and "placement, completed" in page_text(found)
