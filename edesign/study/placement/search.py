@@ -106,7 +106,7 @@ class _Search:
         larger = sorted(one for one in self.space.neighbours(layout, 1) if self.space.cost(one) > cost)
         if not larger:
             return None
-        more = np.array([self.space.cost(one) - cost for one in larger], dtype=float)
+        more = np.array([self.space.prices.value(self.space.cost(one) - cost) for one in larger])
         return larger[int(np.argmax((now - self.knowledge.predicted(larger)) / more))]
 
     def _predicted(self, layout: Layout) -> float:
@@ -123,14 +123,14 @@ class _Search:
             return chosen
         listed = self._all_up_to(bound)
         if listed is None:
-            return self._hopeful(bound) or self._first(self._whole(near))
+            return self._hopeful(bound) or self._first(self._whole(near)) or self._last_resort(centre)
         chosen = self._first(self._open(listed))
         if chosen:
             return chosen
         # what the assumption leaves out, where all of it can be analysed, makes the proof one without it
         chosen = self._first(self._whole(listed))
         if chosen or best is None:
-            return chosen
+            return chosen or self._last_resort(centre)
         alike = self._all_up_to(best.cost)
         return [] if alike is None else self._first(self._whole(alike))
 
@@ -145,6 +145,15 @@ class _Search:
         around = {near: None for one in missed[:BATCH] for near in self._near(one.layout, bound)}
         chosen = self._first(self._open(around))
         return [one for one in chosen if self._predicted(one) <= 1.0]
+
+    def _last_resort(self, centre: Layout) -> list[Layout]:
+        """Where nothing met yet: what differs in one position from the nearest miss, ruled out or not.
+
+        The assumption may be false, as where dampers lock a storey; one that meets shows it, and the search goes on.
+        """
+        if self.knowledge.best is not None:
+            return []
+        return self._first([one for one in self.space.neighbours(centre, 1) if one not in self.knowledge])
 
     def _open(self, layouts: Iterable[Layout]) -> list[Layout]:
         """Those that were not analysed, and are not ruled out by one that missed if more dampers never harm."""

@@ -1,0 +1,92 @@
+"""The search for a placement in a study file: what is read, and what is refused in words and with its place."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from design_examples import THESIS, design, refusal, shear_project
+
+from edesign.project.criteria.checks_quantities import names_of_design
+from edesign.project.dampers.placement import CatalogueItem, Costs, LayoutLimits, PlacementDesign
+from edesign.project.dampers.verification import PlacementVerify
+from edesign.project.reading.base import Model
+
+LAWS = """
+dampers:
+  laws:
+    oil: {type: viscous, parameters: {c: 1 kN*s/m}}
+    layers:
+      type: viscous
+      parameters: {c: 200 kN*s/m}
+      prototype: {layers: 2, layer_area: 0.01 m^2, layer_thickness: 10 mm}
+"""
+A = "a: {law: oil, scale: 40, cost: 1}"
+GOOD = (
+    f"method: placement, kind: storey, bays: 1, catalogue: {{{A}}}, "
+    "verify: {records: shake, levels: DBE, criteria: drift}"
+)
+
+
+def test_placement_in_si() -> None:
+    spec = design(
+        GOOD.replace(
+            A, f"{A}, b: {{law: layers, layer_area: 100 cm^2, number: 2, cost: 2.5, kind: rising, brace: rigid}}"
+        )
+        + ", costs: {place: 0.5}, limits: {most_dampers: 4, continuous: true, storey_groups: [1-2]}",
+        shear_project(2, LAWS),
+    )
+    assert isinstance(spec, PlacementDesign) and list(spec.catalogue) == ["a", "b"]
+    assert (spec.catalogue["a"].scale, spec.catalogue["b"].layer_area, spec.catalogue["b"].number) == (40.0, 0.01, 2)
+    assert (spec.costs.place, spec.costs.bay, spec.limits.most_dampers) == (0.5, 0.0, 4)
+    assert (spec.monotone, spec.verify.budget) == (True, 500)
+    frame = shear_project(2, LAWS).frame
+    assert names_of_design(frame, spec) == ("S_1_1", "S_1_2", "R_1_1", "R_1_2")
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("placement", "placements", "did you mean `placement`?"),
+        ("law: oil", "law: oils", "catalogue.a.law: there is no damper law `oils`; did you mean `oil`?"),
+        ("cost: 1", "cost: 0", "catalogue.a.cost: `0` is out of range: a ratio greater than 0"),
+        ("cost: 1", "cost: 1 EUR", "catalogue.a.cost: "),
+        (", cost: 1", "", "catalogue.a.cost: this key is missing"),
+        ("scale: 40", "layers: 2", "the law `oil` has no `prototype` whose size could be changed"),
+        ("law: oil, scale: 40", "law: layers, scale: 2", "has a `prototype`: give the size of the layers"),
+        ("scale: 40", "scale: [40, 20]", "catalogue.a.scale: "),
+        ("scale: 40", "scales: 40", "catalogue.a.scales: unknown key; did you mean `scale`?"),
+        ("scale: 40", "scale: 40, brace: {stiffness: [1 kN/mm, 2 kN/mm]}", "give one stiffness, and others in items"),
+        ("scale: 40", "scale: 40, brace: {section: HEB200, material: steel}", "has no brace geometry"),
+        (A, f"{A}, b: {{law: oil, scale: 40, cost: 2}}", "catalogue.b: the dampers are those of `a`"),
+        (A, "", "catalogue: "),
+        ("bays: 1", "bays: 2", "designs.tried.bays: there is no bay 2; bays are numbered 1 to 1"),
+        ("bays: 1", "bays: 1, storeys: 1-3", "there is no storey 3"),
+        ("levels: DBE", "levels: DBF", "there is no level `DBF`; did you mean `DBE`?"),
+        ("records: shake", "records: shaker", "there is no record `shaker`; did you mean `shake`?"),
+        ("criteria: drift", "criteria: drift, budget: 0", "verify.budget: "),
+        ("criteria: drift", "criteria: drift, rounds: 3", "verify.rounds: unknown key"),
+        ("bays: 1", "bays: 1, limits: {storey_groups: [1-2, 2]}", "storey 2 is in two groups"),
+        ("bays: 1", "bays: 1, storeys: 1, limits: {storey_groups: [1-2]}", "storey 2 is no candidate"),
+        ("bays: 1", "bays: 1, limits: {most_dampers: 0}", "limits.most_dampers: "),
+        (
+            "bays: 1, catalogue: {a: {",
+            "bays: 1, limits: {most_dampers: 2}, catalogue: {a: {number: 3, ",
+            "2 are fewer than one place takes, 3",
+        ),
+        ("kind: storey", "kind: rising, limits: {mirrored: true}", "a diagonal in the middle bay has no mirror image"),
+        ("kind: storey", "kind: storey, costs: {floor: 1}", "costs.floor: unknown key"),
+        ("kind: storey", "kind: storey, level: MCE", "designs.tried.level: there is no level `MCE`"),
+    ],
+)
+def test_refusals(old: str, new: str, said: str) -> None:
+    assert GOOD.count(old) == 1
+    message = refusal(GOOD.replace(old, new), shear_project(2, LAWS))
+    assert said in message and "study.yaml:1:" in message, message
+
+
+@pytest.mark.parametrize("model", [PlacementDesign, CatalogueItem, Costs, LayoutLimits, PlacementVerify])
+def test_every_key_is_documented(model: type[Model]) -> None:
+    text = (THESIS.parents[2] / "docs" / "damper_placement.md").read_text(encoding="utf-8")
+    missing = [name for name in model.model_fields if not re.search(rf"[`{{ ]{name}[`,:}}]", text)]
+    assert missing == []
