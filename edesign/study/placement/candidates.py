@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -118,13 +119,12 @@ def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candi
     try:
         structure = make_structure(project.model_copy(update={"dampers": trial}), dampers=True)
     except InputError as error:  # the devices stand in no file: the place is the item of the catalogue
-        _, found, rest = str(error).rpartition("dampers.devices[")
-        number, _, message = rest.partition("]: ")
-        if not found or not number.isdigit():
+        found = re.search(r"dampers\.devices\[(\d+)\]([\w.]*): (.*)", str(error), re.DOTALL)
+        if found is None:
             raise
-        option, (bay, storey), _ = wanted[int(number)]
-        where = f"designs.{name}.catalogue.{list(spec.catalogue)[option - 1]}"
-        raise InputError(f"{where}: {message} (at bay {bay}, storey {storey})") from error
+        option, (bay, storey), _ = wanted[int(found[1])]
+        where = f"designs.{name}.catalogue.{list(spec.catalogue)[option - 1]}{found[2]}"
+        raise InputError(f"{where}: {found[3]} (at bay {bay}, storey {storey})") from error
     if spec.state == "gravity":
         structure.apply_gravity()
     keys = [(option, place) for option, place, _ in wanted]

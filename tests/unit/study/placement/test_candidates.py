@@ -1,0 +1,99 @@
+"""What a placement chooses from: mirror images, sizes that compare, the devices of a layout, and their estimates."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+from design_examples import design
+from placement_examples import small_project
+
+from edesign.errors import InputError
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.study.design.device_text import devices_text
+from edesign.study.design.estimate import action_of
+from edesign.study.placement.candidates import Candidates, make_candidates
+from edesign.study.placement.estimate import LayoutEstimates
+from edesign.study.placement.placement import check_placement
+from edesign.study.structure import make_frame
+
+CATALOGUE = (
+    "a: {law: oil, scale: 40, cost: 1, brace: {stiffness: 60 kN/mm, play: 1 mm}}, "
+    "b: {law: oil, scale: 80, cost: 2, brace: {stiffness: 60 kN/mm, play: 1 mm}}, "
+    "c: {law: oil, scale: 80, cost: 2, brace: {stiffness: 50 kN/mm, play: 1 mm}}, "
+    "d: {law: rubber, layer_area: 0.1 m^2, number: 2, cost: 2, kind: chevron, brace: {section: HEB140, material: S275}}"
+)
+TEXT = (
+    f"method: placement, kind: rising, bays: all, catalogue: {{{CATALOGUE}}}, limits: {{mirrored: true}}, "
+    "verify: {records: [first, second], levels: DBE, criteria: drift, budget: 1}"
+)
+
+
+@pytest.fixture(scope="module")
+def candidates(tmp_path_factory: pytest.TempPathFactory) -> Candidates:
+    project = small_project(tmp_path_factory.mktemp("candidates"), "[6 m, 5 m, 6 m]", "[4 m, 3.3 m]")
+    spec = design(TEXT, project)
+    assert isinstance(spec, PlacementDesign)
+    return make_candidates(project, "tried", spec)
+
+
+def test_mirror_images_lean_the_other_way(candidates: Candidates) -> None:
+    """Positions: bays 1 and 3 of both storeys, then bay 2, where a diagonal has no mirror image."""
+    positions = candidates.space.positions
+    assert [at.places for at in positions] == [((1, 1), (3, 1)), ((1, 2), (3, 2)), ((2, 1),), ((2, 2),)]
+    assert positions[0].options == (1, 2, 3, 4) and positions[2].options == (4,)
+    assert candidates.space.size == 5 * 5 * 2 * 2
+    dampers = candidates.dampers((1, 2, 4, 0))
+    project = candidates.project.model_copy(update={"dampers": dampers})
+    devices = make_frame(project, dampers=True).devices
+    assert sorted(device.name for device in devices) == ["F_3_1", "F_3_2", "R_1_1", "R_1_2", "V_2_1"]
+    by_name = {device.name: device for device in devices}
+    assert by_name["R_1_2"].force_scale == by_name["F_3_2"].force_scale == 80.0
+    text = yaml.safe_load(devices_text(dampers))["devices"]
+    assert text[0]["brace"] == {"stiffness": "60000000.0 N/m", "play": "0.001 m"}
+    assert text[-1] == {
+        "kind": "chevron",
+        "bays": 2,
+        "storeys": 1,
+        "law": "rubber",
+        "number": 2,
+        "layer_area": "0.1 m^2",
+        "brace": {"section": "HEB140", "material": "S275"},
+    }
+
+
+def test_items_that_compare(candidates: Candidates) -> None:
+    expected = np.eye(5, dtype=bool)
+    expected[0] = True
+    expected[1, 2] = expected[3, 2] = True  # a weaker one, and one behind a softer brace; a has more brace than c
+    np.testing.assert_array_equal(candidates.space.not_larger, expected)
+
+
+def test_estimates_fall_with_dampers_and_are_those_of_the_frame_without(candidates: Candidates) -> None:
+    """Without dampers a frame of two storeys that sways in its first mode has about S_d(T1) Gamma phi."""
+    estimates = LayoutEstimates(candidates, action_of(candidates.project, "DBE", None))
+    bare, some, more = (estimates(one)[0] for one in ((0, 0, 0, 0), (1, 0, 0, 0), (2, 2, 4, 4)))
+    modes = candidates.frame.modes()
+    action = action_of(candidates.project, "DBE", None)
+    peak = modes.participation[0] * action.displacement(float(modes.omega[0]), 0.03)
+    first = np.max(np.abs(peak * np.diff(modes.floors[0], prepend=0.0)) / candidates.heights)
+    assert bare == pytest.approx(first, rel=0.05) and bare > some > more > 0.0
+
+
+def test_budget_for_less_than_one_layout_is_refused(candidates: Candidates) -> None:
+    with pytest.raises(InputError, match=r"designs.tried.verify.budget: 1 histories are not enough for one layout, wh"):
+        check_placement(candidates.project, "tried", candidates.spec, 2)
+
+
+def test_item_that_cannot_stand_names_itself(tmp_path: Path) -> None:
+    project = small_project(tmp_path, "[6 m]", "[4 m]")
+    spec = design(
+        "method: placement, kind: chevron, bays: 1, catalogue: {odd: {law: oil, scale: 4, cost: 1, "
+        "brace: {section: HEB141, material: S275}}}, verify: {records: first, levels: DBE, criteria: drift}",
+        project,
+    )
+    assert isinstance(spec, PlacementDesign)
+    with pytest.raises(InputError, match=r"^designs.tried.catalogue.odd.brace.section: there is no section `HEB141`"):
+        check_placement(project, "tried", spec, 1)
