@@ -39,7 +39,7 @@ def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[
     if count > 1:
         caption = (
             f"Design {name}: cost and worst ratio of demand to limit of the {count} layouts analysed; the line joins "
-            f"those than which none is as cheap and better. {about.get('certificate', '')}".strip()
+            "those than which none is as cheap and better."
         )
         yield file_name("design", name, "cost"), caption, cost_figure(group)
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.project.notation.names import damper_name
+from edesign.project.notation.names import damper_names
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
 from edesign.study.placement.candidates import Candidates
@@ -138,10 +138,15 @@ def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> Non
         at[storey - 1, bay - 1] = option
     label = "number of the item of the catalogue, 0: empty, -1: no candidate"
     group.add("placement", ("storey", "bay"), at, "1", label)
-    names = [damper_name(candidates.kind(option, place), *place) for place, option in equipped.items()]
+    names = [
+        (name, option)
+        for place, option in equipped.items()
+        for name in damper_names(candidates.kind(option, place), *place)
+    ]
     if names:
-        coordinate(group, "damper", names, "", "name of the damper")
-        group.add("damper_item", ("damper",), list(equipped.values()), "1", "number of the item of the catalogue")
+        coordinate(group, "damper", [name for name, _ in names], "", "name of the damper")
+        label = "number of the item of the catalogue"
+        group.add("damper_item", ("damper",), [option for _, option in names], "1", label)
     group.attributes |= {
         "chosen_layout": chosen.number,
         "cost": space.prices.value(chosen.cost),
