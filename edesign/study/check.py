@@ -30,7 +30,7 @@ from edesign.project.study.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.criteria import check_criteria_inputs
-from edesign.study.design.design import check_sizing
+from edesign.study.design.design import check_sizing, first_warnings
 from edesign.study.history import check_motion
 from edesign.study.intensity import check_hazard_curves
 from edesign.study.modal import fundamental_period, mode_count
@@ -281,6 +281,8 @@ def check_study(study: Study) -> dict[str, str]:
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
     warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
+    for name in wanted_designs(study, plan):
+        warnings += first_warnings(study.base, name, study.designs[name], study.folder)
     return {
         "title": study.title,
         "project": str(study.base.path),

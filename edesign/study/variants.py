@@ -51,10 +51,10 @@ def bound_of(study: Study, name: str) -> tuple[float, float | None]:
 
 
 def variant_strain(study: Study, name: str) -> float | None:
-    """Shear strain at which the dampers of a variant count for its modes; None: that of small vibrations."""
+    """Shear strain at which the dampers of a variant count for its modes; None: that of the devices themselves."""
     design = study.variants[name].design
     spec = study.designs[design] if design is not None else None
-    return spec.strain if isinstance(spec, ElastomerDesign) else None
+    return spec.strain if isinstance(spec, ElastomerDesign) and isinstance(spec.strain, float) else None
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:

@@ -43,6 +43,12 @@ def test_dampers_of_the_printed_storey_stiffnesses() -> None:
     np.testing.assert_allclose(group.variables["area_ratio"].values, AREA_RATIO, rtol=0.005)
 
 
+def test_the_design_of_the_table_is_plausible() -> None:
+    group = found(f"kind: chevron, {FIXED}, storey_stiffness: {GIVEN_STIFFNESS}")
+    assert group.attributes["warnings"] == []
+    assert group.attributes["prototypes"] == pytest.approx(4 * AREA_RATIO.sum() / 2, rel=0.005)  # layers, two places
+
+
 @pytest.mark.parametrize("state", ["initial", "gravity"])
 def test_dampers_of_the_computed_storey_stiffnesses(state: str) -> None:
     # the bar is 12 %: the thesis' stiffnesses are those of another program and a 3-D model

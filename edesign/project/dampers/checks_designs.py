@@ -82,12 +82,25 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Pr
         _strain_energy(keys, spec, problems)
     else:
         _simplified(keys, spec, problems)
+    if isinstance(spec.strain, str):
+        _followed_strain(keys, spec, problems)
     if isinstance(spec.frequency, tuple) and spec.frequency[0] > spec.frequency[1]:
         problems.at_value((*keys, "frequency"), "the band runs backwards; write the lower frequency first")
     temperatures = spec.bounds is not None and spec.bounds.temperatures is not None
     if temperatures and isinstance(spec.properties, FixedProperties):
         message = "fixed properties do not change with temperature; give a table or `law`"
         problems.at_key((*keys, "bounds", "temperatures"), message)
+
+
+def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
+    if spec.level is None:
+        message = f"this key is missing; `strain: {spec.strain}` begins with the spectrum of a hazard level"
+        problems.under(keys, "level", message)
+    if spec.strain == "histories" and spec.verify is None:
+        problems.at_value((*keys, "strain"), "there are no histories without `verify`; give it, or take `spectrum`")
+    if isinstance(spec.properties, FixedProperties):
+        message = "fixed properties do not change with the strain; give the strain, or a table or `law`"
+        problems.at_value((*keys, "strain"), message)
 
 
 def _stiffnesses(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, Discriminator, Field, Tag
+from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import State
 from edesign.project.dampers.placement import PlacementDesign
@@ -21,8 +22,10 @@ from edesign.project.notation.units import (
     PositiveStiffness,
     PositiveStress,
     UnitRatio,
+    parse_ratio,
 )
-from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
+from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list, refuse
+from edesign.project.reading.problems import did_you_mean, listed
 
 Count = Annotated[int, Field(ge=1, le=1000)]
 
@@ -33,6 +36,17 @@ def _by_keys(value: Any) -> str:
         return "?plain"
     keys = keys_in(value)
     return next((f"?{key}" for key in ("table", "file") if key in keys), "?values")
+
+
+FOLLOWED = ("spectrum", "histories")
+"""What says the strain that dampers reach, where a design follows it."""
+
+
+def _strain(value: Any) -> Any:
+    if isinstance(value, str) and value.isidentifier() and value not in FOLLOWED:
+        hint = did_you_mean(value, FOLLOWED)
+        raise refuse(f"`{value}` is unknown{hint} (a strain such as `20 %`, or {listed(FOLLOWED)})")
+    return value if value in FOLLOWED else parse_ratio(value, 0.0, math.inf, low_allowed=False)
 
 
 class TableProperties(Model):
@@ -124,12 +138,13 @@ class _ElastomerDesign(_Design):
     """Dampers with layers of elastomer.
 
     Properties are taken at `strain`, at `temperature` (degC) and at `frequency` (Hz; two: the mean of the values at
-    both; none: followed from the first mode with dampers).
+    both; none: followed from the first mode with dampers). The strain may be followed too: it is then the one that the
+    dampers reach in the estimate by the response spectrum, or in the histories of `verify`.
     """
 
     layers: Count | None = None
     properties: Properties = "law"
-    strain: PositiveFactor
+    strain: Annotated[float | Literal["spectrum", "histories"], BeforeValidator(_strain)]
     frequency: (
         Annotated[
             Annotated[PositiveFrequency, Tag("?plain")]

@@ -15,6 +15,7 @@ from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
 from edesign.study.design.elastomer_designer import ElastomerDesigner
 from edesign.study.design.hysteretic_designer import HystereticDesigner
+from edesign.study.design.loop import Round, Search
 from edesign.study.design.verification import Judge, Respond
 from edesign.study.design.viscous_designer import ViscousDesigner
 
@@ -97,6 +98,25 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
         return
     except InputError as error:
         raise _named(name, error) from error
+
+
+def first_warnings(project: Project, name: str, spec: Design, folder: Path) -> list[str]:
+    """What is doubtful about a design before any history: about its first round, if it is to be verified.
+
+    Args:
+        project, name, spec, folder: as for `run_design`, and passed by `check_sizing`.
+    """
+    try:
+        run = _designer(project, name, spec, folder, lambda text: None)
+        value = run.range()[0]
+        only = Round(1, value, run.make(value))
+        reason = only.sizing.reason
+        found = run.group(Search((only,), only, reason), "checked").attributes.get("warnings", [])
+        found = [f"it will fail: {reason}", *found] if reason else found
+    except AnalysisError:
+        return []
+    which = "" if spec.verify is None else ", first round"
+    return [f"design {name}{which}: {text}" for text in found]
 
 
 def _designer(

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from typing import Any, ClassVar, Generic
 
 import numpy as np
@@ -56,6 +58,14 @@ class Designer(ABC, Generic[S]):
     def group(self, done: Search[S], status: str) -> Group:
         """Everything that was found."""
 
+    def strain(self, sizing: S, histories: Mapping[str, Group]) -> float:
+        """Effective strain of the layers in the histories of a sizing; nan: the dampers have no layers."""
+        return math.nan
+
+    def settled(self, last: Round[S]) -> bool:
+        """Whether what the sizing of a round presumes of its histories agrees with them."""
+        return True
+
     @property
     def changed(self) -> str:
         """What the loop changes."""
@@ -74,7 +84,7 @@ class Designer(ABC, Generic[S]):
 
         tried = self.outcomes(respond, judge, resume)
         limits = (start, largest, verify.rounds, verify.precision)
-        return search(self.make, tried, *limits, self.kept(keep), self._value)
+        return search(self.make, tried, *limits, self.kept(keep), self._value, self.settled)
 
     def outcomes(self, respond: Respond, judge: Judge, resume: Group | None) -> Callable[[S, int, float], RoundOutcome]:
         """What the histories of a sizing, its round and its value come to, or came to in an earlier run."""
@@ -85,7 +95,8 @@ class Designer(ABC, Generic[S]):
                 self.progress(f"round {number} is already there")
                 return found
             self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
-            return judged(respond(self.dampers(sizing), number), judge)
+            histories = respond(self.dampers(sizing), number)
+            return replace(judged(histories, judge), strain=self.strain(sizing, histories))
 
         return outcome
 
@@ -107,6 +118,7 @@ class Designer(ABC, Generic[S]):
 def labels(spec: SizedDesign) -> dict[str, Any]:
     """Attributes that say which design it is."""
     found: dict[str, Any] = {"method": spec.method, "law": spec.law, "kind": spec.kind, "bays": str(spec.bays)}
-    found["state"] = spec.state
+    found |= {"state": spec.state, "level": spec.level or ""}
+    found["changed"] = spec.verify.change if spec.verify is not None else "target"
     found |= {key: getattr(spec, key) for key in ("distribution", "braces_in_target") if hasattr(spec, key)}
     return found

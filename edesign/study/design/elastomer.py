@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from edesign.building.devices import DeviceLaw
@@ -30,13 +31,13 @@ class Moduli:
 _NOTHING = 1e-9  # of the stiffness: rounding of a law that stores or dissipates nothing
 
 Elastomer = Callable[[float], Moduli]
-"""Properties at a frequency in Hz."""
+"""Properties at a frequency in Hz, for one strain and temperature."""
+Material = Callable[[float], Elastomer]
+"""The elastomer at a strain, for one temperature."""
 
 
-def elastomer(
-    project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
-) -> Elastomer:
-    """The elastomer of a design at its strain and a temperature (degC; None: that of the law or of the reference).
+def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None) -> Material:
+    """The elastomer of a design at a temperature (degC; None: that of the law or of the reference).
 
     Two frequencies of the design stand for the mean of the properties at both; one is taken whatever the frequency.
 
@@ -50,29 +51,34 @@ def elastomer(
     Raises:
         InputError: the table cannot be read, or the law has no parameters at this temperature.
     """
-    at = _at_frequency(project, name, spec, folder, temperature_C)
+    at = _at(project, name, spec, folder, temperature_C)
     given = spec.frequency
     if given is None:
-        return at
-    ends = [at(frequency) for frequency in (given if isinstance(given, tuple) else (given,))]
-    mean = Moduli(
-        sum(m.G_storage for m in ends) / len(ends),
-        sum(m.loss_factor for m in ends) / len(ends),
-        tuple(dict.fromkeys(warning for m in ends for warning in m.warnings)),
-    )
-    return lambda frequency: mean
+        return lambda strain: partial(at, strain)
+    frequencies = given if isinstance(given, tuple) else (given,)
+
+    def mean_at(strain: float) -> Elastomer:
+        ends = [at(strain, frequency) for frequency in frequencies]
+        mean = Moduli(
+            sum(m.G_storage for m in ends) / len(ends),
+            sum(m.loss_factor for m in ends) / len(ends),
+            tuple(dict.fromkeys(warning for m in ends for warning in m.warnings)),
+        )
+        return lambda frequency: mean
+
+    return mean_at
 
 
-def _at_frequency(
+def _at(
     project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None
-) -> Elastomer:
+) -> Callable[[float, float], Moduli]:
+    """Properties at a strain and a frequency in Hz."""
     chosen = spec.properties
     if isinstance(chosen, FixedProperties):
         fixed = Moduli(chosen.G_storage, chosen.loss_factor)
-        return lambda frequency: fixed
+        return lambda strain, frequency: fixed
     if chosen == "law":
-        law = law_at(project, spec.law, temperature_C)
-        return lambda frequency: law_moduli(law, spec.strain, frequency)
+        return partial(law_moduli, law_at(project, spec.law, temperature_C))
     if isinstance(chosen, FileProperties):
         path = folder / chosen.file
         if not is_file(path):
@@ -83,7 +89,7 @@ def _at_frequency(
         columns = (rows.temperature_C, rows.strain, rows.frequency, rows.G_storage, rows.G_eq, rows.loss_factor)
         table = PropertyTable(*columns, source="thesis Tables A.1-A.4")
     temperature = REFERENCE_C if temperature_C is None else temperature_C
-    return lambda frequency: _of_table(table, spec.strain, frequency, temperature)
+    return lambda strain, frequency: _of_table(table, strain, frequency, temperature)
 
 
 def law_moduli(law: DeviceLaw, strain: float, frequency: float) -> Moduli:

@@ -20,15 +20,20 @@ from edesign.study.design.building import law_at, per_storey, sized_dampers
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
-from edesign.study.design.elastomer import Elastomer, elastomer, law_moduli
+from edesign.study.design.elastomer import Material, law_moduli, material
 from edesign.study.design.elastomer_results import (
-    store_bounds,
-    store_estimate,
-    store_iterations,
-    store_rounds,
-    store_sizing,
+    store_elastomer_bounds,
+    store_elastomer_estimate,
+    store_elastomer_iterations,
+    store_elastomer_rounds,
+    store_elastomer_sizing,
+    store_strain_steps,
 )
-from edesign.study.design.loop import Search
+from edesign.study.design.loop import Round, Search
+from edesign.study.design.own_strain import history_strain
+from edesign.study.design.plausibility import elastomer_doubts
+from edesign.study.design.relaxation import Relaxation
+from edesign.study.design.results import of_storeys
 from edesign.study.design.simplified import simplified_warnings, size_simplified
 from edesign.study.design.sizing import Sizing, layers
 from edesign.study.design.strain_energy import size_by_strain_energy
@@ -53,10 +58,14 @@ class ElastomerDesigner(Designer[Sizing]):
         if law_at(project, spec.law, spec.temperature).layers is None:
             message = f"the law `{spec.law}` has no `prototype`: it has no layers to be sized"
             raise InputError(f"designs.{name}.law: {message}")
+        if spec.level is None and spec.verify is not None and spec.verify.levels:
+            spec = spec.model_copy(update={"level": spec.verify.levels[0]})  # of what is estimated beside the sizing
         super().__init__(project, name, spec, progress)
         self.spec = spec
-        self.material_at = partial(elastomer, project, name, spec, folder)
+        self.material_at = partial(material, project, name, spec, folder)
         self.material = self.material_at(spec.temperature)
+        self.share = 1.0  # of the estimated strain that the histories have
+        self._relaxed, self._relax = math.nan, Relaxation()
 
     def make(self, value: float) -> Sizing:
         """The dampers for a value of what the loop changes."""
@@ -67,11 +76,12 @@ class ElastomerDesigner(Designer[Sizing]):
             assert self.action is not None, "check_design wants a level"
             cold = None if spec.low_temperature is None else self.material_at(spec.low_temperature)
             least = value if self.changed == "target" else None
-            return size_simplified(self.building, spec, self.material, cold, self.action, least, area, thickness)
+            factors = (least, area, thickness, self.share)
+            return size_simplified(self.building, spec, self.material, cold, self.action, *factors)
         target = math.nan if spec.damping is None else spec.damping
         if self.changed == "target" and spec.damping is not None:
             target = value
-        args = (self.building, spec, self.material, self.action, target, area, thickness)
+        args = (self.building, spec, self.material, self.action, target, area, thickness, self.share)
         return size_by_strain_energy(*args)
 
     def range(self) -> tuple[float, float]:
@@ -86,7 +96,8 @@ class ElastomerDesigner(Designer[Sizing]):
         ratio = math.inf
         if spec.braces_in_target and isinstance(spec.brace, BraceRatio):
             ratio = spec.brace.ratio
-        moduli = self.material(self.building.frame.modes().first_frequency)
+        strain = spec.strain if isinstance(spec.strain, float) else self.make(spec.damping).strain
+        moduli = self.material(strain)(self.building.frame.modes().first_frequency)
         limit = REACHABLE * largest_damping(moduli.loss_factor, ratio)
         return spec.damping, max(limit, spec.damping)
 
@@ -94,46 +105,76 @@ class ElastomerDesigner(Designer[Sizing]):
         """The project's dampers with those of a sizing."""
         building = self.building
         brace = None if sizing.brace is None else sizing.brace / building.attachment()
-        size = {
+        size: dict[str, object] = {
             "layers": layers(building, self.spec),
             "layer_area": per_storey(sizing.area),
             "layer_thickness": sizing.thickness,
         }
+        if isinstance(self.spec.strain, str):  # the modes of the variant count at the strain that was found
+            alone, braced = (sizing.complex_stiffness(building, braces) for braces in (False, True))
+            behind = sizing.strain * sizing.thickness * np.abs(alone / braced)
+            size["design_deformation"] = per_storey(of_storeys(building, behind))
         return sized_dampers(building, self.spec, brace, size)
 
     def size(self, sizing: Sizing) -> Mapping[str, float | np.ndarray]:
-        """Thickness and areas."""
-        return {"layer_thickness": sizing.thickness, "layer_area": sizing.area}
+        """Strain, thickness and areas."""
+        return {"strain": sizing.strain, "layer_thickness": sizing.thickness, "layer_area": sizing.area}
+
+    def strain(self, sizing: Sizing, histories: Mapping[str, Group]) -> float:
+        """Effective strain of the layers in the histories at the level of the design, else at the first level."""
+        levels = {str(group.attributes.get("level") or "") for group in histories.values()}
+        verify = self.spec.verify
+        at = self.spec.level if self.spec.level in levels or verify is None or not verify.levels else verify.levels[0]
+        chosen = [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
+        return history_strain(self.building.at_places(sizing.stiffness), chosen)
+
+    def settled(self, last: Round[Sizing]) -> bool:
+        """Whether the strain of the design is that of its histories; if not, the share of the estimate is changed."""
+        verify, outcome = self.spec.verify, last.outcome
+        if self.spec.strain != "histories" or verify is None or outcome is None:
+            return True
+        taken, reached = last.sizing.strain, outcome.strain
+        if not math.isfinite(reached) or abs(reached - taken) <= verify.precision * taken:
+            return True
+        if self._relaxed != last.changed:  # strains of other dampers say nothing of how those of these change
+            self._relaxed, self._relax = last.changed, Relaxation()
+        following = self._relax(np.log([taken]), np.log([reached]))
+        self.share *= float(np.exp(following[0])) / taken
+        return False
 
     def group(self, done: Search[Sizing], status: str) -> Group:
         """Everything that was found."""
         spec, building, sizing = self.spec, self.building, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
-        store_sizing(group, building, spec, sizing)
-        store_iterations(group, done.rounds)
-        store_rounds(group, building, done.rounds, self.words[self.changed])
+        store_elastomer_sizing(group, building, spec, sizing)
+        store_elastomer_iterations(group, done.rounds)
+        store_strain_steps(group, done.rounds)
+        store_elastomer_rounds(group, building, done.rounds, self.words[self.changed])
         group.attributes["chosen_round"] = done.chosen.number
-        warnings = [warning for item in sizing.iterations for warning in item.moduli.warnings]
+        warnings = list(sizing.moduli.warnings)
         warnings += self._law_moduli(group, sizing)
+        found = None
         if self.action is not None:
-            store_estimate(group, building, sizing, self.action)
+            found = store_elastomer_estimate(group, building, sizing, self.action)
             if isinstance(spec, SimplifiedDesign):
                 warnings += simplified_warnings(spec, self.action, sizing)
             if spec.bounds is not None:
-                found = analyse_bounds(building, sizing, spec.bounds, self._bound_material, self.action)
-                store_bounds(group, building, found)
+                bounds = analyse_bounds(building, sizing, spec, self._bound_material, self.action, self.share)
+                store_elastomer_bounds(group, building, bounds)
+        in_histories = math.nan if done.chosen.outcome is None else done.chosen.outcome.strain
+        warnings += elastomer_doubts(building, spec, sizing, self.material, found, in_histories)
         group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 
-    def _bound_material(self, temperature_C: float | None) -> Elastomer:
+    def _bound_material(self, temperature_C: float | None) -> Material:
         return self.material if temperature_C is None else self.material_at(temperature_C)
 
     def _law_moduli(self, group: Group, sizing: Sizing) -> list[str]:
         """Add what the law itself says at the strain and frequency of the design."""
         law = law_at(self.project, self.spec.law, self.spec.temperature)
         try:
-            moduli = law_moduli(law, self.spec.strain, sizing.frequency)
+            moduli = law_moduli(law, sizing.strain, sizing.frequency)
         except InputError as error:
             return [str(error)]
         frame = self.building.frame

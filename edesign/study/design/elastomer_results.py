@@ -9,18 +9,21 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.designs import ElastomerDesign
-from edesign.study.design.bounds import Bound, governing
+from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.estimate import Action, Estimate, estimate
 from edesign.study.design.loop import Round
+from edesign.study.design.own_strain import effective_strain
 from edesign.study.design.results import (
-    MODES,
+    Column,
     of_storeys,
-    store_bound_responses,
+    store_bare_modes,
+    store_bounds,
     store_drifts,
+    store_iterations,
+    store_rounds,
     store_storeys,
-    store_verdicts,
 )
 from edesign.study.design.sizing import Sizing, layers, total_area
 from edesign.study.recording import coordinate
@@ -31,61 +34,84 @@ _WAYS = (
     ("damping_frequencies", "frequencies", "by Eq. 5.8 from the frequencies without and with dampers"),
     ("damping_complex", "complex", "of free vibration with complex stiffness"),
 )
+_STEPS: tuple[Column, ...] = (
+    ("frequency", lambda i: i.frequency, "Hz", "frequency at which properties were taken"),
+    ("next_frequency", lambda i: i.next_frequency, "Hz", "first frequency with these dampers"),
+    ("G_storage", lambda i: i.moduli.G_storage, "Pa", "storage modulus"),
+    ("loss_factor", lambda i: i.moduli.loss_factor, "1", "loss factor"),
+    ("damping", lambda i: i.damping, "1", "added damping ratio of the first mode, Eq. 5.6"),
+)
+_ROUNDS: tuple[Column, ...] = (
+    ("layer_thickness", lambda s: s.thickness, "m", "thickness of a layer"),
+    ("strain", lambda s: s.strain, "1", "strain at which properties were taken"),
+)
 
 
-def store_sizing(group: Group, building: Building, spec: ElastomerDesign, sizing: Sizing) -> None:
+def store_elastomer_sizing(group: Group, building: Building, spec: ElastomerDesign, sizing: Sizing) -> None:
     """Add the dampers of each storey, the elastomer, and the modes without and with them."""
-    store_storeys(group, building, sizing.brace)
+    store_storeys(group, building, spec.number, sizing.brace)
     add = group.add
     label = "horizontal storage stiffness of the dampers of the storey, without braces"
     add("damper_stiffness", ("storey",), sizing.stiffness, "N/m", label)
     add("layer_area", ("storey",), sizing.area, "m^2", "area of one layer of elastomer")
-    assert building.law.layer_area is not None, "the elastomer wants a prototype"
-    ratio = sizing.area / building.law.layer_area
+    law = building.law
+    assert law.layer_area is not None and law.layers is not None, "the elastomer wants a prototype"
+    ratio = sizing.area / law.layer_area
     add("area_ratio", ("storey",), ratio, "1", "area of a layer over that of the prototype, A_D/A_P")
+    total = total_area(building, spec, sizing.area)
     group.attributes |= {
         "layers": layers(building, spec),
-        "number": spec.number,
-        "places": int(building.place_storey.size),
         "layer_thickness_m": sizing.thickness,
-        "total_layer_area_m2": total_area(building, spec, sizing.area),
+        "total_layer_area_m2": total,
+        "prototypes": total / (law.layers * law.layer_area),
         "G_storage_Pa": sizing.moduli.G_storage,
         "loss_factor": sizing.moduli.loss_factor,
+        "strain": sizing.strain,
         "frequency_Hz": sizing.frequency,
     }
     _store_modes(group, building, sizing)
 
 
-def store_iterations(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
+def store_elastomer_iterations(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
     """Add the iterations of all rounds, one after the other."""
-    rows = [(r.number, item) for r in rounds for item in r.sizing.iterations]
-    coordinate(group, "iteration", np.arange(1, len(rows) + 1), "1", "number of the iteration, of all rounds")
+    steps = store_iterations(group, rounds, _STEPS)
     add = group.add
-    add("iteration_round", ("iteration",), [number for number, _ in rows], "1", "round that the iteration belongs to")
-    columns = (
-        ("iteration_frequency", [i.frequency for _, i in rows], "Hz", "frequency at which properties were taken"),
-        ("iteration_next_frequency", [i.next_frequency for _, i in rows], "Hz", "first frequency with these dampers"),
-        ("iteration_G_storage", [i.moduli.G_storage for _, i in rows], "Pa", "storage modulus"),
-        ("iteration_loss_factor", [i.moduli.loss_factor for _, i in rows], "1", "loss factor"),
-        ("iteration_damping", [i.damping for _, i in rows], "1", "added damping ratio of the first mode, Eq. 5.6"),
-    )
-    for name, values, unit, label in columns:
-        add(name, ("iteration",), np.array(values, dtype=float), unit, label)
-    stiffness = np.array([item.stiffness for _, item in rows])
+    stiffness = np.array([step.stiffness for step in steps])
     add("iteration_damper_stiffness", ("iteration", "storey"), stiffness, "N/m", "stiffness of the dampers")
-    for name in rows[0][1].values:
+    for name in steps[0].values:
         unit = "N" if name.endswith("base_shear") else "1"
-        values = [item.values[name] for _, item in rows]
+        values = [step.values[name] for step in steps]
         add(f"iteration_{name}", ("iteration",), values, unit, f"{name.replace('_', ' ')} under lateral forces")
 
 
-def store_rounds(group: Group, building: Building, rounds: Sequence[Round[Sizing]], changed: str) -> None:
+def store_strain_steps(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
+    """Add the steps of the strain of all rounds, one after the other, if it was followed."""
+    rows = [(r.number, step) for r in rounds for step in r.sizing.strain_steps]
+    if not rows:
+        return
+    coordinate(group, "strain_step", np.arange(1, len(rows) + 1), "1", "number of the step, of all rounds")
+    columns = (
+        ("round", [number for number, _ in rows], "1", "round that the step belongs to"),
+        ("taken", [step.strain for _, step in rows], "1", "strain at which properties were taken"),
+        ("reached", [step.reached for _, step in rows], "1", "effective strain of these dampers"),
+        ("G_storage", [step.moduli.G_storage for _, step in rows], "Pa", "storage modulus"),
+        ("loss_factor", [step.moduli.loss_factor for _, step in rows], "1", "loss factor"),
+    )
+    for name, values, unit, label in columns:
+        group.add(f"strain_step_{name}", ("strain_step",), values, unit, label)
+
+
+def store_elastomer_rounds(group: Group, building: Building, rounds: Sequence[Round[Sizing]], changed: str) -> None:
     """Add the rounds of sizing and verification."""
-    store_verdicts(group, rounds, changed)
+    store_rounds(group, rounds, changed, _ROUNDS)
     add = group.add
+    outcomes = [r.outcome for r in rounds]
+    if any(outcomes):
+        strains = [math.nan if outcome is None else outcome.strain for outcome in outcomes]
+        label = "effective strain of the layers, mean of the histories"
+        add("round_history_strain", ("round",), strains, "1", label)
     areas = np.array([r.sizing.area for r in rounds])
     add("round_layer_area", ("round", "storey"), areas, "m^2", "area of one layer")
-    add("round_layer_thickness", ("round",), [r.sizing.thickness for r in rounds], "m", "thickness of a layer")
     bare = building.frame.modes()
     damping = [modal_damping(building.frame, bare, r.sizing.complex_stiffness(building)) for r in rounds]
     periods = [2.0 * math.pi / float(d.omega[0]) for d in damping]
@@ -95,8 +121,8 @@ def store_rounds(group: Group, building: Building, rounds: Sequence[Round[Sizing
         add(f"round_{name}", ("round",), values, "1", f"added damping ratio of the first mode, with braces, {label}")
 
 
-def store_estimate(group: Group, building: Building, sizing: Sizing, action: Action) -> None:
-    """Add the response that the spectrum estimates, without and with dampers."""
+def store_elastomer_estimate(group: Group, building: Building, sizing: Sizing, action: Action) -> Estimate:
+    """Add the response that the spectrum estimates, without and with dampers; return that with them."""
     brace = None if sizing.brace is None else building.at_places(sizing.brace)
     stiffness = sizing.complex_stiffness(building)
     with_dampers = estimate(building, action, stiffness, brace, sizing.thickness)
@@ -104,24 +130,23 @@ def store_estimate(group: Group, building: Building, sizing: Sizing, action: Act
     store_drifts(group, building, with_dampers, without)
     strain = of_storeys(building, with_dampers.damper_strain)
     group.add("estimated_damper_strain", ("storey",), strain, "1", "estimated shear strain of the layers")
+    k_D = building.at_places(sizing.stiffness)
+    group.attributes["estimated_strain"] = effective_strain(k_D, with_dampers.damper_strain)
+    return with_dampers
 
 
-def store_bounds(group: Group, building: Building, found: tuple[Bound[Estimate], ...]) -> None:
+def store_elastomer_bounds(group: Group, building: Building, found: tuple[Bound[Estimate], ...]) -> None:
     """Add the response with the bounds of the properties, and which of them governs each quantity."""
-    label = "storage stiffness of the dampers over that of the design"
-    store_bound_responses(group, building, found, label, "added damping ratio of the first mode, Eq. 5.6")
-    strains = [of_storeys(building, b.response.damper_strain) for b in found]
-    group.add("bound_damper_strain", ("bound", "storey"), strains, "1", "estimated shear strain of the layers")
-    group.attributes["governing"] = governing(found, {"damper_strain": lambda r: float(r.damper_strain.max())})
+    ratio = "storage stiffness of the dampers over that of the design"
+    strain = ("damper_strain", lambda r: r.damper_strain, "1", "estimated shear strain of the layers")
+    store_bounds(group, building, found, (ratio, "added damping ratio of the first mode, Eq. 5.6"), strain)
 
 
 def _store_modes(group: Group, building: Building, sizing: Sizing) -> None:
     bare = building.frame.modes()
-    count = min(MODES, bare.omega.size)
-    coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
+    count = store_bare_modes(group, bare, bare.omega.size)
     label = "with the storage stiffness of the dampers alone, or with their braces in series"
     coordinate(group, "assembly", list(ASSEMBLIES), "", label)
-    group.add("bare_period", ("mode",), 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
     found = [
         modal_damping(building.frame, bare, sizing.complex_stiffness(building, braces)) for braces in (False, True)
     ]

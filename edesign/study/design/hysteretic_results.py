@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.project.dampers.checks_hysteretic_designs import TARGETS
 from edesign.project.dampers.designs import Optimum
-from edesign.study.design.bounds import Bound, governing
+from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.hysteretic import LARGEST_SHARE, HystereticSizing, damping_curve
@@ -21,10 +21,10 @@ from edesign.study.design.optimum import objective
 from edesign.study.design.results import (
     MODES,
     of_storeys,
-    store_bound_responses,
+    store_bounds,
     store_drifts,
+    store_rounds,
     store_storeys,
-    store_verdicts,
 )
 from edesign.study.recording import coordinate
 
@@ -42,7 +42,7 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
         device: yield or slip force of one damper in each storey with dampers, (s,) N.
     """
     building, vibration, loop, number = frame.building, sizing.vibration, frame.loop, frame.spec.number
-    store_storeys(group, building, sizing.brace)
+    store_storeys(group, building, number, sizing.brace)
     add = group.add
     label = {"spectrum": "CQC of the response spectrum", "first_mode": "first mode"}[frame.shear_of]
     add("storey_shear", ("storey",), frame.shears, "N", f"elastic shear of the storey without dampers, {label}")
@@ -119,7 +119,7 @@ def store_hysteretic_rounds(
         devices: yield force of one damper in each storey with dampers, (s,) N, of each round.
         changed: what the rounds change, for people.
     """
-    store_verdicts(group, rounds, changed)
+    store_rounds(group, rounds, changed, ())
     add = group.add
     add("round_device_yield_force", ("round", "storey"), np.array(devices), "N", "yield or slip force of one damper")
     shares = [r.sizing.share for r in rounds]
@@ -156,7 +156,6 @@ def store_hysteretic_estimate(
 
 def store_hysteretic_bounds(group: Group, building: Building, found: tuple[Bound[HystereticEstimate], ...]) -> None:
     """Add the response with the bounds of the forces, and which of them governs each quantity."""
-    store_bound_responses(group, building, found, "forces of the dampers over those of the design", _DAMPING)
-    strokes = [of_storeys(building, b.response.damper_stroke) for b in found]
-    group.add("bound_damper_stroke", ("bound", "storey"), strokes, "m", "estimated stroke of the dampers")
-    group.attributes["governing"] = governing(found, {"damper_stroke": lambda r: float(r.damper_stroke.max())})
+    labels = ("forces of the dampers over those of the design", _DAMPING)
+    stroke = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
+    store_bounds(group, building, found, labels, stroke)

@@ -31,12 +31,16 @@ S = TypeVar("S", bound=Sized)
 
 @dataclass(frozen=True)
 class RoundVerdict:
-    """What is kept of a verdict on the histories of a round; value and limit are nan where there is none."""
+    """What is kept of a verdict on the histories of a round; value and limit are nan where there is none.
+
+    Both are in the SI unit beside them, "1" for ratios.
+    """
 
     name: str
     value: float
     limit: float
     met: bool
+    unit: str = "1"
 
     @property
     def demand(self) -> float:
@@ -57,10 +61,12 @@ class RoundOutcome:
     Attributes:
         verdicts: of the criteria.
         failed: names of histories that were not completed.
+        strain: effective strain of the layers of the dampers, mean of the histories; nan: there are none.
     """
 
     verdicts: tuple[RoundVerdict, ...]
     failed: tuple[str, ...] = ()
+    strain: float = math.nan
 
     @property
     def met(self) -> bool:
@@ -117,6 +123,7 @@ def search(
     precision: float,
     kept: Callable[[Sequence[Round[S]]], None] = lambda rounds: None,
     actual: Callable[[S, float], float] = lambda sizing, value: value,
+    settled: Callable[[Round[S]], bool] = lambda last: True,
 ) -> Search[S]:
     """Find the smallest value that meets all criteria: up by the secant until met, then down inside the bracket.
 
@@ -129,11 +136,15 @@ def search(
         precision: relative width of the bracket at which the search is over.
         kept: called with all rounds after each.
         actual: the value that a sizing really has, where a method may take a larger one than it is asked for.
+        settled: whether what a sizing presumes of its histories agrees with them: asked of the first value, and of the
+            one that is found. If not, the same value is sized anew with what they say, and the rounds before do not
+            count.
 
     Returns:
         The search; the chosen round is the smallest met, or the last where none is.
     """
     rounds: list[Round[S]] = []
+    first = 0  # of the rounds that count
     value, reason = start, ""
     while True:
         try:
@@ -141,6 +152,8 @@ def search(
         except (InputError, AnalysisError) as error:
             if not rounds:
                 raise
+            if first == len(rounds):
+                return Search(tuple(rounds), rounds[-1], f"with the strain of the histories {error}")
             # what can be reached may shrink as dampers grow, because their properties follow the frequency
             reached, largest = rounds[-1].changed, min(largest, value)
             if value - reached <= precision * reached:
@@ -155,16 +168,31 @@ def search(
             break
         rounds.append(Round(len(rounds) + 1, value, sizing, verify(sizing, len(rounds) + 1, value)))
         kept(rounds)
-        following = _next(rounds, largest, precision)
-        if following is None or len(rounds) == most_rounds:
+        if len(rounds) == most_rounds:
             break
-        value = following
-    good = [r for r in rounds if r.outcome is not None and r.outcome.met]
-    if good:
-        return Search(tuple(rounds), min(good, key=lambda r: r.changed))
+        if len(rounds) == first + 1 and not settled(rounds[-1]):
+            first = len(rounds)
+            continue
+        following = _next(rounds[first:], largest, precision)
+        if following is not None:
+            value = following
+            continue
+        best = _least(rounds[first:])
+        if best is None or settled(best):
+            break
+        first, value = len(rounds), best.changed
+    best = _least(rounds[first:]) or _least(rounds)
+    if best is not None:
+        return Search(tuple(rounds), best)
     if rounds[-1].outcome is not None:
         reason = _missed(rounds, largest, most_rounds, reason)
     return Search(tuple(rounds), rounds[-1], reason)
+
+
+def _least(rounds: Sequence[Round[S]]) -> Round[S] | None:
+    """The round of the least value that meets all criteria, of equal ones the last; None: none does."""
+    good = [r for r in rounds if r.outcome is not None and r.outcome.met]
+    return min(reversed(good), key=lambda r: r.changed) if good else None
 
 
 def _next(rounds: Sequence[Round[S]], largest: float, precision: float) -> float | None:

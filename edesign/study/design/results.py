@@ -1,16 +1,17 @@
-"""What designs of all methods archive in the same way: rounds with their verdicts, estimates, bounds."""
+"""What designs of all methods archive alike: storeys, modes, iterations, rounds with verdicts, estimates, bounds."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.study.design.bounds import Bound
+from edesign.study.design.bounds import Bound, governing
 from edesign.study.design.building import Building
+from edesign.study.design.condensed import LinearModes
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.loop import Round
 from edesign.study.recording import coordinate
@@ -18,8 +19,22 @@ from edesign.study.recording import coordinate
 MODES = 3
 
 
-def store_storeys(group: Group, building: Building, brace: np.ndarray | None) -> None:
-    """Add the storeys of the frame and those with dampers, their stiffness and that of their braces, (s,) N/m."""
+Column = tuple[str, Callable[[Any], float], str, str]
+"""Name of a variable, its value for one item, its unit and what it is."""
+Demand = tuple[str, Callable[[Any], np.ndarray], str, str]
+"""The same of what dampers have to bear at their places, (d,)."""
+
+
+def store_storeys(group: Group, building: Building, number: int, brace: np.ndarray | None) -> None:
+    """Add the storeys of the frame and those with dampers, their stiffness, and how many dampers there are.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        number: of dampers side by side at a place.
+        brace: stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
+    """
+    group.attributes |= {"number": number, "places": int(building.place_storey.size)}
     coordinate(group, "storey", building.storeys, "1", "storey with dampers")
     coordinate(group, "frame_storey", np.arange(1, building.heights.size + 1), "1", "storey of the frame")
     add = group.add
@@ -31,7 +46,53 @@ def store_storeys(group: Group, building: Building, brace: np.ndarray | None) ->
         add("brace_stiffness", ("storey",), brace, "N/m", label)
 
 
-def store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) -> None:
+def store_bare_modes(group: Group, bare: LinearModes, known: int) -> int:
+    """Add the axis of modes and the periods without dampers; return how many modes are archived.
+
+    Args:
+        group: of the design.
+        bare: modes without dampers.
+        known: how many are known with dampers.
+    """
+    count = min(MODES, bare.omega.size, known)
+    coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
+    group.add("bare_period", ("mode",), 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
+    return count
+
+
+def store_iterations(group: Group, rounds: Sequence[Round[Any]], columns: Sequence[Column]) -> list[Any]:
+    """Add the iterations of all rounds, one after the other, and return them.
+
+    Args:
+        group: of the design.
+        rounds: all.
+        columns: of an iteration, each a variable `iteration_NAME`.
+    """
+    rows = [(r.number, item) for r in rounds for item in r.sizing.iterations]
+    coordinate(group, "iteration", np.arange(1, len(rows) + 1), "1", "number of the iteration, of all rounds")
+    numbers = [number for number, _ in rows]
+    group.add("iteration_round", ("iteration",), numbers, "1", "round that the iteration belongs to")
+    items = [item for _, item in rows]
+    for name, of, unit, label in columns:
+        group.add(f"iteration_{name}", ("iteration",), np.array([of(item) for item in items], dtype=float), unit, label)
+    return items
+
+
+def store_rounds(group: Group, rounds: Sequence[Round[Any]], changed: str, columns: Sequence[Column]) -> None:
+    """Add the rounds of sizing and verification, and their verdicts.
+
+    Args:
+        group: of the design.
+        rounds: all.
+        changed: what they change, for people.
+        columns: of a sizing, each a variable `round_NAME`.
+    """
+    _store_verdicts(group, rounds, changed)
+    for name, of, unit, label in columns:
+        group.add(f"round_{name}", ("round",), [of(r.sizing) for r in rounds], unit, label)
+
+
+def _store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) -> None:
     """Add what each round of sizing and verification changed and aimed at, and its verdicts.
 
     Args:
@@ -62,6 +123,8 @@ def store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) -> 
             if r.outcome is not None:
                 rows[i] = [float(getattr(verdict, part)) for verdict in r.outcome.verdicts]
         add(f"verdict_{part}", ("round", "criterion"), rows, "1", f"{label}, in the unit of the criterion")
+    units = [verdict.unit for verdict in first.verdicts]
+    group.add("criterion_unit", ("criterion",), units, "", "SI unit of the value and its limit")
     group.attributes["failed_histories"] = {
         str(r.number): list(r.outcome.failed) for r in rounds if r.outcome is not None and r.outcome.failed
     }
@@ -72,22 +135,29 @@ def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, 
     label = "storey drift over height estimated by the response spectrum"
     group.add("estimated_storey_drift", ("frame_storey",), with_dampers.drift, "1", f"{label}, with dampers")
     group.add("estimated_bare_storey_drift", ("frame_storey",), without.drift, "1", f"{label}, without dampers")
+    label = "estimated shear of the columns, without dampers"
+    group.add("estimated_column_shear", ("frame_storey",), with_dampers.storey_shear, "N", f"{label}' forces")
     force = of_storeys(building, with_dampers.damper_force)
     group.add("estimated_damper_force", ("storey",), force, "N", "estimated force of the dampers of a place")
 
 
-def store_bound_responses(
-    group: Group, building: Building, found: Sequence[Bound[Any]], ratio: str, damping: str
+def store_bounds(
+    group: Group,
+    building: Building,
+    found: tuple[Bound[Any], ...],
+    labels: tuple[str, str],
+    demand: Demand,
 ) -> None:
-    """Add the response with the bounds of the properties.
+    """Add the response with the bounds of the properties, and which of them governs each quantity.
 
     Args:
         group: of the design.
         building: the frame with its places.
         found: the bounds.
-        ratio: what the ratio of each to the design is of, for people.
-        damping: what its damping is, for people.
+        labels: what the ratio of each to the design is of, and what its damping is, for people.
+        demand: of the dampers by the method, at the places of a response, a variable `bound_NAME`.
     """
+    ratio, damping = labels
     coordinate(group, "bound", [b.name for b in found], "", "bound of the properties of the dampers")
     add = group.add
     temperatures = [math.nan if b.temperature_C is None else b.temperature_C for b in found]
@@ -107,6 +177,10 @@ def store_bound_responses(
     )
     forces = [of_storeys(building, r.damper_force) for r in responses]
     add("bound_damper_force", ("bound", "storey"), forces, "N", "estimated force of the dampers of a place")
+    name, of, unit, label = demand
+    demands = [of_storeys(building, of(r)) for r in responses]
+    group.add(f"bound_{name}", ("bound", "storey"), demands, unit, label)
+    group.attributes["governing"] = governing(found, {name: lambda r: float(of(r).max())})
 
 
 def of_storeys(building: Building, of_places: np.ndarray) -> np.ndarray:

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -13,9 +15,10 @@ from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.elastomer import Elastomer, Moduli
+from edesign.study.design.elastomer import Elastomer, Material, Moduli
 from edesign.study.design.estimate import Action
 from edesign.study.design.own_frequency import at_own_frequency
+from edesign.study.design.own_strain import AtStrain, at_own_strain, reached_strain, start_strain
 from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness
 
 _ROUNDING = 1e-9  # of the number of steps of beta
@@ -26,6 +29,7 @@ class StaticResponse:
     """What the frame does under the equivalent lateral forces.
 
     Attributes:
+        k_D: storage stiffness of the dampers of each storey, (s,) N/m.
         frequency: of the first mode, Hz.
         moduli: of the elastomer there.
         damping: added to the first mode.
@@ -33,6 +37,7 @@ class StaticResponse:
         base_shear: N.
     """
 
+    k_D: np.ndarray
     frequency: float
     moduli: Moduli
     damping: float
@@ -43,12 +48,13 @@ class StaticResponse:
 def size_simplified(
     building: Building,
     spec: SimplifiedDesign,
-    material: Elastomer,
-    cold: Elastomer | None,
+    material: Material,
+    cold: Material | None,
     action: Action,
     least: float | None = None,
     area_factor: float = 1.0,
     thickness_factor: float = 1.0,
+    share: float = 1.0,
 ) -> Sizing:
     """Find the least beta of the range whose drifts under lateral forces stay below the target.
 
@@ -61,23 +67,40 @@ def size_simplified(
         least: lowest beta to be tried; None: the lower end of the range.
         area_factor: on areas and with them on stiffnesses, after beta is chosen.
         thickness_factor: on thickness and area.
+        share: what the strain of histories is of the estimated one, where the strain is followed.
 
     Source: thesis 5.3.4, steps 2 to 9, after Fan (1998) and Lee (2003); EN 1998-1:2004, 4.3.3.2, for the forces.
     """
     assert spec.drift is not None, "check_design wants it"
     k_S = building.designed_stiffness
     brace = spec.alpha * k_S
+    thickness = thickness_factor * layer_thickness(building, spec)
+    start = start_strain(building, spec, action, thickness)
+
+    def respond(elastomer: Material, k_D: Callable[[float], np.ndarray]) -> AtStrain[StaticResponse]:
+        """The response at a strain, or at the one that is reached, with k_D (s,) at a strain."""
+
+        def solve(strain: float) -> StaticResponse:
+            return static_response(building, spec, elastomer(strain), action, k_D(strain), brace)
+
+        def reached(found: StaticResponse) -> float:
+            return share * reached_strain(building, action, found.k_D, found.moduli.loss_factor, brace, thickness)
+
+        return at_own_strain(spec, solve, lambda found: found.moduli, reached, start)
+
     iterations: list[Iteration] = []
     betas = [least] if least is not None else []
     betas += [beta for beta in _betas(spec) if least is None or beta > least]
     reason = ""
     for beta in betas:
-        found = static_response(building, spec, material, action, beta * k_S, brace)
+        wanted = beta * k_S
+        at = respond(material, partial(_same, wanted))
+        found = at.found
         values = _values(beta, found, "")
         good = bool(found.drift.max() <= spec.drift)
         if cold is not None:
-            stiffer = cold(found.frequency).G_storage / found.moduli.G_storage
-            at_low = static_response(building, spec, cold, action, stiffer * beta * k_S, brace)
+            of_modulus = wanted / found.moduli.G_storage
+            at_low = respond(cold, partial(_stiffness, cold, found.frequency, of_modulus)).found
             values |= _values(beta, at_low, "low_temperature_")
             good = good and bool(at_low.drift.max() <= spec.drift)
         iterations.append(Iteration(found.frequency, found.moduli, beta * k_S, found.frequency, found.damping, values))
@@ -91,10 +114,23 @@ def size_simplified(
             f"no beta up to {betas[-1]:g} meets the drift of {100.0 * spec.drift:.4g} %; "
             f"the least that was found is {100.0 * least_drift:.4g} %"
         )
-    thickness = thickness_factor * layer_thickness(building, spec)
-    stiffness = area_factor * beta * k_S
+    stiffness = area_factor * wanted
+    if area_factor != 1.0:
+        at = respond(material, partial(_same, stiffness))
+        found = at.found
     area = layer_areas(building, spec, stiffness, thickness, found.moduli.G_storage)
-    return Sizing(beta, stiffness, found.moduli, found.frequency, thickness, area, brace, tuple(iterations), reason)
+    size = (stiffness, found.moduli, found.frequency, thickness, area, brace)
+    return Sizing(beta, *size, tuple(iterations), reason or at.reason, at.strain, at.steps)
+
+
+def _same(k_D: np.ndarray, strain: float) -> np.ndarray:
+    """Stiffness (s,) N/m that is given whatever the strain; the area follows."""
+    return k_D
+
+
+def _stiffness(elastomer: Material, frequency: float, of_modulus: np.ndarray, strain: float) -> np.ndarray:
+    """Stiffness (s,) N/m of dampers of an area, given as their stiffness for a modulus of 1 Pa, at a strain."""
+    return elastomer(strain)(frequency).G_storage * of_modulus
 
 
 def static_response(
@@ -132,7 +168,7 @@ def static_response(
     loads = lateral_forces(base_shear, mass, _shape(building, spec, modes))
     floors, _ = frame.static(loads, at_places.real)
     drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
-    return StaticResponse(frequency, moduli, added, drift, base_shear)
+    return StaticResponse(k_D, frequency, moduli, added, drift, base_shear)
 
 
 def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:

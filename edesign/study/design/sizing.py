@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -34,6 +35,21 @@ class Iteration:
 
 
 @dataclass(frozen=True)
+class StrainStep:
+    """One step of the strain towards the one that is reached.
+
+    Attributes:
+        strain: at which properties were taken.
+        moduli: of the elastomer there, at the frequency of the frame with its dampers.
+        reached: effective strain of these dampers.
+    """
+
+    strain: float
+    moduli: Moduli
+    reached: float
+
+
+@dataclass(frozen=True)
 class Sizing:
     """Dampers of a size.
 
@@ -47,6 +63,8 @@ class Sizing:
         brace: horizontal stiffness of the braces of each storey with dampers, (s,) N/m; None: rigid.
         iterations: how it was found.
         reason: why it is not good; empty if it is.
+        strain: at which the properties were taken.
+        strain_steps: on the way to it; none where it was given.
     """
 
     target: float
@@ -58,6 +76,8 @@ class Sizing:
     brace: np.ndarray | None
     iterations: tuple[Iteration, ...]
     reason: str = ""
+    strain: float = math.nan
+    strain_steps: tuple[StrainStep, ...] = ()
 
     def complex_stiffness(self, building: Building, braces: bool = True, moduli: Moduli | None = None) -> np.ndarray:
         """Stiffness K' + i K'' of the dampers at each place, (d,) N/m.

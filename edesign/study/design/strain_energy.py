@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -10,22 +11,24 @@ from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.distribution import distribute
-from edesign.study.design.elastomer import Elastomer
+from edesign.study.design.elastomer import Elastomer, Material
 from edesign.study.design.estimate import Action
 from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
+from edesign.study.design.own_strain import at_own_strain, reached_strain, start_strain
 from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
 
 
 def size_by_strain_energy(
     building: Building,
     spec: StrainEnergyDesign,
-    material: Elastomer,
+    material: Material,
     action: Action | None,
     target: float,
     area_factor: float = 1.0,
     thickness_factor: float = 1.0,
+    share: float = 1.0,
 ) -> Sizing:
-    """Find the dampers of a target damping, at the frequency that the frame has with them.
+    """Find the dampers of a target damping, at the frequency and, if it is followed, the strain that they have.
 
     Args:
         building: the frame with its places.
@@ -35,6 +38,7 @@ def size_by_strain_energy(
         target: damping ratio to be added (nan for the least area).
         area_factor: on areas and with them on stiffnesses.
         thickness_factor: on thickness and area, which leaves the stiffness as it is.
+        share: what the strain of histories is of the estimated one.
 
     Raises:
         InputError: no damper reaches the target.
@@ -46,6 +50,35 @@ def size_by_strain_energy(
     brace = None if math.isinf(ratio) else ratio * building.designed_stiffness
     in_target = brace if spec.braces_in_target else None
     thickness = thickness_factor * layer_thickness(building, spec)
+
+    def solve(strain: float) -> Sizing:
+        return _at_own_frequency(
+            building, spec, material(strain), action, target, area_factor, thickness, brace, in_target
+        )
+
+    def reached(found: Sizing) -> float:
+        assert action is not None, "check_design wants a level"
+        args = (found.stiffness, found.moduli.loss_factor, brace, thickness)
+        return share * reached_strain(building, action, *args)
+
+    start = start_strain(building, spec, action, thickness)
+    at = at_own_strain(spec, solve, lambda found: found.moduli, reached, start)
+    reason = at.found.reason or at.reason
+    return replace(at.found, reason=reason, strain=at.strain, strain_steps=at.steps)
+
+
+def _at_own_frequency(
+    building: Building,
+    spec: StrainEnergyDesign,
+    material: Elastomer,
+    action: Action | None,
+    target: float,
+    area_factor: float,
+    thickness: float,
+    brace: np.ndarray | None,
+    in_target: np.ndarray | None,
+) -> Sizing:
+    """The dampers with properties at one strain; `brace` is of the storeys, `in_target` the same if it counts there."""
     frequency = building.frame.modes().first_frequency
     iterations: list[Iteration] = []
     reason = f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"

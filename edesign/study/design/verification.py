@@ -33,7 +33,7 @@ def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
             name += "'"
         taken.add(name)
         value = math.nan if verdict.value is None else verdict.value
-        verdicts.append(RoundVerdict(name, value, verdict.limit, bool(verdict.met)))
+        verdicts.append(RoundVerdict(name, value, verdict.limit, bool(verdict.met), verdict.unit))
     return RoundOutcome(tuple(verdicts), failed)
 
 
@@ -48,7 +48,7 @@ def kept_outcome(
         value: what the round changed.
         size: of its dampers, by the name of the variable `round_NAME`.
     """
-    if resume is None or "verdict_met" not in resume.variables:
+    if resume is None or "criterion_unit" not in resume.variables:
         return None
     rounds = resume.coords["round"].values.tolist()
     if number not in rounds:
@@ -61,6 +61,13 @@ def kept_outcome(
     if np.any(np.isnan(met_of)):
         return None
     names = [str(criterion) for criterion in resume.coords["criterion"].values]
-    verdicts = zip(names, value_of.tolist(), limit_of.tolist(), met_of.tolist(), strict=True)
+    met = [bool(one) for one in met_of]
+    units = [str(unit) for unit in resume.variables["criterion_unit"].values]
+    verdicts = zip(names, value_of.tolist(), limit_of.tolist(), met, units, strict=True)
     failed = resume.attributes.get("failed_histories", {}).get(str(number), ())
-    return RoundOutcome(tuple(RoundVerdict(n, v, x, bool(m)) for n, v, x, m in verdicts), tuple(failed))
+    strain = resume.variables.get("round_history_strain")
+    return RoundOutcome(
+        tuple(RoundVerdict(*verdict) for verdict in verdicts),
+        tuple(failed),
+        math.nan if strain is None else float(strain.values[i]),
+    )

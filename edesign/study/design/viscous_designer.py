@@ -21,6 +21,7 @@ from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, l
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.loop import Search
+from edesign.study.design.plausibility import viscous_doubts
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous import ViscousSizing, largest_viscous_damping, size_viscous
 from edesign.study.design.viscous_estimate import ViscousEstimate, viscous_estimate
@@ -104,6 +105,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         store_viscous_rounds(group, done.rounds, devices, self.words[self.changed])
         group.attributes["chosen_round"] = done.chosen.number
         group.attributes["law_damping_strain_energy"] = self._law_damping(sizing)
+        found = None
         if self.action is not None:
             found = viscous_estimate(frame, sizing.coefficient, sizing.vibration, self.action)
             nothing = frame.undamped(0.0)
@@ -111,7 +113,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
             store_viscous_estimate(group, self.building, spec.number, found, bare)
             if spec.bounds is not None:
                 store_viscous_bounds(group, self.building, self._bounds(sizing, self.action))
-        group.attributes["warnings"] = []
+        group.attributes["warnings"] = list(viscous_doubts(frame, sizing, found))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 

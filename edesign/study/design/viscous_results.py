@@ -8,23 +8,34 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.study.design.bounds import Bound, governing
+from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.loop import Round
 from edesign.study.design.results import (
-    MODES,
+    Column,
     of_storeys,
-    store_bound_responses,
+    store_bare_modes,
+    store_bounds,
     store_drifts,
+    store_iterations,
+    store_rounds,
     store_storeys,
-    store_verdicts,
 )
 from edesign.study.design.viscous import ViscousSizing
 from edesign.study.design.viscous_estimate import ViscousEstimate
 from edesign.study.design.viscous_frame import ViscousFrame
-from edesign.study.recording import coordinate
 
 _DAMPING = "added damping ratio of the first mode, complex eigenvalue with linear dashpots and braces"
+_STEPS: tuple[Column, ...] = (
+    ("frequency", lambda s: s.vibration.omega / (2.0 * math.pi), "Hz", "first frequency"),
+    ("roof_displacement", lambda s: s.vibration.roof, "m", "amplitude of the first mode"),
+    ("damping", lambda s: s.vibration.modes.first_damping, "1", _DAMPING),
+    ("difference", lambda s: s.difference, "1", "of the linear dashpots from the next ones"),
+)
+_ROUNDS: tuple[Column, ...] = (
+    ("period", lambda s: 2.0 * math.pi / s.vibration.omega, "s", "first period with dampers and braces"),
+    ("damping_complex", lambda s: s.vibration.modes.first_damping, "1", _DAMPING),
+)
 
 
 def coefficient_unit(alpha: float) -> str:
@@ -42,7 +53,7 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
         device: coefficient of one damper in each storey with dampers, (s,) N (s/m)^alpha.
     """
     building, vibration, dashpot, number = frame.building, sizing.vibration, frame.dashpot, frame.spec.number
-    store_storeys(group, building, sizing.brace)
+    store_storeys(group, building, number, sizing.brace)
     add, unit = group.add, coefficient_unit(dashpot.alpha)
     label = "damping coefficient of all dampers of the storey along its drift"
     add("damping_coefficient", ("storey",), sizing.coefficient, unit, label)
@@ -62,16 +73,12 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
         group.attributes["roof_displacement_m"] = vibration.roof
     group.attributes |= {
         "alpha": dashpot.alpha,
-        "number": number,
-        "places": int(building.place_storey.size),
         "frequency_Hz": vibration.omega / (2.0 * math.pi),
         "damping": vibration.modes.first_damping,
         "damping_fema356": sizing.formula,
     }
-    modes, bare = vibration.modes, frame.bare
-    count = min(MODES, bare.omega.size, modes.omega.size)
-    coordinate(group, "mode", np.arange(1, count + 1), "1", "number of the mode")
-    add("bare_period", ("mode",), 2.0 * np.pi / bare.omega[:count], "s", "natural period without dampers")
+    modes = vibration.modes
+    count = store_bare_modes(group, frame.bare, modes.omega.size)
     label = "2 pi over the size of the complex eigenvalue with dampers and braces"
     add("period", ("mode",), 2.0 * np.pi / modes.omega[:count], "s", label)
     label = "added damping ratio, complex eigenvalue with linear dashpots and braces"
@@ -80,23 +87,11 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
 
 def store_viscous_iterations(group: Group, rounds: Sequence[Round[ViscousSizing]]) -> None:
     """Add the iterations of all rounds, one after the other."""
-    rows = [(r.number, item) for r in rounds for item in r.sizing.iterations]
-    coordinate(group, "iteration", np.arange(1, len(rows) + 1), "1", "number of the iteration, of all rounds")
-    add = group.add
-    add("iteration_round", ("iteration",), [number for number, _ in rows], "1", "round that the iteration belongs to")
-    steps = [step for _, step in rows]
-    columns = (
-        ("iteration_frequency", [s.vibration.omega / (2.0 * math.pi) for s in steps], "Hz", "first frequency"),
-        ("iteration_roof_displacement", [s.vibration.roof for s in steps], "m", "amplitude of the first mode"),
-        ("iteration_damping", [s.vibration.modes.first_damping for s in steps], "1", _DAMPING),
-        ("iteration_difference", [s.difference for s in steps], "1", "of the linear dashpots from the next ones"),
-    )
-    for name, values, unit, label in columns:
-        add(name, ("iteration",), np.array(values, dtype=float), unit, label)
+    steps = store_iterations(group, rounds, _STEPS)
     coefficient = np.array([s.coefficient for s in steps])
     unit = group.variables["damping_coefficient"].unit
     label = "damping coefficient of all dampers of the storey along its drift"
-    add("iteration_coefficient", ("iteration", "storey"), coefficient, unit, label)
+    group.add("iteration_coefficient", ("iteration", "storey"), coefficient, unit, label)
 
 
 def store_viscous_rounds(
@@ -110,14 +105,10 @@ def store_viscous_rounds(
         devices: coefficient of one damper in each storey with dampers, (s,) N (s/m)^alpha, of each round.
         changed: what the rounds change, for people.
     """
-    store_verdicts(group, rounds, changed)
+    store_rounds(group, rounds, changed, _ROUNDS)
     unit = group.variables["device_coefficient"].unit
     label = "damping coefficient c of one damper"
     group.add("round_device_coefficient", ("round", "storey"), np.array(devices), unit, label)
-    periods = [2.0 * math.pi / r.sizing.vibration.omega for r in rounds]
-    group.add("round_period", ("round",), periods, "s", "first period with dampers and braces")
-    damping = [r.sizing.vibration.modes.first_damping for r in rounds]
-    group.add("round_damping_complex", ("round",), damping, "1", _DAMPING)
 
 
 def store_viscous_estimate(
@@ -139,8 +130,6 @@ def store_viscous_estimate(
 
 def store_viscous_bounds(group: Group, building: Building, found: tuple[Bound[ViscousEstimate], ...]) -> None:
     """Add the response with the bounds of the coefficients, and which of them governs each quantity."""
-    label = "coefficients of the dampers over those of the design"
-    store_bound_responses(group, building, found, label, _DAMPING)
-    strokes = [of_storeys(building, b.response.damper_stroke) for b in found]
-    group.add("bound_damper_stroke", ("bound", "storey"), strokes, "m", "estimated stroke of the dampers")
-    group.attributes["governing"] = governing(found, {"damper_stroke": lambda r: float(r.damper_stroke.max())})
+    labels = ("coefficients of the dampers over those of the design", _DAMPING)
+    stroke = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
+    store_bounds(group, building, found, labels, stroke)

@@ -62,6 +62,21 @@ def test_unusual_alpha_is_told() -> None:
         (GOOD.replace("bays: 1", "bays: 2"), "there is no bay 2"),
         (GOOD + ", storeys: 1-3", "there is no storey 3; storeys are numbered 1 to 2"),
         (GOOD + ", storey_stiffness: [1 kN/mm]", "1 values for a frame of 2 storeys"),
+        (
+            GOOD.replace("20 %", "spectrm"),
+            "`spectrm` is unknown; did you mean `spectrum`? (a strain such as `20 %`, or",
+        ),
+        (GOOD.replace("20 %", "20 mm"), "designs.tried.strain: `20 mm` has the unit `mm`, but a ratio is"),
+        (GOOD.replace("20 %", "[spectrum]"), "designs.tried.strain: a ratio is needed"),
+        (
+            GOOD.replace("20 %", "spectrum"),
+            "level: this key is missing; `strain: spectrum` begins with the spectrum of",
+        ),
+        (GOOD.replace("20 %", "histories") + ", level: DBE", "strain: there are no histories without `verify`"),
+        (
+            GOOD.replace("20 %", "spectrum") + ", level: DBE, properties: {G_storage: 1 MPa, loss_factor: 0.3}",
+            "designs.tried.strain: fixed properties do not change with the strain",
+        ),
         (GOOD.replace("layer_thickness: 20 mm", "drift: 1 %"), "(or both `drift` and `strain_limit`)"),
         (GOOD + ", drift: 1 %, strain_limit: 50 %", "needs it left out"),
         (GOOD + ", level: MCE", "there is no level `MCE`"),

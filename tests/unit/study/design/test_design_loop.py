@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from design_examples import design, shear_project
+from design_examples import MadeVerdict, design, shear_project
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -27,22 +27,6 @@ TEXT = (
     "properties: {G_storage: 1 MPa, loss_factor: 0.35}, method: strain_energy, damping: 4 %, "
 )
 VERIFY = "verify: {records: shake, levels: DBE, criteria: drift, rounds: @, precision: 2 %}"
-LIMIT = 0.01
-
-
-@dataclass
-class Made:
-    """A verdict of a criterion."""
-
-    value: float
-    name: str = "drift"
-    limit: float = LIMIT
-    level: str = ""
-    applies: bool = True
-
-    @property
-    def met(self) -> bool:
-        return self.value <= self.limit
 
 
 @dataclass
@@ -63,8 +47,8 @@ class Histories:
         drift = 0.02 / (1.0 + run.layer_area[0] / 0.1) + self.floor
         return {"a": Group(attributes={"drift": drift, "status": "failed" if self.fail else "completed"})}
 
-    def judge(self, groups: Mapping[str, Group]) -> list[Made]:
-        return [Made(float("inf") if self.fail else groups["a"].attributes["drift"])]
+    def judge(self, groups: Mapping[str, Group]) -> list[MadeVerdict]:
+        return [MadeVerdict(float("inf") if self.fail else groups["a"].attributes["drift"])]
 
 
 @pytest.fixture(scope="module")
@@ -104,9 +88,64 @@ def test_smallest_damping_that_meets_the_criterion(project: Project) -> None:
     assert 0.1 <= v["round_layer_area"].values[chosen, 0] <= 0.1 * 1.05
     np.testing.assert_array_equal(v["layer_area"].values, v["round_layer_area"].values[chosen])
     np.testing.assert_allclose(v["round_damping_strain_energy"].values, target, rtol=1e-6)
-    np.testing.assert_allclose(v["verdict_limit"].values, LIMIT)
+    np.testing.assert_allclose(v["verdict_limit"].values, MadeVerdict.limit)
     areas = v["round_layer_area"].values[:, 0]
     np.testing.assert_allclose(v["verdict_value"].values[:, 0], 0.02 / (1.0 + areas / 0.1))
+
+
+class StrainedHistories(Histories):
+    """Made-up histories whose strain falls with the area: 0.1 m2 / (0.2 m2 + area), whatever the estimate says."""
+
+    def respond(self, dampers: Dampers, number: int) -> Mapping[str, Group]:
+        found = super().respond(dampers, number)
+        run = dampers.devices[0]
+        assert isinstance(run, DamperRun) and isinstance(run.layer_area, tuple)
+        largest = 0.1 / (0.2 + run.layer_area[0])
+        for which, share in (("max", 0.8), ("min", -1.0)):
+            strain = np.full(len(run.layer_area), share * largest)
+            found["a"].add(f"damper_strain_{which}", ("damper",), strain, "1", "strain")
+        found["a"].attributes["level"] = "DBE"
+        return found
+
+
+STRAINED = TEXT.replace("20 %", "histories").replace("{G_storage: 1 MPa, loss_factor: 0.35}", "{table: @}")
+STRAINED = STRAINED.replace("@", "thesis_appendix_a") + "level: DBE, "
+
+
+def test_strain_of_histories_is_taken_at_the_first_value_and_at_the_one_that_is_found(project: Project) -> None:
+    histories = StrainedHistories()
+    result = run(project, histories, rounds=16, text=STRAINED)
+    v, about = result.group.variables, result.group.attributes
+    taken, reached, changed = (v[f"round_{name}"].values for name in ("strain", "history_strain", "changed"))
+    np.testing.assert_allclose(reached, 0.1 / (0.2 + v["round_layer_area"].values[:, 0]))
+    agreed = np.abs(reached - taken) <= 0.02 * taken  # precision of the verification
+    first = int(np.argmax(agreed))  # from here on the target grows, with the strain of the estimate times a number
+    assert 0 < first <= 3 and np.all(changed[: first + 1] == 0.04) and changed[first + 1] > 0.04
+    # the histories' strain does not fall as the estimate does: the target that is found is sized once more
+    chosen = about["chosen_round"] - 1
+    assert result.status == "completed" and agreed[chosen] and v["round_met"].values[chosen]
+    assert about["strain"] == taken[chosen] and chosen == changed.size - 1
+    before = np.flatnonzero(changed[:-1] == changed[-1])
+    assert before.size and not agreed[before[-1]]
+    assert not [text for text in about["warnings"] if "in the histories, not" in text]
+    again = StrainedHistories()
+    resumed = run(project, again, rounds=16, text=STRAINED, resume=result.group)
+    assert same(resumed.group, result.group) and not again.rounds
+
+
+def test_strain_that_does_not_settle_is_told(project: Project) -> None:
+    result = run(project, StrainedHistories(floor=-0.02), rounds=1, text=STRAINED.replace("20 mm", "200 mm"))
+    assert result.status == "completed" and result.group.coords["round"].values.tolist() == [1]
+    told = [text for text in result.group.attributes["warnings"] if "in the histories, not the" in text]
+    assert len(told) == 1 and told[0].endswith("; more `rounds` bring the strains together")
+
+
+def test_strain_of_histories_is_archived_for_any_design(project: Project) -> None:
+    result = run(project, StrainedHistories(floor=-0.012))
+    assert result.group.variables["round_history_strain"].values == pytest.approx(
+        0.1 / (0.2 + result.group.variables["layer_area"].values[0])
+    )
+    assert result.group.variables["round_strain"].values.tolist() == [0.2]
 
 
 def test_first_target_that_meets_is_taken(project: Project) -> None:

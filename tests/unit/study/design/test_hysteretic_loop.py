@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
-from design_examples import design, shear_project
+from design_examples import MadeVerdict, design, shear_project
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -23,22 +22,7 @@ TEXT = "method: hysteretic, law: pad, kind: storey, bays: 1, state: initial, lev
 VERIFY = ", verify: {records: shake, levels: DBE, criteria: drift, change: @}"
 RANGE = (0.05, 0.8)
 OPTIMUM = TEXT.replace("@", "optimum: {range: [5 %, 80 %]}, verify: {records: shake, criteria: drift, rounds: @}")
-LIMIT = 0.010
-
-
-@dataclass
-class Made:
-    """A verdict of a criterion."""
-
-    value: float
-    name: str = "drift"
-    limit: float = LIMIT
-    level: str = ""
-    applies: bool = True
-
-    @property
-    def met(self) -> bool:
-        return self.value <= self.limit
+LIMIT = MadeVerdict.limit
 
 
 class Histories:
@@ -54,8 +38,8 @@ class Histories:
         assert isinstance(run, DamperRun) and isinstance(run.scale, tuple)
         return {"only": Group(attributes={"drift": self.drift(run.scale[0] * 1e3 / SHEAR)})}
 
-    def judge(self, groups: Mapping[str, Group]) -> list[Made]:
-        return [Made(float(str(groups["only"].attributes["drift"])))]
+    def judge(self, groups: Mapping[str, Group]) -> list[MadeVerdict]:
+        return [MadeVerdict(float(str(groups["only"].attributes["drift"])))]
 
 
 def run(text: str, histories: Histories | None = None, resume: Group | None = None) -> DesignResult:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
 import pytest
-from design_examples import design, shear_project
+from design_examples import MadeVerdict, design, shear_project
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -21,22 +20,6 @@ from edesign.study.design.design import DesignResult, run_design
 LAWS = "\ndampers: {laws: {oil: {type: viscous_power, parameters: {c: 1 kN*(s/m)^0.5, alpha: 0.5}@}}}\n"
 TEXT = "method: viscous, law: oil, kind: storey, bays: 1, state: initial, level: DBE, damping: 8 %"
 VERIFY = ", verify: {records: shake, levels: DBE, criteria: drift, change: @}"
-LIMIT = 0.010
-
-
-@dataclass
-class Made:
-    """A verdict of a criterion."""
-
-    value: float
-    name: str = "drift"
-    limit: float = LIMIT
-    level: str = ""
-    applies: bool = True
-
-    @property
-    def met(self) -> bool:
-        return self.value <= self.limit
 
 
 def run(text: str, histories: Histories | None = None, resume: Group | None = None) -> DesignResult:
@@ -58,8 +41,8 @@ class Histories:
         assert isinstance(run, DamperRun) and isinstance(run.scale, tuple)
         return {"only": Group(attributes={"drift": self.stiffest * 0.02 / (1.0 + run.scale[0] / 400.0)})}
 
-    def judge(self, groups: Mapping[str, Group]) -> list[Made]:
-        return [Made(float(str(groups["only"].attributes["drift"])))]
+    def judge(self, groups: Mapping[str, Group]) -> list[MadeVerdict]:
+        return [MadeVerdict(float(str(groups["only"].attributes["drift"])))]
 
 
 @pytest.mark.parametrize("change", ["target", "coefficient"])

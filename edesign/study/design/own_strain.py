@@ -1,0 +1,152 @@
+"""Dampers of elastomer whose properties are those at the strain that they reach."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Generic, TypeVar
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.errors import InputError
+from edesign.project.dampers.designs import ElastomerDesign
+from edesign.study.design.building import Building
+from edesign.study.design.elastomer import Moduli
+from edesign.study.design.estimate import Action, estimate
+from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
+from edesign.study.design.relaxation import Relaxation
+from edesign.study.design.sizing import StrainStep, place_stiffness
+
+_LARGEST_STEP = math.log(2.0)  # of ln(strain); a secant through two steps that hardly differ may point anywhere
+
+T = TypeVar("T")
+
+
+@dataclass(frozen=True)
+class AtStrain(Generic[T]):
+    """Something found with the properties at a strain.
+
+    Attributes:
+        found: what it is.
+        strain: at which the properties were taken.
+        steps: on the way to it; none where the strain was given.
+        reason: why the strain is not the one that is reached; empty if it is, or was given.
+    """
+
+    found: T
+    strain: float
+    steps: tuple[StrainStep, ...] = ()
+    reason: str = ""
+
+
+def effective_strain(stiffness: np.ndarray, strain: np.ndarray) -> float:
+    """The one strain whose properties stand for dampers that strain differently.
+
+    The mean of the strains, each weighted with the energy of its damper. With it the sums of stored and of lost energy
+    are right to first order: both go with G(gamma) V gamma^2, and the terms in the slope of G cancel.
+
+    Args:
+        stiffness: storage stiffness of each damper, (d,) N/m, in proportion to the volume V of its elastomer.
+        strain: amplitude of each, (d,).
+    """
+    energy = stiffness * strain**2
+    return float(energy @ strain / energy.sum())
+
+
+def reached_strain(
+    building: Building, action: Action, k_D: np.ndarray, loss_factor: float, brace: np.ndarray | None, thickness: float
+) -> float:
+    """Effective strain of dampers at the peaks that the response spectrum estimates.
+
+    Args:
+        building: the frame with its places.
+        action: the spectrum.
+        k_D: storage stiffness of the dampers of each storey, (s,) N/m.
+        loss_factor: of the elastomer.
+        brace: horizontal stiffness of the braces of each storey, (s,) N/m; None: rigid.
+        thickness: of a layer, m.
+    """
+    at_places = place_stiffness(building, k_D, loss_factor, brace)
+    found = estimate(building, action, at_places, None if brace is None else building.at_places(brace), thickness)
+    return effective_strain(building.at_places(k_D), found.damper_strain)
+
+
+def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
+    """Effective strain of dampers in histories, from the mean over the completed ones of the peak of each damper.
+
+    Args:
+        k_D: storage stiffness of the damper at each place, (d,) N/m.
+        histories: with damper_strain_max and damper_strain_min over (damper,).
+
+    Returns:
+        The strain; nan if no history was completed.
+    """
+    peaks = [
+        np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
+        for group in histories
+        if group.attributes.get("status", "completed") == "completed" and "damper_strain_max" in group.variables
+    ]
+    return effective_strain(k_D, np.mean(peaks, axis=0)) if peaks else math.nan
+
+
+def start_strain(building: Building, spec: ElastomerDesign, action: Action | None, thickness: float) -> float:
+    """The strain at which properties are first taken: given; or as without dampers, but not beyond `strain_limit`."""
+    if not isinstance(spec.strain, str):
+        return spec.strain
+    assert action is not None, "check_design wants a level"
+    bare = reached_strain(building, action, np.full(building.storeys.size, 1e-9), 0.0, None, thickness)
+    return bare if spec.strain_limit is None else min(bare, spec.strain_limit)
+
+
+def at_own_strain(
+    spec: ElastomerDesign,
+    solve: Callable[[float], T],
+    moduli: Callable[[T], Moduli],
+    reached: Callable[[T], float],
+    start: float,
+) -> AtStrain[T]:
+    """Solve at the strain of a design, or follow the strain until the one that is taken is the one that is reached.
+
+    A strain with which no dampers do what is wanted is drawn towards the last one with which they did.
+
+    Args:
+        spec: the design.
+        solve: with properties at a strain.
+        moduli: of what was found.
+        reached: its effective strain.
+        start: the strain, or the first one where it is followed.
+
+    Raises:
+        InputError: no strain lets the dampers do what is wanted.
+    """
+    if not isinstance(spec.strain, str):
+        return AtStrain(solve(start), start)
+    strain, good, relax = start, 0.0, Relaxation()
+    steps: list[StrainStep] = []
+    wrong: InputError | None = None
+    for _ in range(MOST_ITERATIONS):
+        try:
+            found = solve(strain)
+        except InputError as error:
+            wrong = error
+            strain = math.sqrt(good * strain) if good > 0.0 else 0.5 * strain
+            continue
+        good = strain
+        steps.append(StrainStep(strain, moduli(found), reached(found)))
+        if abs(steps[-1].reached - strain) <= AGREEMENT * steps[-1].reached:
+            return AtStrain(found, strain, tuple(steps))
+        change = float(relax(np.log([strain]), np.log([steps[-1].reached]))[0]) - math.log(strain)
+        strain *= math.exp(min(max(change, -_LARGEST_STEP), _LARGEST_STEP))
+    if not steps:
+        assert wrong is not None
+        raise InputError(f"whatever the strain of the dampers, {wrong}") from wrong
+    last = steps[-1]
+    reason = (
+        f"the strain at which properties are taken ({100.0 * last.strain:.4g} %) and the one that is reached "
+        f"({100.0 * last.reached:.4g} %) did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations"
+    )
+    if wrong is not None:
+        reason += f"; on the way to it {wrong}"
+    return AtStrain(found, last.strain, tuple(steps), reason)
