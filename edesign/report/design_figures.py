@@ -11,7 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.report.archived import archived_project
 from edesign.report.captions import file_name, plain
-from edesign.report.design_tables import ROUND_SIZES, round_damping
+from edesign.report.design_tables import ROUND_SIZES, round_areas, round_damping
 from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
 from edesign.report.histories import names_of
 from edesign.report.hysteretic_figures import hysteretic_figures
@@ -52,11 +52,16 @@ def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         if "round" in group.coords and group.coords["round"].values.size > 1:
             reason = str(group.attributes.get("reason") or "")
             count = group.coords["round"].values.size
-            caption = f"{about}: {count} rounds of sizing and verification by histories. {reason}".strip()
+            chosen = group.attributes.get("chosen_round")
+            shaded = f" Round {chosen} is the one that was chosen." if chosen is not None else ""
+            caption = f"{about}: {count} rounds of sizing and verification by histories.{shaded} {reason}".strip()
             yield file_name("design", name, "rounds"), caption, rounds_figure(group)
         if "iteration_next_frequency" in group.variables and group.coords["iteration"].values.size > 1:
             count = group.coords["iteration"].values.size
-            caption = f"{about}: {count} iterations of the properties of the elastomer at the first frequency."
+            followed = " and the strain that is reached" if "strain_step" in group.coords else ""
+            caption = (
+                f"{about}: {count} iterations of the properties of the elastomer at the first frequency{followed}."
+            )
             yield file_name("design", name, "iterations"), caption, iterations_figure(group)
 
 
@@ -105,12 +110,17 @@ def rounds_figure(group: Group) -> Figure:
     Args:
         group: of a design, with variables over (round,), (round, storey) and (round, criterion).
     """
-    panels = [_damping, _size, _period, *([_verdicts] if "verdict_value" in group.variables else [])]
+    panels = [_damping, _size, _period]
+    panels += [_verdicts] if "verdict_value" in group.variables else []
+    panels += [_strain] if "round_history_strain" in group.variables else []
     figure, cells = grid_figure(len(panels), 2, 3.1, 1.9)
     rounds = np.asarray(group.coords["round"].values)
     for axis, panel in zip(cells, panels, strict=True):
         panel(axis, group, rounds)
-        axis.set_xlim(rounds[0] - 0.3, rounds[-1] + 0.3)
+        axis.set_xlim(rounds[0] - 0.5, rounds[-1] + 0.5)
+        if "chosen_round" in group.attributes:
+            chosen = int(str(group.attributes["chosen_round"]))
+            axis.axvspan(chosen - 0.3, chosen + 0.3, color=AFTER, alpha=0.12, lw=0.0, zorder=0.0)
         axis.set_xticks(some_of(rounds))
         axis.set_xlabel("round")
         if axis.get_legend_handles_labels()[0]:
@@ -123,9 +133,12 @@ def iterations_figure(group: Group) -> Figure:
     """Draw the frequency that went into each iteration and came out of it, and the damping that it gave.
 
     Args:
-        group: of a design, with iteration_frequency, iteration_next_frequency (Hz) and iteration_damping.
+        group: of a design, with iteration_frequency, iteration_next_frequency (Hz) and iteration_damping; where the
+            strain was followed, with strain_step_taken and strain_step_reached too.
     """
-    figure, ((left, right),) = new_figure(1, 2, 6.3, 2.4)
+    followed = "strain_step" in group.coords
+    figure, (axes,) = new_figure(1, 3 if followed else 2, 6.3, 2.4)
+    left, right = axes[:2]
     steps = np.asarray(group.coords["iteration"].values)
     left.plot(steps, _along(group, "iteration_frequency"), color=BEFORE, ls="--", marker="s", ms=3.5, label="taken")
     left.plot(steps, _along(group, "iteration_next_frequency"), **_LINE, label="found")
@@ -133,10 +146,19 @@ def iterations_figure(group: Group) -> Figure:
     left.legend(**_ABOVE)
     right.plot(steps, 100.0 * _along(group, "iteration_damping"), **_LINE)
     right.set_ylabel("added damping (%)")
-    right.set_ylim(bottom=0.0)
+    _from_zero(right)
     for axis in (left, right):
         axis.set_xlabel("iteration")
         axis.set_xticks(some_of(steps))
+    if followed:
+        last = axes[2]
+        steps = np.asarray(group.coords["strain_step"].values)
+        last.plot(steps, 100.0 * _along(group, "strain_step_taken"), color=BEFORE, ls="--", marker="s", ms=3.5)
+        last.plot(steps, 100.0 * _along(group, "strain_step_reached"), **_LINE)
+        last.set_ylabel("strain of the layers (%)")
+        last.set_xlabel("step of the strain")
+        last.set_xticks(steps[:: 1 + len(steps) // 8])
+        _from_zero(last)
     return figure
 
 
@@ -147,23 +169,19 @@ def _damping(axis: Axes, group: Group, rounds: np.ndarray) -> None:
         axis.plot(rounds, 100.0 * target, color=TARGET, ls="--", lw=1.0, label="target")
     axis.plot(rounds, 100.0 * round_damping(group), **_LINE, label="with braces")
     axis.set_ylabel("added damping (%)")
-    axis.set_ylim(bottom=0.0)
+    _from_zero(axis)
 
 
 def _size(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     if group.attributes.get("method") in ROUND_SIZES:
-        total, label, _ = ROUND_SIZES[str(group.attributes["method"])](group)
+        total, label = ROUND_SIZES[str(group.attributes["method"])](group)
         axis.plot(rounds, total, **_LINE)
         axis.set_ylabel(label.replace("[", "(").replace("]", ")"))
-        axis.set_ylim(bottom=0.0)
+        _from_zero(axis)
         return
-    per_storey = int(str(group.attributes.get("layers", 1))) * int(str(group.attributes.get("number", 1)))
-    places = int(str(group.attributes.get("places", group.coords["storey"].values.size)))
-    share = places / group.coords["storey"].values.size
-    total = share * per_storey * np.sum(group.variables["round_layer_area"].values, axis=1)
-    axis.plot(rounds, total, **_LINE)
+    axis.plot(rounds, round_areas(group), **_LINE)
     axis.set_ylabel("elastomer, all layers (m²)")
-    axis.set_ylim(bottom=0.0)
+    _from_zero(axis)
 
 
 def _period(axis: Axes, group: Group, rounds: np.ndarray) -> None:
@@ -171,7 +189,14 @@ def _period(axis: Axes, group: Group, rounds: np.ndarray) -> None:
     if "bare_period" in group.variables:
         axis.axhline(float(_along(group, "bare_period")[0]), color=BEFORE, ls="--", lw=1.0, label="without dampers")
     axis.set_ylabel("first period (s)")
-    axis.set_ylim(0.0, 1.1 * axis.get_ylim()[1])
+    _from_zero(axis)
+
+
+def _strain(axis: Axes, group: Group, rounds: np.ndarray) -> None:
+    axis.plot(rounds, 100.0 * _along(group, "round_strain"), color=TARGET, ls="--", lw=1.0, label="of the properties")
+    axis.plot(rounds, 100.0 * _along(group, "round_history_strain"), **_LINE, label="in histories")
+    axis.set_ylabel("strain of the layers (%)")
+    _from_zero(axis)
 
 
 def _verdicts(axis: Axes, group: Group, rounds: np.ndarray) -> None:
@@ -185,8 +210,13 @@ def _verdicts(axis: Axes, group: Group, rounds: np.ndarray) -> None:
             face = color if good == 1.0 else "white"
             axis.plot(x, y, marker=MARKERS[i % len(MARKERS)], ms=4.0, mfc=face, mec=color, ls="none")
     axis.axhline(1.0, color=TARGET, lw=0.9, ls="--")
-    axis.set_ylabel("value / limit")
-    axis.set_ylim(bottom=0.0)
+    axis.set_ylabel("value / limit (1)")
+    _from_zero(axis)
+
+
+def _from_zero(axis: Axes) -> None:
+    """Let an axis begin at zero, and end above all marks."""
+    axis.set_ylim(0.0, 1.1 * axis.get_ylim()[1])
 
 
 def _along(group: Group, name: str) -> np.ndarray:

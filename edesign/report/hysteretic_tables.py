@@ -35,9 +35,6 @@ def hysteretic_storeys_table(group: Group) -> Table:
             f"{about['places']} places with {about['number']} each; F_y in sum {_percent(about['share'])} of the "
             f"storey shears, roof {1e3 * float(str(about['roof_displacement_m'])):.4g} mm"
         )
-    if about.get("reason"):
-        table.notes.append(f"failed: {about['reason']}")
-    table.notes += [str(warning) for warning in about.get("warnings", ())]
     return table
 
 
@@ -60,10 +57,10 @@ def hysteretic_damping_table(group: Group) -> Table:
     return table
 
 
-def hysteretic_round_sizes(group: Group) -> tuple[np.ndarray, str, str]:
-    """Return the sum of the yield forces of all dampers of each round, its header, and what it is."""
+def hysteretic_round_sizes(group: Group) -> tuple[np.ndarray, str]:
+    """Return the sum of the yield forces of all dampers of each round, and its header with the unit."""
     total = group.variables["round_device_yield_force"].values @ group.variables["device_count"].values
-    return total / 1e3, "sum of F_y [kN]", "sum of F_y: of all dampers"
+    return total / 1e3, "sum of F_y [kN]"
 
 
 def _percent(value: object) -> str:

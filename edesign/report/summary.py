@@ -14,7 +14,7 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import EdesignError, InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
-from edesign.study.kinds import ANALYSES, RECORDS
+from edesign.study.kinds import ANALYSES, DESIGNS, RECORDS
 from edesign.study.record_results import failed_criteria
 from edesign.study.warnings import ATTRIBUTE, warnings_of
 
@@ -34,8 +34,8 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
         "variant", "record", "level", "status", "reason", "warnings": [...], "measures": {...}, "statistics": {...}}]}.
         Of a study also "criteria": [{"criterion", "variant", "level", "verdict", "statistic", "value", "limit", ...}].
         Analyses that were planned and have no result have the status "not run". Warnings are sentences; those of the
-        archive are doubts about the input. Records have the attributes of their groups, and those of suites stand under
-        "records" of their suite; they are left out when one analysis is asked for.
+        archive are doubts about the input and about designs. Records have the attributes of their groups, and those of
+        suites stand under "records" of their suite; they are left out when one analysis is asked for.
 
     Raises:
         ArchiveError: the archive cannot be read.
@@ -46,7 +46,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
             return summarise(opened, analysis)
     names = planned(archive) if analysis is None else [find(archive, analysis)]
     about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
-    about[ATTRIBUTE] = input_warnings(archive)
+    about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive)]
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
     if is_building_archive(archive):
         from edesign.report.building_summary import building_summary
@@ -116,6 +116,15 @@ def input_warnings(archive: Archive) -> list[str]:
     for name in archive.names(RECORDS):
         texts += failed_criteria(name, Group(attributes=archive.group_attributes(f"{RECORDS}/{name}")))
     return texts
+
+
+def design_warnings(archive: Archive) -> list[str]:
+    """Return what is doubtful about the designs of a study, a sentence each that names its design."""
+    lines = []
+    for name in archive.names(DESIGNS):
+        found = archive.group_attributes(f"{DESIGNS}/{name}").get(ATTRIBUTE)
+        lines += [f"design {name}: {text}" for text in (found if isinstance(found, list) else [])]
+    return lines
 
 
 def results(archive: Archive, name: str) -> Group:

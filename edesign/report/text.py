@@ -12,7 +12,8 @@ from typing import TextIO
 from edesign.report.table import Table
 from edesign.report.visible import visible, visible_line
 
-PAPER = 80  # characters of a line in files and pipes
+PAPER = 80  # characters of a line in files and pipes, to which sentences are broken
+WIDEST = 120  # characters of a line there that no table of numbers passes
 _GAP = 2  # between columns
 _LEAST = 12  # characters of a line inside a cell
 _COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
@@ -25,7 +26,8 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
     if stream.isatty():
         _print_rich(shown, stream)
     else:
-        stream.write("\n\n".join(plain(broken(table, PAPER, _GAP)) for table in shown) + "\n")
+        parts = [part for table in shown for part in folded(broken(_noted(table), PAPER, _GAP), WIDEST)]
+        stream.write("\n\n".join(plain(part) for part in parts) + "\n")
 
 
 def wrapped(text: str) -> list[str]:
@@ -39,6 +41,12 @@ def _visible(table: Table) -> Table:
     columns = [visible_line(header) for header in table.columns]
     notes = [visible(note) for note in table.notes]
     return replace(table, title=visible_line(table.title), columns=columns, rows=rows, notes=notes)
+
+
+def _noted(table: Table) -> Table:
+    """The table with its notes broken into lines of files and pipes; names and paths stay whole."""
+    wrap = textwrap.TextWrapper(WIDEST, break_long_words=False, break_on_hyphens=False)
+    return replace(table, notes=[line for note in table.notes for line in wrap.wrap(note) or [""]])
 
 
 def broken(table: Table, width: int, gap: int) -> Table:

@@ -33,8 +33,6 @@ def viscous_storeys_table(group: Group) -> Table:
             f"alpha {float(str(about['alpha'])):g}, {about['places']} places with {about['number']} each; first mode "
             f"{float(str(about['frequency_Hz'])):.4g} Hz{amplitude}"
         )
-    if about.get("reason"):
-        table.notes.append(f"failed: {about['reason']}")
     return table
 
 
@@ -55,11 +53,11 @@ def viscous_damping_table(group: Group) -> Table:
     return table
 
 
-def viscous_round_sizes(group: Group) -> tuple[np.ndarray, str, str]:
-    """Return the sum of the coefficients of all dampers of each round, its header, and what it is."""
+def viscous_round_sizes(group: Group) -> tuple[np.ndarray, str]:
+    """Return the sum of the coefficients of all dampers of each round, and its header with the unit."""
     coefficient = group.variables["round_device_coefficient"]
     total = coefficient.values @ group.variables["device_count"].values
-    return total / 1e3, f"sum of c [{kilonewtons(coefficient.unit)}]", "sum of c: of all dampers"
+    return total / 1e3, f"sum of c [{kilonewtons(coefficient.unit)}]"
 
 
 def kilonewtons(unit: str) -> str:

@@ -108,7 +108,9 @@ def test_show_prints_tables(archive: Path, capsys: pytest.CaptureFixture[str]) -
     assert cells("   1", "modes: periods") == ["1", "0.8000", "1.2500", "85.00", "85.00"]
     measures = "Response measures (largest absolute values)"
     expected = "el_centro 0.2100 0.02000 3.000 5.700 0.3300 300.0 300.0 5.000 11.00 2.000 900.0"  # m, %, kN, m/s2, mrad
-    assert cells("el_centro", measures) == expected.split()
+    first = cells("el_centro", measures)  # a table of 120 characters, and below it the columns that are left
+    rest = [line.split()[1:] for line in lines[lines.index(measures) + 4 :] if line.startswith("el_centro")][0]
+    assert [*first, *rest] == expected.split()
     assert cells("lost *", measures)[3] == "-"  # no residual
     assert cells("el_centro", "Statistics") == ["el_centro", "2000", "4100", "30", "1", "0.310", "2.5e-09"]
 

@@ -136,7 +136,7 @@ def test_devices_that_store_or_dissipate_nothing(folder: Path, capsys: pytest.Ca
     write(folder / "reversed.csv", -12.0 * SINE - 1.5 * COSINE)
     words = ["characterise", "a.csv", "dash.csv", "reversed.csv", *RIG]
     assert command.main([*words, "-o", "table.csv", "--figures", "figures"]) == 0
-    said = capsys.readouterr().out
+    said = " ".join(capsys.readouterr().out.split())
     assert "dash: left out of the table" in said and "sign of force or displacement reversed?" in said
     assert len((folder / "table.csv").read_text().splitlines()) == 2
     assert command.main([*words, "--json", "--per-cycle"]) == 0

@@ -72,8 +72,8 @@ def test_tables_in_a_pipe_and_on_a_terminal(
     assert main(["show", str(archive)]) == 0
     plain = capsys.readouterr().out
     assert acting(plain) == [] and plain.startswith(SHOWN + r"\nsecond line" + "\narchive ")
-    row = next(line for line in plain.splitlines() if line.startswith("one "))
-    assert SHOWN in row and r"a\tb\u000d\nc" in row
+    rows = [line for line in plain.splitlines() if line.startswith("one ")]  # in parts, as the table is wide
+    assert any(SHOWN in row for row in rows) and any(r"a\tb\u000d\nc" in row for row in rows)
     monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("COLUMNS", "400")
     terminal = Terminal()

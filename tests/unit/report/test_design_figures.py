@@ -59,6 +59,33 @@ def test_rounds_and_heights_of_a_design(tmp_path: Path) -> None:
     assert [mark.get_markerfacecolor() == "white" for mark in marks] == [True, False, False]
 
 
+def test_rounds_that_follow_a_strain(tmp_path: Path) -> None:
+    group = design()
+    group.attributes["chosen_round"] = 3
+    coordinate(group, "iteration", [1, 2], "1", "iteration")
+    coordinate(group, "strain_step", [1, 2, 3], "1", "step")
+    add = group.add
+    for name, values in (("frequency", [0.9, 1.1]), ("next_frequency", [1.1, 1.1]), ("damping", [0.05, 0.05])):
+        add(f"iteration_{name}", ("iteration",), values, "1", name)
+    add("strain_step_taken", ("strain_step",), [0.4, 0.25, 0.24], "1", "taken")
+    add("strain_step_reached", ("strain_step",), [0.22, 0.24, 0.24], "1", "reached")
+    add("round_strain", ("round",), [0.24, 0.3, 0.28], "1", "strain")
+    add("round_history_strain", ("round",), [0.35, 0.27, 0.28], "1", "strain")
+    with open_archive(small_archive(tmp_path, ("designs/thesis", group))) as archive:
+        found = {name: (caption, figure) for name, caption, figure in design_figures(archive)}
+    caption, rounds = found["design_thesis_rounds"]
+    assert "Round 3 is the one that was chosen." in caption
+    assert [axis.get_ylabel().rpartition(" ")[2] for axis in rounds.axes[:5]] == ["(%)", "(m²)", "(s)", "(1)", "(%)"]
+    for axis in rounds.axes[:5]:
+        (shaded,) = axis.patches
+        assert shaded.get_x() == pytest.approx(2.7) and shaded.get_width() == pytest.approx(0.6)
+    assert rounds.axes[4].lines[1].get_ydata() == pytest.approx([35.0, 27.0, 28.0])
+    caption, iterations = found["design_thesis_iterations"]
+    assert caption.endswith("at the first frequency and the strain that is reached.")
+    taken, reached = iterations.axes[2].lines
+    assert taken.get_ydata() == pytest.approx([40.0, 25.0, 24.0]) and reached.get_ydata()[-1] == pytest.approx(24.0)
+
+
 def test_all_figures_have_their_own_names(tmp_path: Path) -> None:
     with open_archive(small_archive(tmp_path, ("designs/thesis", design()))) as archive:
         names = [name for name, _, _ in all_figures(archive)]

@@ -9,7 +9,8 @@ from edesign.report.design_tables import bounds_table, design_tables, rounds_tab
 
 
 def design() -> Group:
-    group = Group(attributes={"name": "small", "status": "completed", "governing": {"storey_drift": "lower"}})
+    about = {"name": "small", "status": "completed", "changed": "area", "chosen_round": 2, "layers": 2, "places": 4}
+    group = Group(attributes={**about, "governing": {"storey_drift": "lower"}})
 
     def axis(name: str, values: list[object]) -> None:
         group.coords[name] = Variable((name,), np.asarray(values), "1", name)
@@ -23,7 +24,11 @@ def design() -> Group:
     group.add("round_period", ("round",), [1.0, 0.9], "s", "period")
     group.add("round_layer_area", ("round", "storey"), [[0.2, 0.1], [0.3, 0.15]], "m^2", "area")
     group.add("round_met", ("round",), [0, 1], "1", "met")
+    group.add("round_strain", ("round",), [0.2, 0.2], "1", "strain")
+    group.add("round_history_strain", ("round",), [0.31, 0.24], "1", "strain")
     group.add("verdict_value", ("round", "criterion"), [[0.015], [0.012]], "1", "value")
+    group.add("verdict_limit", ("round", "criterion"), [[0.0125], [0.0125]], "1", "limit")
+    group.add("criterion_unit", ("criterion",), ["1"], "", "unit")
     group.add("bound_factor", ("bound",), [0.85, 1.2], "1", "factor")
     group.add("bound_storey_drift", ("bound", "storey"), [[0.010, 0.014], [0.008, 0.011]], "1", "drift")
     group.add("bound_temperature", ("bound",), [35.0, np.nan], "degC", "temperature")
@@ -32,10 +37,11 @@ def design() -> Group:
 
 def test_rounds_say_what_was_judged_and_whether_it_was_met() -> None:
     table = rounds_table(design())
-    wanted = ["round", "changed", "damping [%]", "T1 [s]", "total area [m2]", "drift", "met"]
-    assert list(table.columns) == wanted
-    assert table.rows[0] == ["1", "1.000", "8.000", "1.000", "0.3000", "0.01500", "no"]
-    assert table.rows[1][4:] == ["0.4500", "0.01200", "yes"]
+    wanted = ["round", "factor on areas", "damping [%]", "T1 [s]", "all layers [m2]"]
+    assert list(table.columns) == [*wanted, "strain [%]", "in histories [%]", "drift [%]", "met"]
+    assert table.rows[0] == ["1", "1.000", "8.000", "1.000", "1.200", "20.00", "31.00", "1.500", "no"]
+    assert table.rows[1][:2] == ["2 (chosen)", "1.500"] and table.rows[1][6:] == ["24.00", "1.200", "yes"]
+    assert table.notes == ["limits: drift 1.250 %"]
 
 
 def test_bounds_show_the_largest_over_the_height_and_what_governs() -> None:

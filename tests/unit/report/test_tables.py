@@ -72,6 +72,16 @@ class Terminal(io.StringIO):
         return True
 
 
+def test_no_table_in_a_pipe_is_wider_than_120_characters() -> None:
+    stream = io.StringIO()
+    note = "a sentence that is longer than a line of a file, " * 4
+    columns = ["storey", *(f"quantity number {i}" for i in range(20))]
+    print_tables([Table("Wide", columns, [[str(i) for i in range(21)]], [note])], stream)
+    lines = stream.getvalue().splitlines()
+    assert max(map(len, lines)) <= 120
+    assert " ".join(lines).count("quantity number") == 20 and " ".join(lines).count("a sentence that is longer") == 4
+
+
 @pytest.mark.parametrize("columns", [34, 40, 80, 200])
 def test_no_number_is_broken_on_a_terminal(columns: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("TERM", "xterm")

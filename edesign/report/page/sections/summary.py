@@ -15,7 +15,7 @@ from edesign.report.page.section import Headline, Headlines, Part, Section, Warn
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 from edesign.report.page.sections.verdicts import judged, verdict_tiles
 from edesign.report.page.source import Source
-from edesign.report.summary import input_warnings
+from edesign.report.summary import design_warnings, input_warnings
 from edesign.report.table import Table, number
 from edesign.study.warnings import warning_lines
 
@@ -169,8 +169,8 @@ def _listed(names: Iterable[str]) -> str:
 
 
 def _warnings(source: Source) -> list[Part]:
-    """What is doubtful: about the input, and about results, those of one kind together."""
-    lines = [*input_warnings(source.archive), *warning_lines(source.groups)]
+    """What is doubtful: about the input, about designs, and about results, those of one kind together."""
+    lines = [*input_warnings(source.archive), *design_warnings(source.archive), *warning_lines(source.groups)]
     return [Warnings("Warnings", tuple(lines))] if lines else []
 
 
