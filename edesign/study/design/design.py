@@ -100,7 +100,7 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
         raise _named(name, error) from error
 
 
-def first_warnings(project: Project, name: str, spec: Design, folder: Path) -> list[str]:
+def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path) -> list[str]:
     """What is doubtful about a design before any history: about its first round, if it is to be verified.
 
     Args:

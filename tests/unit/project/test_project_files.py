@@ -105,6 +105,7 @@ def test_every_key_is_documented() -> None:
         "damper_design",
         "viscous_design",
         "hysteretic_design",
+        "damper_placement",
         "assessment",
         "incremental",
         "reference_files",
