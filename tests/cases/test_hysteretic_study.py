@@ -19,7 +19,7 @@ from edesign.project.dampers.designs import HystereticDesign
 from edesign.report.page.document import page_text
 from edesign.report.study_tables import study_tables
 from edesign.study.analyses import run_analysis
-from edesign.study.design.hysteretic_designer import HystereticDesigner
+from edesign.study.design.hysteretic.designer import HystereticDesigner
 from edesign.study.motions import Motion
 from edesign.study.run import run_study
 

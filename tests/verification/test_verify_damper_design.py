@@ -23,11 +23,11 @@ from edesign.project.loader import parse_project
 from edesign.study.design.building import make_building
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.design import DesignResult, run_design
-from edesign.study.design.elastomer import Moduli
+from edesign.study.design.elastomer.least_area import least_area
+from edesign.study.design.elastomer.material import Moduli
+from edesign.study.design.elastomer.simplified import static_response
+from edesign.study.design.elastomer.sizing import place_stiffness
 from edesign.study.design.estimate import Action, cqc, estimate, make_action
-from edesign.study.design.least_area import least_area
-from edesign.study.design.simplified import static_response
-from edesign.study.design.sizing import place_stiffness
 from edesign.study.structure import make_structure
 
 N = 0.35

@@ -23,8 +23,8 @@ from edesign.project.dampers.designs import HYSTERETIC_LAWS, HystereticDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design
-from edesign.study.design.hysteretic import HystereticSizing, largest_hysteretic_damping, unit_forces
-from edesign.study.design.hysteretic_designer import HystereticDesigner
+from edesign.study.design.hysteretic.designer import HystereticDesigner
+from edesign.study.design.hysteretic.sizing import HystereticSizing, largest_hysteretic_damping, unit_forces
 from edesign.study.structure import make_structure
 
 ROOT = THESIS.parents[2]

@@ -25,9 +25,9 @@ from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.estimate import make_action
-from edesign.study.design.viscous import ViscousSizing, largest_viscous_damping
-from edesign.study.design.viscous_designer import ViscousDesigner
-from edesign.study.design.viscous_estimate import viscous_drift
+from edesign.study.design.viscous.designer import ViscousDesigner
+from edesign.study.design.viscous.estimate import viscous_drift
+from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping
 from edesign.study.structure import make_structure
 
 ROOT = THESIS.parents[2]

@@ -13,11 +13,11 @@ from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import HystereticDesign, SizedDesign, ViscousDesign
 from edesign.project.project import Project
 from edesign.study.design.designer import Designer, labels
-from edesign.study.design.elastomer_designer import ElastomerDesigner
-from edesign.study.design.hysteretic_designer import HystereticDesigner
+from edesign.study.design.elastomer.designer import ElastomerDesigner
+from edesign.study.design.hysteretic.designer import HystereticDesigner
 from edesign.study.design.loop import Round, Search
 from edesign.study.design.verification import Judge, Respond
-from edesign.study.design.viscous_designer import ViscousDesigner
+from edesign.study.design.viscous.designer import ViscousDesigner
 
 
 @dataclass(frozen=True)

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 
+AGREEMENT = 1e-6  # relative, of what follows from itself: a frequency, a strain, the dashpots of an amplitude
+MOST_ITERATIONS = 50
+
 
 class Relaxation:
     """The next trial of a fixed-point iteration; relaxes what oscillates and hastens what creeps.

@@ -18,8 +18,8 @@ from edesign.errors import InputError
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.project import Project
 from edesign.study.design.design import DesignResult, run_design
+from edesign.study.design.elastomer.sizing import Sizing
 from edesign.study.design.loop import Round, RoundOutcome, RoundVerdict, Search, search
-from edesign.study.design.sizing import Sizing
 from edesign.study.structure import make_structure
 
 TEXT = (

@@ -10,12 +10,12 @@ import numpy as np
 from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.distribution import distribute
-from edesign.study.design.elastomer import Elastomer, Material
+from edesign.study.design.elastomer.distribution import distribute
+from edesign.study.design.elastomer.material import Elastomer, Material
+from edesign.study.design.elastomer.own_strain import at_own_strain, reached_strain, start_strain
+from edesign.study.design.elastomer.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
 from edesign.study.design.estimate import Action
-from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
-from edesign.study.design.own_strain import at_own_strain, reached_strain, start_strain
-from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness, place_stiffness
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS
 
 
 def size_by_strain_energy(

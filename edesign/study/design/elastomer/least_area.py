@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.study.design.building import Building
-from edesign.study.design.elastomer import Moduli
+from edesign.study.design.elastomer.material import Moduli
+from edesign.study.design.elastomer.sizing import place_stiffness
 from edesign.study.design.estimate import Action, estimate
 from edesign.study.design.least_total import Problem, least_total
-from edesign.study.design.sizing import place_stiffness
 
 _MOST = 30.0  # of k_D / k_S
 

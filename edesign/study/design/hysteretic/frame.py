@@ -14,8 +14,7 @@ from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, Hysteret
 from edesign.study.design.building import Building, mode_shears
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.estimate import Action, spectral_peaks
-from edesign.study.design.own_frequency import AGREEMENT
-from edesign.study.design.relaxation import Relaxation
+from edesign.study.design.relaxation import AGREEMENT, Relaxation
 
 _MOST_ITERATIONS = 300  # of shapes, and of Newton's method; ten where storeys do not hand the drift to each other
 _MOST_DOUBLINGS = 60  # of an amplitude, or halvings, on the way to the one that is wanted

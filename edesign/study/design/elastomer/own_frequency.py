@@ -8,11 +8,9 @@ import numpy as np
 
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
-from edesign.study.design.elastomer import Elastomer, Moduli
-from edesign.study.design.sizing import place_stiffness
-
-AGREEMENT = 1e-6  # relative, of two frequencies that follow each other
-MOST_ITERATIONS = 50
+from edesign.study.design.elastomer.material import Elastomer, Moduli
+from edesign.study.design.elastomer.sizing import place_stiffness
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS
 
 
 def at_own_frequency(

@@ -13,11 +13,10 @@ from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.building import Building
-from edesign.study.design.elastomer import Moduli
+from edesign.study.design.elastomer.material import Moduli
+from edesign.study.design.elastomer.sizing import StrainStep, place_stiffness
 from edesign.study.design.estimate import Action, estimate
-from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
-from edesign.study.design.relaxation import Relaxation
-from edesign.study.design.sizing import StrainStep, place_stiffness
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
 
 _LARGEST_STEP = math.log(2.0)  # of ln(strain); a secant through two steps that hardly differ may point anywhere
 

@@ -21,18 +21,18 @@ from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, l
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.loop import Search
-from edesign.study.design.plausibility import viscous_doubts
 from edesign.study.design.results import of_storeys
-from edesign.study.design.viscous import ViscousSizing, largest_viscous_damping, size_viscous
-from edesign.study.design.viscous_estimate import ViscousEstimate, viscous_estimate
-from edesign.study.design.viscous_frame import ViscousFrame
-from edesign.study.design.viscous_results import (
+from edesign.study.design.viscous.estimate import ViscousEstimate, viscous_estimate
+from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.plausibility import viscous_doubts
+from edesign.study.design.viscous.results import (
     store_viscous_bounds,
     store_viscous_estimate,
     store_viscous_iterations,
     store_viscous_rounds,
     store_viscous_sizing,
 )
+from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping, size_viscous
 
 
 class ViscousDesigner(Designer[ViscousSizing]):

@@ -15,13 +15,15 @@ from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign
 from edesign.project.project import Project
-from edesign.study.design.bounds import analyse_bounds
 from edesign.study.design.building import law_at, per_storey, sized_dampers
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
-from edesign.study.design.elastomer import Material, law_moduli, material
-from edesign.study.design.elastomer_results import (
+from edesign.study.design.elastomer.bounds import analyse_bounds
+from edesign.study.design.elastomer.material import Material, law_moduli, material
+from edesign.study.design.elastomer.own_strain import history_strain
+from edesign.study.design.elastomer.plausibility import elastomer_doubts
+from edesign.study.design.elastomer.results import (
     store_elastomer_bounds,
     store_elastomer_estimate,
     store_elastomer_iterations,
@@ -29,14 +31,12 @@ from edesign.study.design.elastomer_results import (
     store_elastomer_sizing,
     store_strain_steps,
 )
+from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified
+from edesign.study.design.elastomer.sizing import Sizing, layers
+from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
 from edesign.study.design.loop import Round, Search
-from edesign.study.design.own_strain import history_strain
-from edesign.study.design.plausibility import elastomer_doubts
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.results import of_storeys
-from edesign.study.design.simplified import simplified_warnings, size_simplified
-from edesign.study.design.sizing import Sizing, layers
-from edesign.study.design.strain_energy import size_by_strain_energy
 
 
 class ElastomerDesigner(Designer[Sizing]):

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.study.design.least_total import Problem, least_total
-from edesign.study.design.viscous_estimate import viscous_drift
-from edesign.study.design.viscous_frame import ViscousFrame
+from edesign.study.design.viscous.estimate import viscous_drift
+from edesign.study.design.viscous.frame import ViscousFrame
 
 _MOST = 2.0
 """Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""

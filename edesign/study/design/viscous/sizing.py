@@ -11,12 +11,11 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.project.dampers.designs import BraceRatio
-from edesign.study.design.least_coefficient import least_coefficient
-from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
 from edesign.study.design.pattern import pattern_of
 from edesign.study.design.reach import reach
-from edesign.study.design.relaxation import Relaxation
-from edesign.study.design.viscous_frame import Vibration, ViscousFrame, difference
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
+from edesign.study.design.viscous.frame import Vibration, ViscousFrame, difference
+from edesign.study.design.viscous.least_coefficient import least_coefficient
 
 _SMALL = 0.01  # damping ratio that is below every limit that a design asks for
 _LOCKED = 100.0  # damping ratio by energy at which dampers with a hundredth of it all are locked too

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.damper import sizing
 from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.building import Building
-from edesign.study.design.elastomer import Moduli
+from edesign.study.design.elastomer.material import Moduli
 
 
 @dataclass(frozen=True)

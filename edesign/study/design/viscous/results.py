@@ -21,9 +21,9 @@ from edesign.study.design.results import (
     store_rounds,
     store_storeys,
 )
-from edesign.study.design.viscous import ViscousSizing
-from edesign.study.design.viscous_estimate import ViscousEstimate
-from edesign.study.design.viscous_frame import ViscousFrame
+from edesign.study.design.viscous.estimate import ViscousEstimate
+from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.sizing import ViscousSizing
 
 _DAMPING = "added damping ratio of the first mode, complex eigenvalue with linear dashpots and braces"
 _STEPS: tuple[Column, ...] = (

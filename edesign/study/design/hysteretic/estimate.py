@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.study.design.estimate import Action, FrameEstimate, frame_estimate, spectral_peaks
-from edesign.study.design.hysteretic_frame import HystereticFrame, SecantVibration
+from edesign.study.design.hysteretic.frame import HystereticFrame, SecantVibration
 
 
 @dataclass(frozen=True)

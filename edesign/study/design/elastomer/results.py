@@ -12,9 +12,10 @@ from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.damping import modal_damping
+from edesign.study.design.elastomer.own_strain import effective_strain
+from edesign.study.design.elastomer.sizing import Sizing, layers, total_area
 from edesign.study.design.estimate import Action, Estimate, estimate
 from edesign.study.design.loop import Round
-from edesign.study.design.own_strain import effective_strain
 from edesign.study.design.results import (
     Column,
     of_storeys,
@@ -25,7 +26,6 @@ from edesign.study.design.results import (
     store_rounds,
     store_storeys,
 )
-from edesign.study.design.sizing import Sizing, layers, total_area
 from edesign.study.recording import coordinate
 
 ASSEMBLIES = ("dampers", "dampers_and_braces")

@@ -12,11 +12,11 @@ from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.designs import BraceRatio, StrainEnergyDesign
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.elastomer import Moduli
+from edesign.study.design.elastomer.least_area import least_area
+from edesign.study.design.elastomer.material import Moduli
+from edesign.study.design.elastomer.sizing import place_stiffness
 from edesign.study.design.estimate import Action
-from edesign.study.design.least_area import least_area
 from edesign.study.design.pattern import pattern_of
-from edesign.study.design.sizing import place_stiffness
 
 _SCALES = np.geomspace(1e-4, 1e4, 81)  # of the dampers' stiffness over that of the storeys
 

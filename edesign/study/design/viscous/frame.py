@@ -12,10 +12,9 @@ from edesign.damper.dashpot import Dashpot, added_damping, linear_dashpot
 from edesign.errors import AnalysisError
 from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, RoofAmplitude, ViscousDesign
 from edesign.study.design.building import Building
-from edesign.study.design.dashpot_modes import DashpotModes, dashpot_modes
 from edesign.study.design.estimate import Action
-from edesign.study.design.own_frequency import AGREEMENT, MOST_ITERATIONS
-from edesign.study.design.relaxation import Relaxation
+from edesign.study.design.relaxation import AGREEMENT, MOST_ITERATIONS, Relaxation
+from edesign.study.design.viscous.dashpot_modes import DashpotModes, dashpot_modes
 
 Roof = Callable[[DashpotModes], float]
 """Amplitude at the roof (m) in the first of modes with dampers."""

@@ -17,15 +17,10 @@ from edesign.study.design.building import per_storey, sized_dampers
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
-from edesign.study.design.hysteretic import (
-    LARGEST_SHARE,
-    HystereticSizing,
-    largest_hysteretic_damping,
-    size_hysteretic,
-)
-from edesign.study.design.hysteretic_estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
-from edesign.study.design.hysteretic_frame import HystereticFrame
-from edesign.study.design.hysteretic_results import (
+from edesign.study.design.hysteretic.estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
+from edesign.study.design.hysteretic.frame import HystereticFrame
+from edesign.study.design.hysteretic.optimum import doubts, search_optimum
+from edesign.study.design.hysteretic.results import (
     store_hysteretic_bounds,
     store_hysteretic_curve,
     store_hysteretic_estimate,
@@ -33,8 +28,13 @@ from edesign.study.design.hysteretic_results import (
     store_hysteretic_sizing,
     store_objectives,
 )
+from edesign.study.design.hysteretic.sizing import (
+    LARGEST_SHARE,
+    HystereticSizing,
+    largest_hysteretic_damping,
+    size_hysteretic,
+)
 from edesign.study.design.loop import Search
-from edesign.study.design.optimum import doubts, search_optimum
 from edesign.study.design.results import of_storeys
 from edesign.study.design.verification import Judge, Respond
 

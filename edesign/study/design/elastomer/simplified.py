@@ -15,11 +15,11 @@ from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.elastomer import Elastomer, Material, Moduli
+from edesign.study.design.elastomer.material import Elastomer, Material, Moduli
+from edesign.study.design.elastomer.own_frequency import at_own_frequency
+from edesign.study.design.elastomer.own_strain import AtStrain, at_own_strain, reached_strain, start_strain
+from edesign.study.design.elastomer.sizing import Iteration, Sizing, layer_areas, layer_thickness
 from edesign.study.design.estimate import Action
-from edesign.study.design.own_frequency import at_own_frequency
-from edesign.study.design.own_strain import AtStrain, at_own_strain, reached_strain, start_strain
-from edesign.study.design.sizing import Iteration, Sizing, layer_areas, layer_thickness
 
 _ROUNDING = 1e-9  # of the number of steps of beta
 

@@ -1,0 +1,1 @@
+"""Designs of dampers of elastomer: properties at frequency and strain, two methods, distributions, bounds."""
