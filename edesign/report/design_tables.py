@@ -67,7 +67,7 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
         sized = [hysteretic_storeys_table(group), devices_table(group, sets, factors), hysteretic_damping_table(group)]
     else:
         sized = [storeys_table(group), damping_table(group)]
-    tables = [*sized, _doubts(group), rounds_table(group), bounds_table(group)]
+    tables = [*sized, _warnings(group), rounds_table(group), bounds_table(group)]
     return [table for table in tables if table.rows or table.notes]
 
 
@@ -140,7 +140,7 @@ def _prototypes(about: Mapping[str, Any]) -> str:
     return f", those of {float(about['prototypes']):.4g} prototypes" if "prototypes" in about else ""
 
 
-def _doubts(group: Group) -> Table:
+def _warnings(group: Group) -> Table:
     """Return why a design failed, and what is doubtful about it; no columns."""
     about = group.attributes
     warnings = about.get("warnings")

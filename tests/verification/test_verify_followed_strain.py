@@ -137,14 +137,14 @@ def test_a_target_that_only_the_strain_on_the_way_forbids_is_found() -> None:
         run_design(project, "tried", spec, Path("."))
 
 
-def doubts(text: str) -> list[str]:
+def warnings_of(text: str) -> list[str]:
     project = shear_project(STOREYS)
     return first_warnings(project, "tried", design(f"{COMMON}, {text}", project), Path("."))
 
 
 def test_more_stiffness_than_adds_damping_is_told_with_the_share_that_does() -> None:
     text = "method: strain_energy, damping: 13 %, strain: 20 %, brace: {ratio: 3}"
-    (told,) = [line for line in doubts(text) if "beyond the size" in line]
+    (told,) = [line for line in warnings_of(text) if "beyond the size" in line]
     n = loss_factor(0.2)
     ratio = 0.26 / (n - 0.26)
     added = 1.0 / (1.0 / (ratio * (1.0 + 1j * n)) + 1.0 / 3.0)
@@ -153,12 +153,12 @@ def test_more_stiffness_than_adds_damping_is_told_with_the_share_that_does() -> 
     found = re.search(r"they add ([\d.]+) %, and ([\d.]+) % of the elastomer", told)
     assert found is not None
     assert [float(x) for x in found.groups()] == pytest.approx([100.0 * damping, 100.0 * share], rel=5e-3)
-    assert not [line for line in doubts(text.replace("13 %", "7 %")) if "beyond the size" in line]
+    assert not [line for line in warnings_of(text.replace("13 %", "7 %")) if "beyond the size" in line]
 
 
 def test_a_strain_that_is_not_reached_is_told_with_what_it_makes_of_the_damping() -> None:
     text = "method: strain_energy, damping: 10 %, strain: 45 %"
-    (told,) = [line for line in doubts(text) if "not the 45 % of the design" in line]
+    (told,) = [line for line in warnings_of(text) if "not the 45 % of the design" in line]
     there = float(re.search(r"reach ([\d.]+) % strain", told)[1]) / 100.0  # type: ignore[index]
     k_D = 0.2 / (loss_factor(0.45) - 0.2)
     stored = modulus(there) / modulus(0.45)
@@ -166,7 +166,7 @@ def test_a_strain_that_is_not_reached_is_told_with_what_it_makes_of_the_damping(
     damping = 0.5 * loss_factor(there) * k_D * stored / (1.0 + k_D * stored)
     said = float(re.search(r"they add ([\d.]+) % of damping", told)[1]) / 100.0  # type: ignore[index]
     assert said == pytest.approx(damping, rel=5e-3)
-    assert not [line for line in doubts(text.replace("45 %", "spectrum")) if "of the design. There" in line]
+    assert not [line for line in warnings_of(text.replace("45 %", "spectrum")) if "of the design. There" in line]
 
 
 def test_slender_layers_are_told() -> None:

@@ -22,7 +22,7 @@ from edesign.study.design.device_text import devices_text
 from edesign.study.design.elastomer.bounds import analyse_bounds
 from edesign.study.design.elastomer.material import Material, law_moduli, material
 from edesign.study.design.elastomer.own_strain import history_strain
-from edesign.study.design.elastomer.plausibility import elastomer_doubts
+from edesign.study.design.elastomer.plausibility import elastomer_warnings
 from edesign.study.design.elastomer.results import (
     store_elastomer_bounds,
     store_elastomer_estimate,
@@ -162,7 +162,7 @@ class ElastomerDesigner(Designer[Sizing]):
                 bounds = analyse_bounds(building, sizing, spec, self._bound_material, self.action, self.share)
                 store_elastomer_bounds(group, building, bounds)
         in_histories = math.nan if done.chosen.outcome is None else done.chosen.outcome.strain
-        warnings += elastomer_doubts(building, spec, sizing, self.material, found, in_histories)
+        warnings += elastomer_warnings(building, spec, sizing, self.material, found, in_histories)
         group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group

@@ -23,7 +23,7 @@ LARGEST_OVER_DESIGN = 1.5
 """Largest considered over design earthquake: ASCE/SEI 7-16, 11.4.5, whose design spectrum is 2/3 of the other."""
 
 
-def elastomer_doubts(
+def elastomer_warnings(
     building: Building,
     spec: ElastomerDesign,
     sizing: Sizing,
@@ -143,7 +143,7 @@ def _too_thick(
     """Layers that do not come near their limit: thinner ones have the same stiffness with less elastomer.
 
     Args:
-        building, spec, sizing, material: as for `elastomer_doubts`.
+        building, spec, sizing, material: as for `elastomer_warnings`.
         largest: strain of all layers at the level of the design.
         reached: effective one.
     """

@@ -19,7 +19,7 @@ from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.hysteretic.estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
 from edesign.study.design.hysteretic.frame import HystereticFrame
-from edesign.study.design.hysteretic.optimum import doubts, search_optimum
+from edesign.study.design.hysteretic.optimum import optimum_warnings, search_optimum
 from edesign.study.design.hysteretic.results import (
     store_hysteretic_bounds,
     store_hysteretic_curve,
@@ -129,7 +129,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
         if spec.optimum is not None and spec.verify is not None and done.chosen.outcome is not None:
             store_objectives(group, done.rounds, spec.optimum)
             about = (spec.optimum.range, spec.optimum.least, spec.verify.precision)
-            group.attributes["warnings"] = doubts(done.rounds, *about)
+            group.attributes["warnings"] = optimum_warnings(done.rounds, *about)
         if self.action is not None:
             found = hysteretic_estimate(frame, sizing.yield_force, sizing.vibration, self.action)
             bare = bare_estimate(frame, self.action)

@@ -75,7 +75,9 @@ def search_optimum(
     return Search(tuple(rounds), chosen, reason)
 
 
-def doubts(rounds: Sequence[Round[S]], ends: tuple[float, float], least: Least, precision: float) -> list[str]:
+def optimum_warnings(
+    rounds: Sequence[Round[S]], ends: tuple[float, float], least: Least, precision: float
+) -> list[str]:
     """What the user should know of an optimum: at an end, flat, several valleys, criteria that it misses.
 
     Args:

@@ -24,7 +24,7 @@ from edesign.study.design.loop import Search
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.estimate import ViscousEstimate, viscous_estimate
 from edesign.study.design.viscous.frame import ViscousFrame
-from edesign.study.design.viscous.plausibility import viscous_doubts
+from edesign.study.design.viscous.plausibility import viscous_warnings
 from edesign.study.design.viscous.results import (
     store_viscous_bounds,
     store_viscous_estimate,
@@ -113,7 +113,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
             store_viscous_estimate(group, self.building, spec.number, found, bare)
             if spec.bounds is not None:
                 store_viscous_bounds(group, self.building, self._bounds(sizing, self.action))
-        group.attributes["warnings"] = list(viscous_doubts(frame, sizing, found))
+        group.attributes["warnings"] = list(viscous_warnings(frame, sizing, found))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 

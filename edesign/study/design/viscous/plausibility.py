@@ -17,7 +17,7 @@ LARGEST_FORCE = 8e6
 """N, of one fluid viscous damper: the end of the standard sizes of Taylor Devices (250 to 8000 kN)."""
 
 
-def viscous_doubts(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousEstimate | None) -> Iterator[str]:
+def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousEstimate | None) -> Iterator[str]:
     """What is implausible about viscous dampers.
 
     Args:

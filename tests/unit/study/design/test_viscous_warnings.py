@@ -15,8 +15,8 @@ from shear_frames import MASS, STIFFNESS
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.project import Project
-from edesign.study.design import plausibility
 from edesign.study.design.design import first_warnings, run_design
+from edesign.study.design.viscous import plausibility
 
 LAW = "\ndampers: {laws: {oil: {type: viscous_power, parameters: {c: 1 kN*(s/m)^@, alpha: @}}}}\n"
 TEXT = "method: viscous, law: oil, kind: storey, bays: 1, state: initial, "
@@ -26,16 +26,16 @@ def project(alpha: str = "1") -> Project:
     return shear_project(1, LAW.replace("@", alpha))
 
 
-def doubts(text: str, alpha: str = "1") -> list[str]:
+def warnings_of(text: str, alpha: str = "1") -> list[str]:
     made = project(alpha)
     return first_warnings(made, "tried", design(TEXT + text, made), Path("."))
 
 
 def test_dampers_that_hold_their_storey() -> None:
     # c = 2 zeta sqrt(k m), so that omega c is 2 zeta k
-    (told,) = doubts("damping: 60 %")
+    (told,) = warnings_of("damping: 60 %")
     assert "the dampers of storey 1 push 1.2 times as hard as its columns (omega c_eq over k_S" in told
-    assert doubts("damping: 49 %") == []
+    assert warnings_of("damping: 49 %") == []
 
 
 def test_more_coefficient_than_adds_damping() -> None:
@@ -63,16 +63,16 @@ def test_more_coefficient_than_adds_damping() -> None:
 
 
 def test_a_damper_larger_than_those_that_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert doubts("damping: 8 %, level: DBE") == []
+    assert warnings_of("damping: 8 %, level: DBE") == []
     monkeypatch.setattr(plausibility, "LARGEST_FORCE", 1e4)
-    (told,) = doubts("damping: 8 %, level: DBE")
+    (told,) = warnings_of("damping: 8 %, level: DBE")
     assert "standard sizes end at 10 kN (Taylor Devices), so take more places or a larger `number` than 1" in told
 
 
 def test_an_amplitude_that_the_spectrum_does_not_have() -> None:
-    (told,) = doubts("damping: 8 %, level: DBE, amplitude: {roof_displacement: 10 mm}", "0.5")
+    (told,) = warnings_of("damping: 8 %, level: DBE, amplitude: {roof_displacement: 10 mm}", "0.5")
     reached, ratio = (
         float(x) for x in re.findall(r"reaches ([\d.]+) mm at DBE: there c_eq is ([\d.]+) times", told)[0]
     )
     assert ratio == pytest.approx((reached / 10.0) ** -0.5, rel=5e-3) and ratio < 0.85
-    assert doubts("damping: 8 %, level: DBE, amplitude: spectrum", "0.5") == []
+    assert warnings_of("damping: 8 %, level: DBE, amplitude: spectrum", "0.5") == []
