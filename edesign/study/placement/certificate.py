@@ -22,35 +22,35 @@ class Certificate:
         proof: `optimal`: every cheaper layout was analysed and missed a criterion; `local`: every cheaper one that
             differs in one or two positions; `if_monotone`: those not analysed have nowhere more dampers than one that
             missed. Where no layout meets the criteria, all layouts stand for the cheaper ones.
-        size: layouts in the space.
+        layouts: in the space.
         cheaper: of them; None: too many to be listed.
         cheaper_analysed: of these.
-        ruled_out: cheaper ones that were not analysed and have nowhere more than one that missed.
+        cheaper_ruled_out: those that were not analysed and have nowhere more than one that missed.
         nearby, nearby_analysed, nearby_ruled_out: the same of those that differ in one or two positions.
-        alike: other layouts of the same cost; None: not listed.
-        alike_analysed: of them.
-        violations: layouts that missed and have nowhere less than one that met.
+        same_cost: other layouts of the same cost; None: not listed.
+        same_cost_analysed: of them.
+        harmed_by_more: layouts that missed and have nowhere less than one that met.
         met: whether the chosen layout meets the criteria.
     """
 
     proof: Proof
-    size: int
+    layouts: int
     cheaper: int | None
     cheaper_analysed: int
-    ruled_out: int
+    cheaper_ruled_out: int
     nearby: int
     nearby_analysed: int
     nearby_ruled_out: int
-    alike: int | None
-    alike_analysed: int
-    violations: int
+    same_cost: int | None
+    same_cost_analysed: int
+    harmed_by_more: int
     met: bool
 
     @property
     def sentence(self) -> str:
         """The certificate in words."""
         each = "each layout" if not self.met else "each cheaper layout"
-        count = self.size if not self.met else self.cheaper
+        count = self.layouts if not self.met else self.cheaper
         if self.proof == "optimal":
             text = f"optimal: {each} ({count}) was analysed and misses a criterion"
             if self.met and count == 0:
@@ -58,7 +58,7 @@ class Certificate:
         elif self.proof == "optimal_if_monotone":
             text = (
                 f"optimal if more dampers never harm: {each} ({count}) was analysed and misses a criterion "
-                f"({self.cheaper_analysed}), or has nowhere more than one that misses ({self.ruled_out})"
+                f"({self.cheaper_analysed}), or has nowhere more than one that misses ({self.cheaper_ruled_out})"
             )
         elif self.proof == "none":
             text = "not searched further: the budget is spent; layouts nearby were not all analysed"
@@ -71,8 +71,8 @@ class Certificate:
             )
         if not self.met:
             text = text.replace("optimal", "none meets the criteria", 1)
-        if self.violations:
-            text += f"; in {self.violations} layouts analysed more dampers did harm"
+        if self.harmed_by_more:
+            text += f"; in {self.harmed_by_more} layouts analysed more dampers did harm"
         return text
 
 
@@ -86,16 +86,16 @@ def certify(knowledge: Knowledge, monotone: bool) -> Certificate:
     """
     space, best, chosen = knowledge.space, knowledge.best, chosen_of(knowledge)
     bound = None if best is None else best.cost - 1
-    violations = knowledge.violations()
-    allowed = monotone and not violations
+    harmed_by_more = knowledge.harmed_by_more()
+    allowed = monotone and not harmed_by_more
     listed = space.listed(bound)
     cheaper = None if listed is None else [tuple(row) for row in listed.tolist()]
     near = [one for one in space.neighbours(chosen.layout) if bound is None or space.cost(one) <= bound]
-    alike = None
+    same_cost = None
     if best is not None and cheaper is not None:
         up_to = space.listed(best.cost)
         same = [] if up_to is None else [tuple(row) for row in up_to.tolist() if space.cost(tuple(row)) == best.cost]
-        alike = None if up_to is None else [one for one in same if one != chosen.layout]
+        same_cost = None if up_to is None else [one for one in same if one != chosen.layout]
     all_counts = (0, 0) if cheaper is None else _counts(knowledge, cheaper, allowed)
     count = None if cheaper is None else len(cheaper)
     if best is None:  # whatever there is of it, a miss of the fullest layout rules out all the rest
@@ -110,9 +110,9 @@ def certify(knowledge: Knowledge, monotone: bool) -> Certificate:
         *all_counts,
         len(near),
         *near_counts,
-        None if alike is None else len(alike),
-        0 if alike is None else sum(one in knowledge for one in alike),
-        violations,
+        None if same_cost is None else len(same_cost),
+        0 if same_cost is None else sum(one in knowledge for one in same_cost),
+        harmed_by_more,
         best is not None,
     )
 

@@ -15,10 +15,10 @@ from edesign.study.placement.space import Layout
 from edesign.study.structure import device_stiffness
 
 RESPONSES = ("storey drift", "floor acceleration", "base shear")
-AGREEMENT = 0.02
+_AGREEMENT = 0.02
 """Of the dampers' amplitudes between two iterations: below what separates an estimate from a history by far."""
-MOST_ITERATIONS = 12
-AMPLITUDES = 13
+_MOST_ITERATIONS = 12
+_AMPLITUDES = 13
 """At which a damper's steady vibration is computed, from 1/300 of the largest deformation of its place up: five a
 decade, between which stiffnesses are interpolated."""
 
@@ -61,13 +61,13 @@ class LayoutEstimates:
         devices = [self._candidates.devices[key] for key in chosen]
         frame = _with_devices(self._candidates.frame, rows)
         amplitude = self._bare_deformation[rows]
-        for _ in range(MOST_ITERATIONS):
+        for _ in range(_MOST_ITERATIONS):
             stiffness = np.array([self._stiffness(d, float(u)) for d, u in zip(devices, amplitude, strict=True)])
             stiffness = stiffness.astype(complex)
             modes = frame.modes(stiffness.real)
             peaks = spectral_peaks(frame, self._action, modes, strain_energy_damping(modes, stiffness))
             found = peaks.combined(modes.dampers)
-            if np.all(np.abs(found - amplitude) <= AGREEMENT * amplitude):
+            if np.all(np.abs(found - amplitude) <= _AGREEMENT * amplitude):
                 break
             amplitude = np.sqrt(found * amplitude)  # stiffness may fall with the amplitude as fast as it rises
         drift = peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / self._candidates.heights
@@ -79,7 +79,7 @@ class LayoutEstimates:
         """Complex stiffness of a damper with its brace at an amplitude (m), N/m."""
         key = (device.law, device.force_scale, device.deformation_scale, device.brace, device.play)
         if key not in self._stiffness_of:
-            grid = self._largest * np.geomspace(1.0 / 300.0, 1.0, AMPLITUDES)
+            grid = self._largest * np.geomspace(1.0 / 300.0, 1.0, _AMPLITUDES)
             values = np.array([device_stiffness(device, float(u), self._frequency) for u in grid])
             self._stiffness_of[key] = (np.log(grid), values)
         at, values = self._stiffness_of[key]

@@ -86,7 +86,7 @@ class Knowledge:
         """Layouts that missed a criterion, (layouts, positions)."""
         return self._rows(met=False)
 
-    def violations(self) -> int:
+    def harmed_by_more(self) -> int:
         """How many layouts missed that have nowhere less than one that met: the assumption does not hold there."""
         met, missed = self._rows(met=True), self._rows(met=False)
         return sum(bool(np.any(np.all(self.space.not_larger[met, row], axis=1))) for row in missed)

@@ -18,6 +18,19 @@ from edesign.study.placement.space import Layout
 from edesign.study.recording import coordinate
 
 _LARGEST_WHOLE = 2**63 - 1
+_COUNTS = (
+    "layouts",
+    "cheaper",
+    "cheaper_analysed",
+    "cheaper_ruled_out",
+    "nearby",
+    "nearby_analysed",
+    "nearby_ruled_out",
+    "same_cost",
+    "same_cost_analysed",
+    "harmed_by_more",
+)
+"""What the certificate counts, attributes of the archive."""
 
 
 def store_placement(
@@ -38,18 +51,7 @@ def store_placement(
     group.attributes |= {"warnings": [], "devices": devices_text(candidates.dampers(chosen.layout))}
     if proof is None:
         return
-    counts = {
-        "layouts": proof.size,
-        "cheaper": proof.cheaper,
-        "cheaper_analysed": proof.cheaper_analysed,
-        "cheaper_ruled_out": proof.ruled_out,
-        "nearby": proof.nearby,
-        "nearby_analysed": proof.nearby_analysed,
-        "nearby_ruled_out": proof.nearby_ruled_out,
-        "same_cost": proof.alike,
-        "same_cost_analysed": proof.alike_analysed,
-        "harmed_by_more": proof.violations,
-    }
+    counts = {key: getattr(proof, key) for key in _COUNTS}
     group.attributes |= {"proof": proof.proof, "certificate": proof.sentence}
     known = {key: value for key, value in counts.items() if value is not None}
     group.attributes |= {key: value if value <= _LARGEST_WHOLE else float(value) for key, value in known.items()}

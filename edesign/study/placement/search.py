@@ -97,7 +97,7 @@ class _Search:
         for layout, outcome in zip(chosen, outcomes, strict=True):
             self.knowledge.add(layout, outcome)
             self._kept(self.knowledge)
-        if self._monotone and self.knowledge.violations():
+        if self._monotone and self.knowledge.harmed_by_more():
             self._monotone = False
 
     def _step_up(self, layout: Layout) -> Layout | None:
