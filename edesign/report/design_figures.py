@@ -12,7 +12,18 @@ from edesign.archive.reader import Archive
 from edesign.report.archived import archived_project
 from edesign.report.captions import file_name, plain
 from edesign.report.design_tables import ROUND_SIZES, round_areas, round_damping
-from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, grid_figure, new_figure, some_of, styled
+from edesign.report.figures import (
+    AFTER,
+    BEFORE,
+    MEAN,
+    TARGET,
+    VARIANTS,
+    grid_figure,
+    legend_above,
+    new_figure,
+    some_of,
+    styled,
+)
 from edesign.report.histories import names_of
 from edesign.report.hysteretic_figures import hysteretic_figures
 from edesign.report.placement_figures import placement_figures
@@ -25,7 +36,6 @@ if TYPE_CHECKING:
 
 _STYLES = ("-", "--", "-.", ":")
 _LINE: Any = {"color": AFTER, "marker": "o", "ms": 3.5}
-_ABOVE: Any = {"loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "ncols": 2, "borderaxespad": 0.2}
 MARKERS = ("o", "s", "^", "D", "v")
 
 
@@ -98,8 +108,7 @@ def heights_figure(group: Group) -> Figure:
         axis.set_ylim(storeys[0] - 0.6, storeys[-1] + 0.6)
         axis.set_yticks(some_of(storeys))
         axis.grid(axis="y", visible=False)
-        handles, labels = axis.get_legend_handles_labels()
-        axis.legend(handles, labels, **_ABOVE)
+        legend_above(axis)
     return figure
 
 
@@ -124,7 +133,7 @@ def rounds_figure(group: Group) -> Figure:
         axis.set_xticks(some_of(rounds))
         axis.set_xlabel("round")
         if axis.get_legend_handles_labels()[0]:
-            axis.legend(**_ABOVE)
+            legend_above(axis)
     return figure
 
 
@@ -143,7 +152,7 @@ def iterations_figure(group: Group) -> Figure:
     left.plot(steps, _along(group, "iteration_frequency"), color=BEFORE, ls="--", marker="s", ms=3.5, label="taken")
     left.plot(steps, _along(group, "iteration_next_frequency"), **_LINE, label="found")
     left.set_ylabel("first frequency (Hz)")
-    left.legend(**_ABOVE)
+    legend_above(left)
     right.plot(steps, 100.0 * _along(group, "iteration_damping"), **_LINE)
     right.set_ylabel("added damping (%)")
     _from_zero(right)

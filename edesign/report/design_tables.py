@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.requirement import UNITS
 from edesign.assess.sets import HistorySet
+from edesign.report.design_storeys import put_storeys
 from edesign.report.device_order import devices_table
 from edesign.report.hysteretic_tables import (
     hysteretic_damping_table,
@@ -83,12 +84,9 @@ def storeys_table(group: Group) -> Table:
         ("A_D/A_P", "area_ratio", 1.0),
         ("force [kN]", "estimated_damper_force", 1e3),
     )
-    shown = [column for column in columns if column[1] in group.variables]
-    table = Table(title, ("storey", *(header for header, _, _ in shown)))
-    if "storey" in group.coords and shown:
-        for i, storey in enumerate(group.coords["storey"].values):
-            cells = [number(float(group.variables[key].values[i]), scale=unit) for _, key, unit in shown]
-            table.rows.append([str(storey), *cells])
+    table = Table(title)
+    if "storey" in group.coords:
+        put_storeys(table, group, columns)
     values = group.variables
     if "damper_stiffness" in values and "storey_stiffness" in values:
         ratio = values["damper_stiffness"].values / values["storey_stiffness"].values

@@ -157,6 +157,11 @@ def legend_label(text: str) -> str:
     return f" {text}" if text.startswith("_") else text
 
 
+def legend_above(axis: Axes, columns: int = 2) -> None:
+    """Put the legend of an axis above it, from the left."""
+    axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, borderaxespad=0.2)
+
+
 def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
     """Put a legend below the axes, in as many columns as fit the width of the figure; to be called when `styled`.
 

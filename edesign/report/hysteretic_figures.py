@@ -3,19 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.captions import file_name, plain
-from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, new_figure, some_of, styled
+from edesign.report.design_storeys import heights_axes
+from edesign.report.figures import AFTER, BEFORE, MEAN, TARGET, VARIANTS, legend_above, new_figure, styled
 from edesign.report.histories import names_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-_ABOVE: Any = {"loc": "lower left", "bbox_to_anchor": (-0.02, 1.0), "ncols": 2, "borderaxespad": 0.2}
 
 
 def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
@@ -48,32 +47,17 @@ def hysteretic_heights_figure(group: Group) -> Figure:
         group: of a design: storey_shear, yield_force N over (storey,), and estimated_storey_drift,
             estimated_bare_storey_drift over (frame_storey,) where a level is given.
     """
-    estimated = "estimated_storey_drift" in group.variables
-    figure, (axes,) = new_figure(1, 2 if estimated else 1, 6.3 if estimated else 3.2, 3.0)
-    storeys, every = (np.asarray(group.coords[name].values) for name in ("storey", "frame_storey"))
-    left = axes[0]
+    figure, left, right = heights_axes(group)
+    storeys = np.asarray(group.coords["storey"].values)
     shear, force = (1e-3 * group.variables[key].values for key in ("storey_shear", "yield_force"))
     left.barh(storeys + 0.2, shear, 0.36, color=BEFORE, label="shear")
     left.barh(storeys - 0.2, force, 0.36, color=AFTER, label="yield force")
     left.set_xlabel("of the storey (kN)")
-    left.set_ylabel("storey")
-    left.grid(axis="y", visible=False)
-    for axis in axes:
-        axis.set_yticks(some_of(every))
-        axis.set_ylim(every[0] - 0.6, every[-1] + 0.6)
-    if estimated:
-        right = axes[1]
-        for label, key, color in (
-            ("without dampers", "estimated_bare_storey_drift", BEFORE),
-            ("with dampers", "estimated_storey_drift", AFTER),
-        ):
-            right.plot(100.0 * group.variables[key].values, every, color=color, marker="o", ms=3.5, label=label)
+    legend_above(left)
+    if right is not None:
         right.plot(100.0 * group.variables["yield_drift"].values, storeys, color=TARGET, ls="--", label="at yield")
-        right.set_xlabel("estimated drift (%)")
         right.set_xlim(left=0.0)
-        right.tick_params(labelleft=False)
-    for axis in axes:
-        axis.legend(**{**_ABOVE, "ncols": 3})
+        legend_above(right, 3)
     return figure
 
 
@@ -124,5 +108,5 @@ def optimum_figure(group: Group) -> Figure:
     axis.set_xlabel("yield forces over storey shears (%)")
     axis.set_ylabel("value / limit")
     axis.set_ylim(bottom=0.0)
-    axis.legend(**{**_ABOVE, "ncols": 4})
+    legend_above(axis, 4)
     return figure

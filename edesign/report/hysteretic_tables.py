@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.report.design_storeys import put_storeys
 from edesign.report.table import Table, number
 
 
@@ -26,11 +27,7 @@ def hysteretic_storeys_table(group: Group) -> Table:
             ("amplitude [mm]", "design_stroke", 1e-3),
             ("ductility", "design_ductility", 1.0),
         )
-        shown = [column for column in columns if column[1] in group.variables]
-        table.columns = ("storey", *(header for header, _, _ in shown))
-        for i, storey in enumerate(group.coords["storey"].values):
-            cells = [number(float(group.variables[key].values[i]), scale=scale) for _, key, scale in shown]
-            table.rows.append([str(storey), *cells])
+        put_storeys(table, group, columns)
         table.notes.append(
             f"{about['places']} places with {about['number']} each; F_y in sum {_percent(about['share'])} of the "
             f"storey shears, roof {1e3 * float(str(about['roof_displacement_m'])):.4g} mm"

@@ -10,7 +10,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.project.frame.frame import Frame
 from edesign.report.captions import file_name
-from edesign.report.figures import AFTER, MEAN, RECORDS, TARGET, VARIANTS, new_figure, styled
+from edesign.report.figures import AFTER, MEAN, RECORDS, TARGET, VARIANTS, legend_above, new_figure, styled
 from edesign.report.frame_drawing import draw_dampers, draw_frame
 from edesign.report.histories import names_of
 from edesign.report.placement_tables import front
@@ -89,5 +89,5 @@ def cost_figure(group: Group) -> Figure:
     axis.set_ylabel("worst demand / limit")
     axis.set_ylim(bottom=0.0)
     axis.set_xlim(left=min(0.0, float(cost.min())))
-    axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=4, borderaxespad=0.2)
+    legend_above(axis, 4)
     return figure

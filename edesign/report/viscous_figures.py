@@ -9,7 +9,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.captions import file_name, plain
-from edesign.report.figures import AFTER, BEFORE, new_figure, some_of, styled
+from edesign.report.design_storeys import heights_axes
+from edesign.report.figures import AFTER, legend_above, new_figure, some_of, styled
 from edesign.report.viscous_tables import kilonewtons
 
 if TYPE_CHECKING:
@@ -40,29 +41,13 @@ def viscous_heights_figure(group: Group) -> Figure:
         group: of a design: device_coefficient over (storey,), and estimated_storey_drift, estimated_bare_storey_drift
             over (frame_storey,) where a level is given.
     """
-    estimated = "estimated_storey_drift" in group.variables
-    figure, (axes,) = new_figure(1, 2 if estimated else 1, 6.3 if estimated else 3.2, 3.0)
-    storeys, every = (np.asarray(group.coords[name].values) for name in ("storey", "frame_storey"))
-    coefficient = group.variables["device_coefficient"]
-    left = axes[0]
+    figure, left, right = heights_axes(group)
+    storeys, coefficient = np.asarray(group.coords["storey"].values), group.variables["device_coefficient"]
     left.barh(storeys, 1e-3 * coefficient.values, 0.6, color=AFTER)
     left.set_xlabel(f"c of a damper ({kilonewtons(coefficient.unit)})")
-    left.set_ylabel("storey")
-    left.grid(axis="y", visible=False)
-    for axis in axes:
-        axis.set_yticks(some_of(every))
-        axis.set_ylim(every[0] - 0.6, every[-1] + 0.6)
-    if estimated:
-        right = axes[1]
-        for label, key, color in (
-            ("without dampers", "estimated_bare_storey_drift", BEFORE),
-            ("with dampers", "estimated_storey_drift", AFTER),
-        ):
-            right.plot(100.0 * group.variables[key].values, every, color=color, marker="o", ms=3.5, label=label)
-        right.set_xlabel("estimated drift (%)")
+    if right is not None:
         right.set_xlim(left=0.0)
-        right.tick_params(labelleft=False)
-        right.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=2, borderaxespad=0.2)
+        legend_above(right)
     return figure
 
 

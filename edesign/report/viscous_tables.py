@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.report.design_storeys import put_storeys
 from edesign.report.table import Table, number
 
 
@@ -22,11 +23,7 @@ def viscous_storeys_table(group: Group) -> Table:
             ("linear dashpot [kN*s/m]", "device_linear_dashpot", 1e3),
             ("amplitude [mm]", "design_stroke", 1e-3),
         )
-        shown = [column for column in columns if column[1] in group.variables]
-        table.columns = ("storey", *(header for header, _, _ in shown))
-        for i, storey in enumerate(group.coords["storey"].values):
-            cells = [number(float(group.variables[key].values[i]), scale=scale) for _, key, scale in shown]
-            table.rows.append([str(storey), *cells])
+        put_storeys(table, group, columns)
         roof = about.get("roof_displacement_m")
         amplitude = "" if roof is None else f", roof {1e3 * float(str(roof)):.4g} mm"
         table.notes.append(
