@@ -24,6 +24,8 @@ Column = tuple[str, Callable[[Any], float], str, str]
 Demand = tuple[str, Callable[[Any], np.ndarray], str, str]
 """The same of what dampers have to bear at their places, (d,)."""
 
+STROKE: Demand = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
+
 
 def store_storeys(group: Group, building: Building, number: int, brace: np.ndarray | None) -> None:
     """Add the storeys of the frame and those with dampers, their stiffness, and how many dampers there are.
@@ -139,6 +141,22 @@ def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, 
     group.add("estimated_column_shear", ("frame_storey",), with_dampers.storey_shear, "N", f"{label}' forces")
     force = of_storeys(building, with_dampers.damper_force)
     group.add("estimated_damper_force", ("storey",), force, "N", "estimated force of the dampers of a place")
+
+
+def store_devices(group: Group, building: Building, number: int, found: FrameEstimate, stroke: np.ndarray) -> None:
+    """Add what one damper of each storey is estimated to bear.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        number: of dampers side by side at a place.
+        found: response with the force of all dampers of a place.
+        stroke: of the dampers at their places, without braces, (d,) m.
+    """
+    force = of_storeys(building, found.damper_force) / number
+    group.add("estimated_device_force", ("storey",), force, "N", "estimated force of one damper")
+    label = "estimated stroke of a damper, without its brace"
+    group.add("estimated_device_stroke", ("storey",), of_storeys(building, stroke), "m", label)
 
 
 def store_bounds(

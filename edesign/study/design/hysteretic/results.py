@@ -20,8 +20,10 @@ from edesign.study.design.hysteretic.sizing import LARGEST_SHARE, HystereticSizi
 from edesign.study.design.loop import Round
 from edesign.study.design.results import (
     MODES,
+    STROKE,
     of_storeys,
     store_bounds,
+    store_devices,
     store_drifts,
     store_rounds,
     store_storeys,
@@ -145,11 +147,8 @@ def store_hysteretic_estimate(
     Forces are of all dampers of a place; those of one are divided by their `number`.
     """
     store_drifts(group, building, found, bare)
+    store_devices(group, building, number, found, found.damper_stroke)
     add = group.add
-    force = of_storeys(building, found.damper_force) / number
-    add("estimated_device_force", ("storey",), force, "N", "estimated force of one damper")
-    stroke = of_storeys(building, found.damper_stroke)
-    add("estimated_device_stroke", ("storey",), stroke, "m", "estimated stroke of a damper, without its brace")
     ductility = of_storeys(building, found.ductility)
     add("estimated_device_ductility", ("storey",), ductility, "1", "that stroke over the deformation at yield")
 
@@ -157,5 +156,4 @@ def store_hysteretic_estimate(
 def store_hysteretic_bounds(group: Group, building: Building, found: tuple[Bound[HystereticEstimate], ...]) -> None:
     """Add the response with the bounds of the forces, and which of them governs each quantity."""
     labels = ("forces of the dampers over those of the design", _DAMPING)
-    stroke = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
-    store_bounds(group, building, found, labels, stroke)
+    store_bounds(group, building, found, labels, STROKE)

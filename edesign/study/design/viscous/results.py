@@ -12,10 +12,12 @@ from edesign.study.design.bounds import Bound
 from edesign.study.design.building import Building
 from edesign.study.design.loop import Round
 from edesign.study.design.results import (
+    STROKE,
     Column,
     of_storeys,
     store_bare_modes,
     store_bounds,
+    store_devices,
     store_drifts,
     store_iterations,
     store_rounds,
@@ -119,17 +121,12 @@ def store_viscous_estimate(
     Forces are of all dampers of a place; those of one are divided by their `number`.
     """
     store_drifts(group, building, found, bare)
-    add = group.add
-    force = of_storeys(building, found.damper_force) / number
-    add("estimated_device_force", ("storey",), force, "N", "estimated force of one damper")
-    stroke = of_storeys(building, found.damper_stroke)
-    add("estimated_device_stroke", ("storey",), stroke, "m", "estimated stroke of a damper, without its brace")
+    store_devices(group, building, number, found, found.damper_stroke)
     velocity = of_storeys(building, found.damper_velocity)
-    add("estimated_device_velocity", ("storey",), velocity, "m/s", "estimated pseudo velocity of a damper")
+    group.add("estimated_device_velocity", ("storey",), velocity, "m/s", "estimated pseudo velocity of a damper")
 
 
 def store_viscous_bounds(group: Group, building: Building, found: tuple[Bound[ViscousEstimate], ...]) -> None:
     """Add the response with the bounds of the coefficients, and which of them governs each quantity."""
     labels = ("coefficients of the dampers over those of the design", _DAMPING)
-    stroke = ("damper_stroke", lambda r: r.damper_stroke, "m", "estimated stroke of the dampers")
-    store_bounds(group, building, found, labels, stroke)
+    store_bounds(group, building, found, labels, STROKE)
