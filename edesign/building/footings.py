@@ -154,11 +154,11 @@ def project_footings(
     """Return the footings of a project by the lines of columns that stand on them.
 
     Those without a `period` are taken at the first one of the frame on its footings, which depends on them: both are
-    found together. Footings that lift off are then on the ground, and dampers do not count.
+    found together. Footings that lift off are then on the ground.
 
     Args:
         project: the validated project.
-        first_period: of the frame on such footings, s.
+        first_period: of the frame on such footings, s; of its dampers only buckling-restrained braces count.
 
     Raises:
         InputError: the tables of a code do not have the case of a soil, or no period was found.

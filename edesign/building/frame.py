@@ -132,6 +132,17 @@ class FrameModel:
         """Total mass, kg."""
         return float(sum(self.masses.values()))
 
+    @property
+    def brace_stiffness(self) -> np.ndarray | None:
+        """Of all dampers of the core the stiffness that they have in modes as buckling-restrained braces which have not
+        yielded, (n_dampers,) N/m; None: there are no such braces."""
+        braces = {device.number: device.restrained.stiffness for device in self.devices if device.restrained}
+        if not braces:
+            return None
+        found = np.zeros(len(self.model.damper_names))
+        found[list(braces)] = list(braces.values())
+        return found
+
     def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
         """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as terms of the core.
 
@@ -209,7 +220,8 @@ def build_frame(
     if isolation is not None:
         footings = {}
     elif footings is None:
-        footings = project_footings(project, lambda found: _first_period(project, found))
+        braces = {name: law for name, law in (laws or {}).items() if law.restrained is not None}
+        footings = project_footings(project, lambda found: _first_period(project, found, braces))
     base_held = weights is None
     supports, grounds, built_footings = _supports(frame, model, nodes, footings, isolation, base_held)
     rigid = frame.diaphragm_floors if isolation is None or base_held else (0, *frame.diaphragm_floors)
@@ -268,11 +280,12 @@ def build_frame(
     )
 
 
-def _first_period(project: Project, footings: Mapping[str, FootingSprings]) -> float:
-    """The first period of the unloaded frame without its dampers on such footings, s."""
+def _first_period(project: Project, footings: Mapping[str, FootingSprings], braces: Mapping[str, DeviceLaw]) -> float:
+    """The first period of the unloaded frame on such footings, s; of its dampers it has those of laws in `braces`."""
     from edesign.core import Analysis
 
-    return float(Analysis(build_frame(project, footings=footings).model).modes(1).period[0])
+    built = build_frame(project, laws=braces, footings=footings)
+    return float(Analysis(built.model).modes(1, built.brace_stiffness).period[0])
 
 
 def _add_loads(

@@ -15,6 +15,7 @@ from edesign.core import Modes, damped_eigenvalue
 from edesign.errors import AnalysisError
 from edesign.project.notation import names
 from edesign.project.project import Project
+from edesign.study.dampers import device_laws
 from edesign.study.recording import Quantity, Terms, coordinate
 from edesign.study.structure import Structure, make_structure
 
@@ -89,7 +90,7 @@ class Interaction:
 
 
 def interaction(project: Project, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
-    """Return what the footings do to the first mode of a frame without dampers.
+    """Return what the footings do to the first mode of a frame without dampers other than buckling-restrained braces.
 
     Args:
         project: the validated project.
@@ -103,7 +104,8 @@ def interaction(project: Project, structure: Structure, modes: Modes, gravity: b
     Source: period, Veletsos & Meek 1974, Earthquake Engineering and Structural Dynamics 3, 121-138; damping, NIST GCR
         12-917-21, Eq. 2-10, and ASCE/SEI 7-16, 19.3, with the exponent 2 of dashpots that are taken at the period.
     """
-    fixed = make_structure(project, build_frame(project, footings={}))
+    laws = device_laws(project) if structure.frame.devices else {}
+    fixed = make_structure(project, build_frame(project, laws=laws, footings={}))
     if gravity:
         fixed.apply_gravity()
     on_fixed = fixed.modes(1)
@@ -148,9 +150,12 @@ def _damping(structure: Structure, modes: Modes) -> float:
     if not coefficients.any():
         return 0.0
     damping = (along.T @ scipy.sparse.diags(coefficients) @ along).tocsc()
+    stiffness = analysis.stiffness()
+    if frame.brace_stiffness is not None:
+        stiffness = (stiffness + along.T @ scipy.sparse.diags(frame.brace_stiffness) @ along).tocsc()
     omega, shape = float(modes.omega[0]), modes.equations[0]
     try:
-        value = damped_eigenvalue(analysis.stiffness(), analysis.masses(), damping, omega, shape)
+        value = damped_eigenvalue(stiffness, analysis.masses(), damping, omega, shape)
     except (ValueError, RuntimeError) as error:
         raise AnalysisError(f"the first mode with the dashpots of the footings: {error}") from error
     return float(-value.real / abs(value))

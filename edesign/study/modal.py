@@ -38,7 +38,8 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
         modes = structure.modes(spec.modes)
     store_modes(group, structure, modes)
     store_footings(group, structure.frame)
-    if structure.frame.footings and not structure.frame.devices:
+    only_braces = all(device.restrained for device in structure.frame.devices) and not structure.frame.attached
+    if structure.frame.footings and only_braces:
         store_interaction(group, interaction(project, structure, modes, spec.state == "gravity"))
     store_isolation_estimate(group, project, structure)
     group.attributes |= {"status": "completed", "reason": "", "state": spec.state, "mass_kg": structure.frame.mass}

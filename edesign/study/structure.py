@@ -45,10 +45,8 @@ class Structure:
         Raises:
             AnalysisError: there are not so many modes, or the structure is unstable.
         """
-        braces = {d.number: d.restrained.stiffness for d in self.frame.devices if d.restrained is not None}
-        if damper_stiffness is None and (braces or self.frame.isolated is not None):
-            damper_stiffness = np.zeros(len(self.frame.model.damper_names))
-            damper_stiffness[list(braces)] = list(braces.values())
+        if damper_stiffness is None:
+            damper_stiffness = self.frame.brace_stiffness
             if self.frame.isolated is not None:
                 isolators = self.frame.isolated.devices
                 amplitudes = [float(isolator.design_deformation or 0.0) for isolator in isolators]
