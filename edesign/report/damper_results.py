@@ -19,7 +19,10 @@ ENERGY = "energy_final"
 
 
 def dampers_table(groups: Mapping[str, Group]) -> Table:
-    """Return the largest response of any damper in each analysis, and the share of the input that went into all."""
+    """Return the largest response of any damper in each analysis, and the share of the input that went into all.
+
+    The energy term `dampers` has dashpots of footings and tuned masses too, which are none of these.
+    """
     rows = {name: group for name, group in groups.items() if peak(group, "damper_force") is not None}
     shown = [column for column in COLUMNS if any(peak(group, column[1]) is not None for group in rows.values())]
     header = ("analysis", *(title for title, _, _ in shown), "damper", "work [kJ]", "of the input [%]")
@@ -30,7 +33,7 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
         worst = str(group.coords["damper"].values[int(np.argmax(deformation))]) if deformation is not None else "-"
         work = group.variables.get("damper_work_final")
         total = float(np.sum(work.values)) if work is not None else None
-        table.rows.append([name, *cells, worst, number(total, scale=1e3), number(_share(group), scale=0.01)])
+        table.rows.append([name, *cells, worst, number(total, scale=1e3), number(_share(group, total), scale=0.01)])
     return table
 
 
@@ -69,10 +72,10 @@ def _largest(values: np.ndarray | None, unit: float) -> str:
     return number(float(np.max(values)) if values is not None else None, scale=unit)
 
 
-def _share(group: Group) -> float | None:
+def _share(group: Group, work: float | None) -> float | None:
     energy = group.variables.get(ENERGY)
-    if energy is None:
+    if energy is None or work is None:
         return None
     terms = [str(term) for term in group.coords["energy_term"].values]
     given = float(energy.values[terms.index("input")])
-    return float(energy.values[terms.index("dampers")]) / given if given > 0.0 else None
+    return work / given if given > 0.0 else None
