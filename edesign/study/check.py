@@ -85,9 +85,9 @@ def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[st
 
 def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
     """Build a frame with its dampers and its outputs, and look for mechanisms and modes."""
-    frame = make_frame(project, dampers=True)
-    requested_quantities(project, frame, Group())
     try:
+        frame = make_frame(project, dampers=True)  # with footings, at the first period of a frame that must stand
+        requested_quantities(project, frame, Group())
         structure = make_structure(project, frame)
     except CoreError as error:
         raise InputError(f"{project.where('frame')}: frame: {error}") from error

@@ -11,6 +11,7 @@ from edesign.building.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Problem, parse_project
 from edesign.project.frame.foundations import FootingSupport
+from edesign.study.check import check_inputs
 
 Broken = Callable[..., list[Problem]]
 
@@ -109,3 +110,12 @@ def test_absurd_sides_are_told_at_their_place(small: str, sides: str) -> None:
     said = r"project.yaml:6:\d+: frame.supports.B.footing.\w+: .* is beyond what a length can be"
     with pytest.raises(InputError, match=said):
         parse_project(text.replace(AT, f"soils: {{clay: {SOIL}}}\n{AT}"), profiles=profile_names())
+
+
+def test_a_mechanism_on_footings_is_told_at_its_place(small: str) -> None:
+    """A soil so soft that nothing holds the feet: the period that footings are taken at is not found."""
+    soil = SOIL.replace("200 m/s", "1e-6 m/s")
+    text = small.replace("{default: fixed, B: pinned}", "{default: {footing: {soil: clay, length: 2 m, width: 2 m}}}")
+    project = parse_project(text.replace(AT, f"soils: {{clay: {soil}}}\n{AT}"), profiles=profile_names())
+    with pytest.raises(InputError, match=r"project.yaml:\d+:\d+: frame: the structure is a mechanism"):
+        check_inputs(project, [])
