@@ -208,6 +208,14 @@ _OF_LABORATORIES: dict[str, dict[str, float]] = {
     "s^2": {"s^2": 1.0},
 }
 """The same of what laboratories write, and of which no building is built."""
+_OF_AMERICA = (
+    "psf = pound_force / foot ** 2",
+    "ksf = kip / foot ** 2",
+    "plf = pound_force / foot",
+    "klf = kip / foot",
+    "pcf = pound / foot ** 3",
+)
+"""Short forms of loads and of a density that pint does not know."""
 _POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
 """Of F = c v^p, whose unit has the power of its parameter."""
 
@@ -221,7 +229,10 @@ def units_of(kind: Kind) -> dict[str, float]:
 def _registry() -> pint.UnitRegistry[float]:
     import pint  # a third of a second: only where a unit is a rare one
 
-    return pint.UnitRegistry()
+    registry: pint.UnitRegistry[float] = pint.UnitRegistry()
+    for definition in _OF_AMERICA:
+        registry.define(definition)
+    return registry
 
 
 @cache
