@@ -5,15 +5,11 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import numpy as np
 import pytest
 from cases.conftest import HERE
 
-from edesign.archive.dataset import Group
 from edesign.building.building_sections import BuildingSections
-from edesign.core import Analysis
 from edesign.project import Project, parse_project
-from edesign.study.history import run_history
 from edesign.study.modal import run_modal
 
 AREA, KF = 2400.0, 1.35
@@ -30,7 +26,7 @@ frame:
   beams: [{{floors: all, section: IPE400, material: S}}]
   STRUTS
 soils:
-  clay: {{density: 1900 kg/m^3, shear_wave_velocity: 180 m/s, poisson: 0.45, strain: {{code: en1998_5, acceleration: 0.25 g}}}}
+  clay: {{density: 1900 kg/m^3, shear_wave_velocity: 120 m/s, poisson: 0.45, damping: 8 %}}
 sections: {{strut: {{area: {KF * AREA} mm^2}}}}
 materials: {{S: {{law: elastic, E: 200 GPa}}}}
 masses: {{given: [{{floors: all, mass: 30 t}}]}}
