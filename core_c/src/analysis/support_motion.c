@@ -1,9 +1,10 @@
 /* Held degrees that move during a history, relative to the ground: elements and dampers see where they are, the equations of the
  * free degrees stay as they are.
  *
- * Proportional and modal damping act on v - sum shape v_s. The shape of a support is how the structure follows it slowly. For damping
- * proportional to the stiffness that the shape is of, this is the damping of all degrees, K_ff v + K_fs v_s. Damping proportional to
- * mass, and of modes, has no other meaning where supports move apart (Chopra, Dynamics of Structures, 9.7). */
+ * Proportional and modal damping act on v - sum shape v_s. The shape of a support is how the structure follows it slowly, with what its
+ * dampers hold back then. For damping proportional to the stiffness that the shape is of, this is the damping of all degrees, K_ff v +
+ * K_fs v_s. Damping proportional to mass, and of modes, has no other meaning where supports move apart (Chopra, Dynamics of
+ * Structures, 9.7). */
 #include "system/analysis.h"
 
 #include <math.h>
@@ -39,10 +40,16 @@ static void add_pull(ed_analysis *a, int support, double *pull)
 
 static int find_shape(ed_analysis *a, int support, double *shape)
 {
-  const double factor = a->velocity_factor;
-  a->velocity_factor = 0.0; /* slowly */
+  const double factor = a->velocity_factor, duration = a->duration;
+  a->velocity_factor = 0.0;
+  a->run.kind = ED_RUN_STATIC; /* of dampers what they hold back slowly */
+  int status = ed_first_slopes(a);
+  a->run.kind = ED_RUN_HISTORY;
+  a->duration = duration;
+  if (status != ED_OK)
+    return status;
   add_pull(a, support, shape);
-  int status = ed_factor_effective(a, 1.0, 0.0, 0.0);
+  status = ed_factor_effective(a, 1.0, 0.0, 0.0);
   if (status == ED_OK)
     status = ed_solve_effective(a, 1, shape);
   a->velocity_factor = factor;

@@ -274,7 +274,7 @@ void ed_name_damper(const ed_analysis *a, char *buffer, int size); /* that faile
 void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
 void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix);
 int ed_installed(const ed_analysis *a);           /* whether some damper acts */
-int ed_first_slopes(ed_analysis *a);              /* of the dampers that act from the beginning, in a slow step */
+int ed_first_slopes(ed_analysis *a);              /* of the dampers that act, in a slow step from the committed state */
 int ed_start_devices(ed_analysis *a);
 double ed_count_device_work(ed_analysis *a);
 double ed_device_value(const ed_analysis *a, int kind, int device, int component);
