@@ -118,6 +118,7 @@ class Device:
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
         restrained: all braces that stand at its place, of its length; None: its law is another.
         foot: name of the node of an isolated base that it acts on from the ground; "": it is no such one.
+        carries: whether it acts from the beginning, under the gravity loads too.
     """
 
     name: str
@@ -137,6 +138,7 @@ class Device:
     design_deformation: float | None = None
     restrained: RestrainedBrace | None = None
     foot: str = ""
+    carries: bool = False
 
 
 @dataclass(frozen=True)
@@ -198,6 +200,9 @@ def add_devices(
         restrained = law.restrained
         if restrained is not None:
             _check_restrained(run, where)
+        elif run.carries_gravity:
+            message = f"the law `{run.law}` is of a damper that is set in under the gravity loads; leave this key out"
+            raise InputError(f"{where}: carries_gravity: {message}")
         for place in _places(project, run, nodes, where):
             size = _size(run, place)
             force_scale, deformation_scale, thickness = size.scales(law)
@@ -210,15 +215,19 @@ def add_devices(
             name = names.free_name(place.name, taken)
             taken.add(name)
             if name in outside:
+                if run.carries_gravity:
+                    message = f"{name} stands in the laboratory, where the gravity loads are not; leave this key out"
+                    raise InputError(f"{where}: carries_gravity: {message}")
                 continue
+            scales = (force_scale, deformation_scale)
             try:
-                number = model.damper(name, law.law, place.terms, brace, force_scale, deformation_scale, play)
+                number = model.damper(name, law.law, place.terms, brace, *scales, play, carries=run.carries_gravity)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            scales = (force_scale, deformation_scale, brace, play, law.tested_strain, _brace_bar(run, place))
+            of_law = (*scales, brace, play, law.tested_strain, _brace_bar(run, place))
             amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
-            own = (place.storey, place.terms, thickness, size, *scales, amplitude)
-            found.append(Device(name, number, run.law, law.law, *own, own_brace))
+            own = (place.storey, place.terms, thickness, size, *of_law, amplitude, own_brace)
+            found.append(Device(name, number, run.law, law.law, *own, carries=run.carries_gravity))
     return tuple(found)
 
 

@@ -57,7 +57,7 @@ class Basis:
     """
 
     def __init__(self, project: Project, spec: PushoverAnalysis | TargetAnalysis) -> None:
-        frame = make_frame(project)
+        frame = make_frame(project, spec.dampers)
         self._project, self._dampers = project, spec.dampers
         self.loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
         self.forces, self.masses = by_floor(frame, self.loads), floor_masses(frame)

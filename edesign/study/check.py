@@ -30,6 +30,7 @@ from edesign.project.study.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.criteria import check_criteria_inputs
+from edesign.study.dampers import device_laws
 from edesign.study.design.design import check_sizing, first_warnings
 from edesign.study.history import check_motion
 from edesign.study.intensity import check_hazard_curves
@@ -90,7 +91,11 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
         requested_quantities(project, frame, Group())
         structure = make_structure(project, frame)
     except CoreError as error:
-        raise InputError(f"{project.where('frame')}: frame: {error}") from error
+        laws = device_laws(project)
+        runs = project.dampers.devices if project.dampers is not None else ()
+        idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
+        hint = "; a frame that stands by its buckling-restrained braces needs `carries_gravity: true` with them"
+        raise InputError(f"{project.where('frame')}: frame: {error}{hint if idle else ''}") from error
     _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
     if any(isinstance(spec, HistoryAnalysis) for spec in specs):
         _check_series(project)

@@ -42,6 +42,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         q.base_shear(frame, history=False),
         *q.member_forces(frame, q.bending_members(frame), "member", history=False),
         *q.axial_forces(frame),
+        *(q.dampers(frame, history=False) if any(device.carries for device in frame.devices) else ()),
         *q.base_displacement(frame, history=False),
         *q.isolator_axial_forces(frame, keep=("final",)),
         *q.leaning_column(frame),

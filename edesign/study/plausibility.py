@@ -106,7 +106,7 @@ def _damping(project: Project) -> str:
 
 def _under_gravity(project: Project) -> list[str]:
     """What the gravity loads alone do to the frame."""
-    group = run_gravity(project, GravityAnalysis(kind="gravity", name="gravity", dampers=False))
+    group = run_gravity(project, GravityAnalysis(kind="gravity", name="gravity"))
     if group.attributes["status"] != "completed":
         return [f"under the gravity loads alone {group.attributes['reason']}"]
     found = []

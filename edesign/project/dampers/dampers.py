@@ -122,7 +122,8 @@ class _Sized(Model):
     """A law at the size of the device; `number` of them stand side by side.
 
     Layers are those of the prototype unless given. `scale` multiplies the forces of a law without prototype.
-    `design_deformation` is the amplitude of damper and brace at which they count in natural modes.
+    `design_deformation` is the amplitude of damper and brace at which they count in natural modes. Buckling-restrained
+    braces can act from the beginning (`carries_gravity`); other dampers are set in under the gravity loads.
     """
 
     law: str
@@ -133,6 +134,7 @@ class _Sized(Model):
     scale: Scales | None = None
     design_deformation: Lengths | None = None
     brace: Brace = "rigid"
+    carries_gravity: bool = False
 
 
 class DamperRun(_Sized):
