@@ -391,9 +391,11 @@ def _mass(project: Project) -> dict[str, str]:
 def _standing(project: Project) -> str:
     """How the frame stands whose period is told."""
     isolation = project.isolation
+    braced = any(law.restrained for law in device_laws(project).values())
+    braces = ", with its buckling-restrained braces" if braced else ""
     if isolation is None:
-        return "under gravity"
-    return f"under gravity, on its isolators at {1e3 * isolation.design_displacement:g} mm"
+        return f"under gravity{braces}"
+    return f"under gravity{braces}, on its isolators at {1e3 * isolation.design_displacement:g} mm"
 
 
 def _members(project: Project) -> str:

@@ -139,3 +139,18 @@ def test_the_history_converges_with_the_square_of_the_step() -> None:
     errors = [np.max(np.abs(displacements[parts] - displacements[16])) / size for parts in (1, 2, 4)]
     assert errors[0] < 0.1
     assert errors[1] < errors[0] / 3.0 and errors[2] < errors[1] / 3.0
+
+
+def test_a_frame_that_stands_by_its_braces(results_of: Results) -> None:
+    """Chevrons carry what the middle of a continuous beam brings: more than half of the load on a bay, as over two
+    hinged beams, and less than the 5/8 of a rigid support. Histories begin from there."""
+    gravity = results_of("brb_pinned", "gravity")
+    feet = 0.3048 * 25.0
+    load = (85.0 + 0.25 * 50.0) * 30.0 * 4.4482216 / 0.3048  # N/m
+    assert value(gravity, "reaction_y_final").sum() == pytest.approx(2 * 2 * load * feet, rel=1e-7)
+    forces = value(gravity, "damper_force_final")
+    for storey, height in enumerate((14.0, 12.0)):
+        sine = height / np.hypot(12.5, height)
+        brought = -forces[4 * storey :][:4].sum() * sine / 2.0  # of two braces
+        assert 0.5 * load * feet < brought < 0.625 * load * feet
+    assert value(results_of("brb_pinned", "shake"), "damper_force")[0] == pytest.approx(forces, rel=1e-5)
