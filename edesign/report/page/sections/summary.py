@@ -24,6 +24,7 @@ TILES = (  # label, measure, unit, unit in SI
     ("Interstorey drift", "interstorey_drift", "%", 0.01),
     ("Residual interstorey drift", "residual_interstorey_drift", "%", 0.01),
     ("Roof acceleration", "roof_acceleration_m_s2", "m/s2", 1.0),
+    ("Base shear", "base_shear_N", "kN", 1e3),
     ("Column shear at the base", "column_base_shear_N", "kN", 1e3),
 )
 GOVERNING = (
