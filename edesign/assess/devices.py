@@ -20,7 +20,8 @@ class DeviceDemand:
         histories: completed ones.
         planned: all of them.
         values: (2, s) each, the mean, then the largest: force (N) and stroke (m); of viscous dampers velocity (m/s), of
-            hysteretic ones cumulated_plastic (m).
+            buckling-restrained braces core_strain and cumulative_ductility, of other hysteretic dampers
+            cumulated_plastic (m).
     """
 
     variant: str
@@ -42,7 +43,8 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
         found: the histories.
         property_factor: of the variant, on all forces.
 
-    Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings.
+    Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings;
+        cumulative ductility: AISC 341-16, K3.8.
     """
     completed = list(found.completed.values())
     if not completed:
@@ -52,7 +54,13 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
     force = np.array([_largest(group, "damper_force", storeys) for group in completed]) / number
     values = {"force": force}
     values["stroke"] = np.array([_largest(group, "damper_deformation", storeys) for group in completed])
-    if design.attributes["method"] == "hysteretic":
+    if "device_core_area" in design.variables:
+        values["core_strain"] = np.array([_largest(group, "core_strain", storeys) for group in completed])
+        cumulated = (group.variables["cumulative_ductility_final"].values for group in completed)
+        values["cumulative_ductility"] = np.array(
+            [_of_storeys(group, of, storeys) for group, of in zip(completed, cumulated, strict=True)]
+        )
+    elif design.attributes["method"] == "hysteretic":
         yield_force = number * property_factor * np.asarray(design.variables["device_yield_force"].values)
         work = np.array(
             [_of_storeys(group, group.variables["damper_work_final"].values, storeys) for group in completed]

@@ -10,7 +10,9 @@ from typing import Protocol
 import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 
+from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import LawValues
+from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.errors import InputError
 from edesign.project.reading.problems import listed
 
@@ -34,7 +36,7 @@ class Hysteresis(Protocol):
         """Stiffness after yielding over the initial one; nan: it keeps changing."""
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N."""
+        """Force at the largest deformation (...) m of a steady cycle, N; of different sides the mean."""
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
         """Derivative of that force by the amplitude, N/m."""
@@ -193,6 +195,7 @@ _LAWS: Mapping[str, Callable[..., Hysteresis]] = MappingProxyType(
         "self_centring": lambda k, Fy, b, beta: Bilinear(Fy, k, b, 0.5 * beta),
         "ramberg_osgood": RambergOsgood,
         "bouc_wen": BoucWen,
+        "buckling_restrained": lambda *values: RestrainedCycles(RestrainedBrace.of_law(values)),
     }
 )
 """What can be sized: the hysteresis of each law from its parameters, in the order of the core."""
@@ -204,7 +207,8 @@ def hysteresis(law: LawValues) -> Hysteresis:
     Raises:
         InputError: the law has no yield or slip force, or effects beside.
 
-    Source: thesis Eqs. 2.22, 2.67, 2.68; Ramberg and Osgood (1943); Christopoulos, Filiatrault and Folz (2002).
+    Source: thesis Eqs. 2.22, 2.67, 2.68; Ramberg and Osgood (1943); Christopoulos, Filiatrault and Folz (2002); AISC
+        341-16, F4.
     """
     if law.law not in _LAWS:
         raise InputError(f"the law {law.law} cannot be sized by its yield or slip force; {listed(_LAWS)} can")

@@ -67,16 +67,28 @@ class Project(RecordFiles, FileModel):
     @model_validator(mode="after")
     def _meet_beams(self) -> Self:
         """Dampers in place of a chevron's braces meet the middle of the beam above."""
+        self.frame.meet_by_dampers(self._beams_met(self.dampers))
+        return self
+
+    def _beams_met(self, dampers: Dampers | None) -> list[tuple[int, int]]:
         grid = self.frame
-        runs = self.dampers.devices if self.dampers is not None else ()
-        grid.meet_by_dampers(
+        return [
             (bay, storey)
-            for run in runs
+            for run in (dampers.devices if dampers is not None else ())
             if isinstance(run, DamperRun) and run.kind == "chevron_braces"
             for storey in run.storeys.numbers(1, grid.n_storeys)
             for bay in run.bays.numbers(1, grid.n_bays)
-        )
-        return self
+        ]
+
+    def with_dampers(self, dampers: Dampers | None) -> Self:
+        """Return the project with other dampers; those in place of a chevron's braces meet the beams above.
+
+        Without any the beams stay as they are, so that members keep their names.
+        """
+        if dampers is None:
+            return self.model_copy(update={"dampers": None})
+        frame = self.frame.met_by_dampers(self._beams_met(dampers))
+        return self.model_copy(update={"dampers": dampers, "frame": frame})
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
         """Return what the file would be with other values; see `FileModel.with_values`."""

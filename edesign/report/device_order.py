@@ -17,6 +17,11 @@ _VALUES = {  # header, name, unit shown in SI
         ("stroke [mm]", "stroke", 1e-3),
         ("plastic [mm]", "cumulated_plastic", 1e-3),
     ),
+    "buckling_restrained": (
+        ("force [kN]", "force", 1e3),
+        ("core strain [%]", "core_strain", 0.01),
+        ("cum. ductility", "cumulative_ductility", 1.0),
+    ),
 }
 
 
@@ -33,7 +38,7 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
         return table
     demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]
     found = [demand for demand in demands if demand is not None]
-    values = _VALUES[str(group.attributes["method"])]
+    values = _VALUES[_kind(group)]
     spread = [f"{which} {header}" for header, _, _ in values for which in ("mean", "max")]
     headers, sizes = _sizes(group)
     table.columns = ["", "storey", "number", *headers, *spread]
@@ -49,31 +54,54 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
     return table
 
 
+_SIZES = {  # header, name, unit shown in SI
+    "hysteretic": (("F_y [kN]", "yield_force", 1e3), ("k [kN/mm]", "stiffness", 1e6)),
+    "buckling_restrained": (
+        ("A_sc [mm2]", "core_area", 1e-6),
+        ("T_adj [kN]", "adjusted_tension", 1e3),
+        ("C_adj [kN]", "adjusted_compression", 1e3),
+    ),
+}
+
+
+def _kind(group: Group) -> str:
+    return "buckling_restrained" if "device_core_area" in group.variables else str(group.attributes["method"])
+
+
 def _sizes(group: Group) -> tuple[list[str], list[list[str]]]:
     """Headers and cells of each storey of what one damper is."""
-    if group.attributes["method"] == "hysteretic":
-        forces, stiffness = (group.variables[f"device_{key}"].values for key in ("yield_force", "stiffness"))
-        cells = [
-            [number(float(f), scale=1e3), number(float(k), scale=1e6)] for f, k in zip(forces, stiffness, strict=True)
+    if (sizes := _SIZES.get(_kind(group))) is not None:
+        columns = [
+            [number(float(of), scale=unit) for of in group.variables[f"device_{key}"].values] for _, key, unit in sizes
         ]
-        return ["F_y [kN]", "k [kN/mm]"], cells
+        return [header for header, _, _ in sizes], [list(row) for row in zip(*columns, strict=True)]
     coefficient = group.variables["device_coefficient"]
     alpha = f"{float(str(group.attributes['alpha'])):g}"
     cells = [[number(float(c), scale=1e3), alpha] for c in coefficient.values]
     return [f"c [{kilonewtons(coefficient.unit)}]", "alpha"], cells
 
 
+_ADJUSTED = "T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a)"
+
+
 def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
+    kind = _kind(group)
     hysteretic = group.attributes["method"] == "hysteretic"
     estimate = "estimate: by the response spectrum of the level of the design"
     notes = [estimate if hysteretic else f"{estimate}, pseudo velocity"]
     if hysteretic:
-        hardening, yielding = (float(str(group.attributes[key])) for key in ("hardening", "yield_deformation_m"))
+        hardening = float(str(group.attributes["hardening"]))
         after = f"; stiffness after yielding {hardening:g} k" if hardening > 0.0 else ""  # nan: it keeps changing
-        notes.append(f"a damper yields at {1e3 * yielding:.4g} mm{after}; plastic: cumulated, work over F_y")
+        least, most = (f"{1e3 * pick(group.variables['device_yield_deformation'].values):.4g}" for pick in (min, max))
+        yields = f"a damper yields at {least if least == most else f'{least} to {most}'} mm{after}"
+        if kind == "hysteretic":
+            notes.append(f"{yields}; plastic: cumulated, work over F_y")
+        else:
+            notes += [f"{yields}; cum. ductility: sum of its plastic deformations over that", _ADJUSTED]
     counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
     if counts:
-        notes.append(f"histories: {'; '.join(counts)}; the stroke is without the brace")
+        without = "" if kind == "buckling_restrained" else "; the stroke is without the brace"
+        notes.append(f"histories: {'; '.join(counts)}{without}")
     return notes
 
 

@@ -147,7 +147,7 @@ def _respond(
     keys: dict[int, list[str]] = {}
     outputs = kept_for_verification(study, verify)
     for number, dampers in wanted:
-        project = study.base.model_copy(update={"dampers": dampers, "outputs": outputs})
+        project = study.base.with_dampers(dampers).model_copy(update={"outputs": outputs})
         for level in verify.levels or ("",):
             for reference in verification_records(study, name):
                 spec = HistoryAnalysis.model_construct(

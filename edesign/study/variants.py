@@ -33,10 +33,10 @@ def variant_project(
     variant, base = study.variants[name], study.project_of(name)
     dampers = designed[variant.design] if variant.design is not None else base.dampers
     if variant.dampers == "none" or dampers is None:
-        return base.model_copy(update={"dampers": None})
+        return base.with_dampers(None)
     factor, own_temperature = bound_of(study, name)
     temperature_C = own_temperature if temperature_C is None else temperature_C
-    return base.model_copy(update={"dampers": with_laws(dampers, variant, temperature_C, factor)})
+    return base.with_dampers(with_laws(dampers, variant, temperature_C, factor))
 
 
 def bound_of(study: Study, name: str) -> tuple[float, float | None]:

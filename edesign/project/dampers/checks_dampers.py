@@ -14,6 +14,7 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     Device,
 )
+from edesign.project.dampers.designs import HystereticDesign
 from edesign.project.dampers.placement import CatalogueItem
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
@@ -126,15 +127,27 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
     if check.numbers((*keys, "storeys"), device.storeys, "storey", project.frame.n_storeys) and inside:
         storeys = device.storeys.numbers(1, project.frame.n_storeys)
         _lists(problems, keys, device, len(storeys))
-        absent = [
-            names.beam_name(bay, storey)
-            for storey in storeys
-            for bay in device.bays.numbers(1, project.frame.n_bays)
-            if device.kind == "chevron_braces" and (bay, storey) not in project.frame.beam_at
-        ]
-        if absent:
-            message = f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing"
-            problems.at_value((*keys, "kind"), message)
+        check_beams_met((*keys, "kind"), device, project, problems)
+
+
+def check_beams_met(keys: Keys, run: DamperRun | HystereticDesign, project: Project, problems: Problems) -> None:
+    """Check that dampers in place of a chevron's braces have the beams that they meet.
+
+    Args:
+        keys: of the `kind` of the dampers.
+        run: of dampers, or their design; its bays and storeys are those of the frame.
+        project: with the frame.
+        problems: collects what is wrong.
+    """
+    grid = project.frame
+    absent = [
+        names.beam_name(bay, storey)
+        for storey in run.storeys.numbers(1, grid.n_storeys)
+        for bay in run.bays.numbers(1, grid.n_bays)
+        if run.kind == "chevron_braces" and (bay, storey) not in grid.beam_at
+    ]
+    if absent:
+        problems.at_value(keys, f"`chevron_braces` meet a beam in the middle, and {listed(absent)} is missing")
 
 
 def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from edesign.project.dampers.checks_dampers import check_beams_met
 from edesign.project.dampers.dampers import DamperLaw
-from edesign.project.dampers.designs import HYSTERETIC_LAWS, HystereticDesign, Optimum
+from edesign.project.dampers.designs import BRACE_KINDS, HYSTERETIC_LAWS, HystereticDesign, Optimum
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
 
@@ -22,6 +23,10 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
     laws = project.dampers.laws if project.dampers is not None else {}
     if spec.law in laws:
         _law((*keys, "law"), spec.law, laws[spec.law], problems)
+        if laws[spec.law].type == "buckling_restrained":
+            for key, message in restrained_misfits(spec).items():
+                problems.at_value((*keys, key), message)
+    check_beams_met((*keys, "kind"), spec, project, problems)
     given = [key for key in TARGETS if getattr(spec, key) is not None]
     if not given:
         problems.under(keys, "shear_share", f"this key is missing; one target of {listed(TARGETS)} is needed")
@@ -45,6 +50,17 @@ def _law(keys: Keys, name: str, law: DamperLaw, problems: Problems) -> None:
     if law.file is None and law.type is not None and law.type not in HYSTERETIC_LAWS:
         message = f"the law `{name}` is of type `{law.type}`; hysteretic dampers are of type {listed(HYSTERETIC_LAWS)}"
         problems.at_value(keys, message)
+
+
+def restrained_misfits(spec: HystereticDesign) -> dict[str, str]:
+    """What a design of buckling-restrained braces must not say, by its key."""
+    found = {}
+    if spec.kind not in BRACE_KINDS:
+        message = f"`{spec.kind}` acts horizontally, and a buckling-restrained brace along its length"
+        found["kind"] = f"{message}; take {listed(BRACE_KINDS)}"
+    if spec.brace != "rigid":
+        found["brace"] = "the ends of a buckling-restrained brace are in its `KF`; leave this key out"
+    return found
 
 
 def _level(keys: Keys, spec: HystereticDesign, problems: Problems) -> None:

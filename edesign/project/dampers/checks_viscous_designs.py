@@ -27,8 +27,12 @@ def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, prob
         problems.at_key((*keys, "bounds", "temperatures"), message)
     if spec.distribution == "least_coefficient":
         _least_coefficient(keys, spec, problems)
-    elif spec.damping is None:
+        return
+    if spec.damping is None:
         problems.under(keys, "damping", "this key is missing: the damping ratio that the dampers add, such as `15 %`")
+    if spec.drift is not None:
+        message = "a drift has no part in the sizing for a damping; meet one by `verify`, or by `least_coefficient`"
+        problems.at_key((*keys, "drift"), message)
 
 
 def _law(keys: Keys, name: str, law: DamperLaw, problems: Problems) -> None:

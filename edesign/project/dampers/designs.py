@@ -225,7 +225,9 @@ class ViscousDesign(_Design):
     verify: ViscousVerify | None = None
 
 
-HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgood", "bouc_wen")
+HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgood", "bouc_wen", "buckling_restrained")
+BRACE_KINDS = ("chevron_braces", "rising", "falling")
+"""Of dampers that stand along the length of a brace."""
 
 
 class Optimum(Model):
@@ -247,6 +249,7 @@ class HystereticDesign(_Design):
     """
 
     method: Literal["hysteretic"]
+    kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
     shear_share: PositiveRatio | None = None
     damping: PositiveRatio | None = None
     optimum: Optimum | None = None

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Annotated
+from typing import Annotated, Self
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
@@ -82,6 +82,14 @@ class Frame(Model):
     def meet_by_dampers(self, beams: Iterable[tuple[int, int]]) -> None:
         """Tell the frame, once, which beams dampers meet in the middle, by (bay, floor)."""
         self._met_by_dampers = frozenset(beams)
+
+    def met_by_dampers(self, beams: Collection[tuple[int, int]]) -> Self:
+        """Return the frame whose dampers meet these beams in the middle, by (bay, floor)."""
+        if self._met_by_dampers == frozenset(beams):
+            return self
+        found = self.model_construct(self.model_fields_set, **dict(self))  # a copy would keep what was derived
+        found.meet_by_dampers(beams)
+        return found
 
     # --- grid
 

@@ -32,6 +32,7 @@ class Building:
         computed_stiffness: the same as computed from the first mode, whether it was given or not, N/m.
         place_storey: (d,) index of each place in `storeys`.
         cosine: (d,) of each damper's slope.
+        deformation_scale: (d,) of its law over its own deformation: of braces that stretch with their length, else 1.
     """
 
     project: Project
@@ -43,6 +44,7 @@ class Building:
     computed_stiffness: np.ndarray
     place_storey: np.ndarray
     cosine: np.ndarray
+    deformation_scale: np.ndarray
 
     @property
     def designed_stiffness(self) -> np.ndarray:
@@ -70,7 +72,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
     """
     law = law_at(project, spec.law, spec.temperature)
     trial = _run(spec, None, {})
-    empty = project.model_copy(update={"dampers": _dampers(project, trial, keep_attachments=False)})
+    empty = project.with_dampers(_dampers(project, trial, keep_attachments=False))
     try:
         structure = make_structure(empty, dampers=True)
     except InputError as error:  # its devices stand in no file: the place is the design
@@ -98,6 +100,7 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         computed,
         np.array([index[device.storey] for device in devices]),
         np.array([sum(max(c, 0.0) for c, _, degree in device.terms if degree == 0) for device in devices]),
+        np.array([device.deformation_scale for device in devices]),
     )
 
 

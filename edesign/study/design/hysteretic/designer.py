@@ -9,11 +9,12 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.damper.hysteresis import hysteresis
 from edesign.errors import InputError
+from edesign.project.dampers.checks_hysteretic_designs import restrained_misfits
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import HystereticDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import NAMES, Bound, property_factors
-from edesign.study.design.building import per_storey, sized_dampers
+from edesign.study.design.building import law_at, per_storey, sized_dampers
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
@@ -52,6 +53,9 @@ class HystereticDesigner(Designer[HystereticSizing]):
     }
 
     def __init__(self, project: Project, name: str, spec: HystereticDesign, progress: Callable[[str], None]) -> None:
+        if law_at(project, spec.law, None).restrained is not None:  # the law of a file, too
+            for key, message in restrained_misfits(spec).items():
+                raise InputError(f"designs.{name}.{key}: {message}")
         super().__init__(project, name, spec, progress)
         self.spec = spec
         law = self.building.law
@@ -102,9 +106,11 @@ class HystereticDesigner(Designer[HystereticSizing]):
     def dampers(self, sizing: HystereticSizing) -> Dampers:
         """The project's dampers with those of a sizing."""
         brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
-        amplitude = of_storeys(self.building, sizing.vibration.deformation)
         scale = self.device_yield_force(sizing) / self.frame.loop.yield_force
-        size = {"scale": per_storey(scale), "design_deformation": per_storey(amplitude)}
+        size = {"scale": per_storey(scale)}
+        if self.building.law.restrained is None:  # modes count a restrained brace as it is before it yields
+            amplitude = of_storeys(self.building, sizing.vibration.deformation)
+            size["design_deformation"] = per_storey(amplitude)
         return sized_dampers(self.building, self.spec, brace, size)
 
     def size(self, sizing: HystereticSizing) -> Mapping[str, float | np.ndarray]:
@@ -134,10 +140,24 @@ class HystereticDesigner(Designer[HystereticSizing]):
             found = hysteretic_estimate(frame, sizing.yield_force, sizing.vibration, self.action)
             bare = bare_estimate(frame, self.action)
             store_hysteretic_estimate(group, self.building, spec.number, found, bare)
+            group.attributes["warnings"] += self._strained(found)
             if spec.bounds is not None:
                 store_hysteretic_bounds(group, self.building, self._bounds(sizing, self.action))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
+
+    def _strained(self, found: HystereticEstimate) -> list[str]:
+        """A warning where cores strain beyond what the manufacturer's values are known for."""
+        restrained = self.building.law.restrained
+        if (
+            restrained is None
+            or found.core_strain is None
+            or float(found.core_strain.max()) <= restrained.tested_strain
+        ):
+            return []
+        strain = f"{100.0 * float(found.core_strain.max()):.3g} %"
+        known = f"{100.0 * restrained.tested_strain:g} %"
+        return [f"estimated core strain {strain}, and omega and beta are known up to {known}"]
 
     def _bounds(self, sizing: HystereticSizing, action: Action) -> tuple[Bound[HystereticEstimate], ...]:
         """The response with lower, nominal and upper forces, each at the amplitude of its own spectrum."""

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.study.design.estimate import Action, FrameEstimate, frame_estimate, spectral_peaks
 from edesign.study.design.hysteretic.frame import HystereticFrame, SecantVibration
 
@@ -17,10 +18,12 @@ class HystereticEstimate(FrameEstimate):
     Attributes:
         damper_stroke: largest deformation of the dampers, (d,) m.
         ductility: that over the deformation at which they yield, (d,).
+        core_strain: of buckling-restrained braces, (d,); None: the dampers are others.
     """
 
     damper_stroke: np.ndarray
     ductility: np.ndarray
+    core_strain: np.ndarray | None
 
 
 def hysteretic_estimate(
@@ -28,7 +31,8 @@ def hysteretic_estimate(
 ) -> HystereticEstimate:
     """Estimate the response with yield forces of the storeys (s,) N.
 
-    Dampers have the secant stiffness of the first mode in all modes; their damping counts in the first alone.
+    Dampers have the secant stiffness of the first mode in all modes; their damping counts in the first alone. The force
+    of a buckling-restrained brace is its compression, the larger one.
 
     Source: as `estimate`; ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
     """
@@ -36,10 +40,14 @@ def hysteretic_estimate(
     added = np.zeros(modes.omega.size)
     added[0] = vibration.damping
     peaks = spectral_peaks(frame.building.frame, action, modes, added)
-    secants = frame.secants(frame.scale(yield_force), peaks.combined(modes.dampers))
-    found = frame_estimate(frame.building, modes, storage, peaks, secants.force)
-    ductility = secants.stroke * (frame.loop.stiffness / frame.loop.yield_force)
-    return HystereticEstimate(**vars(found), damper_stroke=secants.stroke, ductility=ductility)
+    scale, loop = frame.scale(yield_force), frame.loop
+    secants = frame.secants(scale, peaks.combined(modes.dampers))
+    force, strain, of_law = secants.force, None, frame.building.deformation_scale * secants.stroke
+    if isinstance(loop, RestrainedCycles):
+        force, strain = scale * loop.compression(of_law), loop.core_strain(of_law)
+    found = frame_estimate(frame.building, modes, storage, peaks, force)
+    ductility = secants.stroke / frame.yield_deformation
+    return HystereticEstimate(**vars(found), damper_stroke=secants.stroke, ductility=ductility, core_strain=strain)
 
 
 def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:

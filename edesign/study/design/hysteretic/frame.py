@@ -96,27 +96,37 @@ class HystereticFrame:
         """Forces of all dampers of each place over those of the law, (d,), of yield forces along the drift (s,) N."""
         return self.building.at_places(yield_force, 1.0) / self.loop.yield_force
 
+    @property
+    def yield_deformation(self) -> np.ndarray:
+        """Deformation at which the damper of each place yields, (d,) m."""
+        return self.loop.yield_force / self.loop.stiffness / self.building.deformation_scale
+
+    def stiffness(self, scale: np.ndarray) -> np.ndarray:
+        """Initial stiffness of dampers of a scale (d,), (d,) N/m."""
+        return scale * self.building.deformation_scale * self.loop.stiffness
+
     def secants(self, scale: np.ndarray, deformation: np.ndarray) -> Secants:
         """Dampers of a scale (d,) at amplitudes (..., d) m of their deformation with their braces."""
+        to_law = self.building.deformation_scale
         flexibility = np.zeros_like(scale)
         if self.brace is not None:
             flexibility = scale / self.building.at_places(self.brace)
-        stroke = behind_brace(self.loop, deformation, flexibility)
-        tangent = scale * self.loop.tangent(stroke)
+        of_law = behind_brace(self.loop, to_law * deformation, to_law * flexibility)
+        tangent = scale * to_law * self.loop.tangent(of_law)
         tangent = tangent / (1.0 + tangent * flexibility / scale)
-        return Secants(stroke, scale * self.loop.force(stroke), tangent, scale * self.loop.energy(stroke))
+        energy = scale / to_law * self.loop.energy(of_law)
+        return Secants(of_law / to_law, scale * self.loop.force(of_law), tangent, energy)
 
     def elastic_modes(self, yield_force: np.ndarray) -> LinearModes:
         """Modes with dampers that do not yield, of yield forces (s,) N."""
-        flexibility = 1.0 / (self.scale(yield_force) * self.loop.stiffness)
+        flexibility = 1.0 / self.stiffness(self.scale(yield_force))
         if self.brace is not None:
             flexibility = flexibility + 1.0 / self.building.at_places(self.brace)
         return self.building.frame.modes(1.0 / flexibility)
 
     def yield_drift(self, yield_force: np.ndarray) -> np.ndarray:
         """Drift over height at which dampers and braces of each storey yield, (s,), their feet held."""
-        stroke = self.loop.yield_force / self.loop.stiffness
-        deformation = np.full(self.building.place_storey.size, stroke)
+        deformation = self.yield_deformation
         if self.brace is not None:
             force = self.building.at_places(yield_force, 1.0)
             deformation = deformation + force / self.building.at_places(self.brace)

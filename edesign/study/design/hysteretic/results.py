@@ -54,7 +54,23 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
     add("device_yield_force", ("storey",), device, "N", "yield or slip force of one damper")
     scale = device / loop.yield_force
     add("device_scale", ("storey",), scale, "1", "yield force of one damper over that of its law")
-    add("device_stiffness", ("storey",), scale * loop.stiffness, "N/m", "initial stiffness of one damper")
+    at_places, restrained = frame.scale(sizing.yield_force), building.law.restrained
+    stiffness = of_storeys(building, frame.stiffness(at_places)) / number
+    add("device_stiffness", ("storey",), stiffness, "N/m", "initial stiffness of one damper, the largest of the storey")
+    yields = of_storeys(building, frame.yield_deformation)
+    add(
+        "device_yield_deformation",
+        ("storey",),
+        yields,
+        "m",
+        "deformation at which it yields, the largest of the storey",
+    )
+    if restrained is not None:
+        add("device_core_area", ("storey",), scale * restrained.area, "m^2", "area of the steel core, A_sc")
+        label = "adjusted strength in tension, omega R_y F_ysc A_sc"
+        add("device_adjusted_tension", ("storey",), scale * restrained.adjusted_tension, "N", label)
+        label = "adjusted strength in compression, beta omega R_y F_ysc A_sc"
+        add("device_adjusted_compression", ("storey",), scale * restrained.adjusted_compression, "N", label)
     devices = number * np.bincount(building.place_storey)
     add("device_count", ("storey",), devices, "1", "number of dampers in the storey")
     label = "drift over height at which dampers and braces yield, their feet held"
@@ -63,13 +79,13 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
     stroke = of_storeys(building, vibration.secants.stroke)
     add("design_stroke", ("storey",), stroke, "m", label)
     label = "that deformation over the one at which they yield"
-    add("design_ductility", ("storey",), stroke * loop.stiffness / loop.yield_force, "1", label)
+    ductility = of_storeys(building, vibration.secants.stroke / frame.yield_deformation)
+    add("design_ductility", ("storey",), ductility, "1", label)
     secant = of_storeys(building, vibration.stiffness) / number
     add("device_secant_stiffness", ("storey",), secant, "N/m", "secant stiffness of one damper with its brace")
     group.attributes |= {
         "number": number,
         "places": int(building.place_storey.size),
-        "yield_deformation_m": loop.yield_force / loop.stiffness,
         "hardening": loop.hardening,
         "target": next(key for key in TARGETS if getattr(frame.spec, key) is not None),
         "share": sizing.share,
@@ -151,6 +167,9 @@ def store_hysteretic_estimate(
     add = group.add
     ductility = of_storeys(building, found.ductility)
     add("estimated_device_ductility", ("storey",), ductility, "1", "that stroke over the deformation at yield")
+    if found.core_strain is not None:
+        strain = of_storeys(building, found.core_strain)
+        add("estimated_device_core_strain", ("storey",), strain, "1", "strain of the steel core at that stroke")
 
 
 def store_hysteretic_bounds(group: Group, building: Building, found: tuple[Bound[HystereticEstimate], ...]) -> None:

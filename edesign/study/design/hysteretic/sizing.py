@@ -104,8 +104,8 @@ def _reach(frame: HystereticFrame, target: float, least: float) -> tuple[float, 
 def _unreachable(frame: HystereticFrame, target: float, share: float, found: float) -> str:
     spec, loop = frame.spec, frame.loop
     wanted = f"a damping of {100.0 * target:.4g} % is a target these dampers cannot reach"
-    yielding = loop.yield_force / loop.stiffness
-    if float(loop.energy(np.array(2.0 * yielding))) <= 0.0:
+    yielding = float(frame.yield_deformation.min())
+    if float(loop.energy(np.array(2.0 * loop.yield_force / loop.stiffness))) <= 0.0:
         return f"{wanted}: their law `{spec.law}` dissipates nothing"
     if found <= 0.0:
         return f"{wanted}: they yield at {1e3 * yielding:.4g} mm, more than they deform at the amplitude of the design"
