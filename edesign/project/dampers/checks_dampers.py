@@ -14,7 +14,7 @@ from edesign.project.dampers.dampers import (
     DamperRun,
     Device,
 )
-from edesign.project.dampers.designs import HystereticDesign
+from edesign.project.dampers.designs import SizedDesign
 from edesign.project.dampers.placement import CatalogueItem
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
@@ -130,12 +130,12 @@ def _places(project: Project, problems: Problems, keys: Keys, device: DamperRun)
         check_beams_met((*keys, "kind"), device, project, problems)
 
 
-def check_beams_met(keys: Keys, run: DamperRun | HystereticDesign, project: Project, problems: Problems) -> None:
+def check_beams_met(keys: Keys, run: DamperRun | SizedDesign, project: Project, problems: Problems) -> None:
     """Check that dampers in place of a chevron's braces have the beams that they meet.
 
     Args:
         keys: of the `kind` of the dampers.
-        run: of dampers, or their design; its bays and storeys are those of the frame.
+        run: of dampers, or their design.
         project: with the frame.
         problems: collects what is wrong.
     """

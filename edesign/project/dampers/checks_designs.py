@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.dampers.checks_dampers import check_beams_met
 from edesign.project.dampers.checks_hysteretic_designs import check_hysteretic_design
 from edesign.project.dampers.checks_placement import (
     check_candidate_places,
@@ -45,7 +46,8 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
         check_placement_design(keys, spec, project, problems)
         return
     _law(keys, spec, project, problems)
-    check_candidate_places(keys, spec, project, problems)
+    if check_candidate_places(keys, spec, project, problems):
+        check_beams_met((*keys, "kind"), spec, project, problems)
     check_design_hazard(keys, spec, project, problems)
     _stiffnesses(keys, spec, project, problems)
     if spec.bounds is not None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.checks_dampers import check_beams_met
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.dampers.designs import BRACE_KINDS, HYSTERETIC_LAWS, HystereticDesign, Optimum
 from edesign.project.project import Project
@@ -26,7 +25,6 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         if laws[spec.law].type == "buckling_restrained":
             for key, message in restrained_misfits(spec).items():
                 problems.at_value((*keys, key), message)
-    check_beams_met((*keys, "kind"), spec, project, problems)
     given = [key for key in TARGETS if getattr(spec, key) is not None]
     if not given:
         problems.under(keys, "shear_share", f"this key is missing; one target of {listed(TARGETS)} is needed")

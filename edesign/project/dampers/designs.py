@@ -118,7 +118,7 @@ class _Design(Model):
     """
 
     law: str
-    kind: Literal["chevron", "rising", "falling", "storey"]
+    kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
     bays: Numbers
     storeys: Numbers = ALL_NUMBERS
     number: Count = 1
@@ -249,7 +249,6 @@ class HystereticDesign(_Design):
     """
 
     method: Literal["hysteretic"]
-    kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
     shear_share: PositiveRatio | None = None
     damping: PositiveRatio | None = None
     optimum: Optimum | None = None

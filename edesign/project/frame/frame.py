@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
-from typing import Annotated, Self
+from typing import Annotated
 
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 
@@ -83,11 +83,11 @@ class Frame(Model):
         """Tell the frame, once, which beams dampers meet in the middle, by (bay, floor)."""
         self._met_by_dampers = frozenset(beams)
 
-    def met_by_dampers(self, beams: Collection[tuple[int, int]]) -> Self:
+    def met_by_dampers(self, beams: Collection[tuple[int, int]]) -> Frame:
         """Return the frame whose dampers meet these beams in the middle, by (bay, floor)."""
         if self._met_by_dampers == frozenset(beams):
             return self
-        found = self.model_construct(self.model_fields_set, **dict(self))  # a copy would keep what was derived
+        found = type(self).model_construct(self.model_fields_set, **dict(self))  # a copy would keep what was derived
         found.meet_by_dampers(beams)
         return found
 
