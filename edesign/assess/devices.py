@@ -44,7 +44,7 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
         property_factor: of the variant, on all forces.
 
     Source: cumulated plastic deformation: Akiyama (1985), Earthquake-Resistant Limit-State Design for Buildings;
-        cumulative ductility: AISC 341-16, K3.8.
+        cumulative ductility: AISC 341-16, K3.4c.
     """
     completed = list(found.completed.values())
     if not completed:

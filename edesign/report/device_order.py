@@ -19,7 +19,7 @@ _VALUES = {  # header, name, unit shown in SI
     ),
     "buckling_restrained": (
         ("force [kN]", "force", 1e3),
-        ("core strain [%]", "core_strain", 0.01),
+        ("strain [%]", "core_strain", 0.01),
         ("cum. ductility", "cumulative_ductility", 1.0),
     ),
 }
@@ -81,28 +81,31 @@ def _sizes(group: Group) -> tuple[list[str], list[list[str]]]:
     return [f"c [{kilonewtons(coefficient.unit)}]", "alpha"], cells
 
 
-_ADJUSTED = "T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a)"
-
-
 def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
     kind = _kind(group)
-    hysteretic = group.attributes["method"] == "hysteretic"
-    estimate = "estimate: by the response spectrum of the level of the design"
-    notes = [estimate if hysteretic else f"{estimate}, pseudo velocity"]
-    if hysteretic:
+    notes = []
+    if "estimated_device_force" in group.variables:
+        pseudo = ", pseudo velocity" if kind == "viscous" else ""
+        notes.append(f"estimate: by the response spectrum of the level of the design{pseudo}")
+    if kind == "hysteretic":
         hardening = float(str(group.attributes["hardening"]))
         after = f"; stiffness after yielding {hardening:g} k" if hardening > 0.0 else ""  # nan: it keeps changing
-        least, most = (f"{1e3 * pick(group.variables['device_yield_deformation'].values):.4g}" for pick in (min, max))
-        yields = f"a damper yields at {least if least == most else f'{least} to {most}'} mm{after}"
-        if kind == "hysteretic":
-            notes.append(f"{yields}; plastic: cumulated, work over F_y")
-        else:
-            notes += [f"{yields}; cum. ductility: sum of its plastic deformations over that", _ADJUSTED]
+        notes.append(f"a damper yields at {_yields(group)}{after}; plastic: cumulated, work over F_y")
+    elif kind == "buckling_restrained":
+        notes.append("T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a)")
+        notes.append(f"strain: of the core; cum. ductility: all plastic deformation over {_yields(group)}, at yield")
     counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
     if counts:
         without = "" if kind == "buckling_restrained" else "; the stroke is without the brace"
         notes.append(f"histories: {'; '.join(counts)}{without}")
     return notes
+
+
+def _yields(group: Group) -> str:
+    """Deformation at which a damper yields: one, or from the least to the largest of the storeys."""
+    deformation = group.variables["device_yield_deformation"].values
+    ends = dict.fromkeys(f"{1e3 * end:.4g}" for end in (deformation.min(), deformation.max()))
+    return f"{' to '.join(ends)} mm"
 
 
 def _estimated(group: Group, storey: int, values: Sequence[tuple[str, str, float]]) -> list[str]:

@@ -16,6 +16,7 @@ from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import (
     LeastBrace,
     PositiveFactor,
+    PositiveForce,
     PositiveFrequency,
     PositiveLength,
     PositiveRatio,
@@ -245,14 +246,21 @@ class HystereticDesign(_Design):
     """Dampers that yield or slip: for a share of the storey shears, for a damping, or for the least response.
 
     `amplitude` is that of the vibration in the first mode in which the dampers count with the secant of their loops;
-    `shear` says which shears are shared, those of the spectrum if a level is given.
+    `shear` says which shears are shared, those of the spectrum if a level is given, or gives them, storey by storey.
     """
 
     method: Literal["hysteretic"]
     shear_share: PositiveRatio | None = None
     damping: PositiveRatio | None = None
     optimum: Optimum | None = None
-    shear: Literal["spectrum", "first_mode"] | None = None
+    shear: (
+        Annotated[
+            Annotated[Literal["spectrum", "first_mode"], Tag("?plain")]
+            | Annotated[tuple[PositiveForce, ...], Tag("?list")],
+            Discriminator(plain_or_list),
+        ]
+        | None
+    ) = None
     amplitude: Amplitude = "spectrum"
     equivalent_damping: Literal["amplitude", "average"] = "amplitude"
     brace: Brace = "rigid"

@@ -15,6 +15,10 @@ LAWS = """
 dampers:
   laws:
     pad: {type: friction, parameters: {mu: 0.3, N: 100 kN, k: 60 kN/mm}}
+    brb:
+      type: buckling_restrained
+      parameters: {A_sc: 1000 mm^2, F_ysc: 262 MPa, E: 200 GPa, L_wp: 6.5 m, L_y: 4.4 m, KF: 1.35, alpha: 0.4 %,
+                   strain: 2 %, omega: 1.46, beta: 1.12}
     rubber: {type: kelvin_voigt, parameters: {k: 2 kN/mm, c: 200 kN*s/m}}
     layers:
       type: elastic_plastic
@@ -64,6 +68,17 @@ def test_design_in_si() -> None:
         (GOOD + ", amplitude: {drift: 10 mm}", "designs.tried.amplitude.drift: `10 mm` has the unit `mm`, but a ratio"),
         (GOOD + ", drift: 1 %", "designs.tried.drift: a drift has no part in the sizing of hysteretic dampers"),
         (GOOD + ", shear: base", "designs.tried.shear: `base` is unknown"),
+        (GOOD + ", shear: [400 kN]", "designs.tried.shear: 1 values for a frame of 2 storeys; one for each is needed"),
+        (GOOD + ", shear: [400 kN, 0 kN]", "designs.tried.shear[1]: `0 kN` must be greater than zero"),
+        (GOOD + ", shear: [400 kN, 3 mm]", "designs.tried.shear[1]: `3 mm` is a length, but a force is needed"),
+        (
+            GOOD.replace("pad", "brb"),
+            "designs.tried.kind: `chevron` acts horizontally, and a buckling-restrained brace",
+        ),
+        (
+            GOOD.replace("pad", "brb").replace("chevron", "falling") + ", brace: {ratio: 5}",
+            "designs.tried.brace: the ends of a buckling-restrained brace are in its `KF`",
+        ),
         (GOOD + ", equivalent_damping: avarage", "did you mean `average`?"),
         (GOOD + ", distribution: storey_shears", "did you mean `storey_shear`?"),
         (GOOD + ", bounds: {temperatures: [0 degC, 30 degC]}", "a hysteretic law changes with its force alone"),

@@ -61,6 +61,7 @@ def test_design_in_si() -> None:
             GOOD + ", verify: {records: shake, criteria: c, change: area}",
             "`area` is unknown; did you mean `target`? (allowed: `target`, `coeff",
         ),
+        (GOOD + ", drift: 1 %", "designs.tried.drift: a drift has no part in the sizing for a damping"),
         (LEAST.replace(", drift: 1 %", ""), "designs.tried.drift: this key is missing; `distribution: least_coeff"),
         (LEAST + ", damping: 15 %", "meets a drift with the least coefficients, whatever the damping"),
         (LEAST + ", verify: {records: shake, criteria: c}", "has no target damping to change; choose `coefficient`"),

@@ -89,7 +89,8 @@ class HystereticFrame:
         self.bare = building.frame.modes()
         ratio = spec.brace.ratio if isinstance(spec.brace, BraceRatio) else None
         self.brace = None if ratio is None else ratio * building.designed_stiffness
-        self.shear_of = spec.shear or ("first_mode" if action is None else "spectrum")
+        known = "first_mode" if action is None else "spectrum"
+        self.shear_of = "given" if isinstance(spec.shear, tuple) else spec.shear or known
         self.shears = self._shears()
 
     def scale(self, yield_force: np.ndarray) -> np.ndarray:
@@ -281,8 +282,10 @@ class HystereticFrame:
         return np.asarray(roof / abs(float(modes.floors[0, -1])) * np.maximum(size, _LEAST * size.max()))
 
     def _shears(self) -> np.ndarray:
-        """Shears of the storeys with dampers, without them, linear, (s,) N: of the spectrum, or of the first mode."""
+        """Shears of the storeys with dampers, without them, linear, (s,) N: of spectrum or first mode, or given."""
         frame, bare = self.building.frame, self.bare
+        if isinstance(self.spec.shear, tuple):
+            return np.array(self.spec.shear)[self.building.storeys - 1]
         if self.shear_of == "spectrum":
             assert self.action is not None, "check_design wants a level"
             peaks = spectral_peaks(self.building.frame, self.action, bare, np.zeros(bare.omega.size))

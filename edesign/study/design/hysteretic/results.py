@@ -46,8 +46,13 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
     building, vibration, loop, number = frame.building, sizing.vibration, frame.loop, frame.spec.number
     store_storeys(group, building, number, sizing.brace)
     add = group.add
-    label = {"spectrum": "CQC of the response spectrum", "first_mode": "first mode"}[frame.shear_of]
-    add("storey_shear", ("storey",), frame.shears, "N", f"elastic shear of the storey without dampers, {label}")
+    without = "elastic shear of the storey without dampers"
+    label = {
+        "spectrum": f"{without}, CQC of the response spectrum",
+        "first_mode": f"{without}, first mode",
+        "given": "shear of the storey, given",
+    }[frame.shear_of]
+    add("storey_shear", ("storey",), frame.shears, "N", label)
     add("yield_force", ("storey",), sizing.yield_force, "N", "yield force of all dampers of the storey along its drift")
     label = "yield force of the dampers of the storey over its shear"
     add("shear_share", ("storey",), sizing.yield_force / frame.shears, "1", label)
