@@ -27,6 +27,7 @@ def hysteretic_storeys_table(group: Group) -> Table:
             ("yield drift [%]", "yield_drift", 0.01),
             ("amplitude [mm]", "design_stroke", 1e-3),
             ("ductility", "design_ductility", 1.0),
+            ("core strain [%]", "design_core_strain", 0.01),
         )
         put_storeys(table, group, columns)
         table.notes.append(

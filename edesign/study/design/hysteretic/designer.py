@@ -136,28 +136,25 @@ class HystereticDesigner(Designer[HystereticSizing]):
             store_objectives(group, done.rounds, spec.optimum)
             about = (spec.optimum.range, spec.optimum.least, spec.verify.precision)
             group.attributes["warnings"] = optimum_warnings(done.rounds, *about)
+        strain = frame.core_strain(sizing.vibration.secants.stroke)
+        group.attributes["warnings"] += self._strained(strain, "at the amplitude of the design")
         if self.action is not None:
             found = hysteretic_estimate(frame, sizing.yield_force, sizing.vibration, self.action)
             bare = bare_estimate(frame, self.action)
             store_hysteretic_estimate(group, self.building, spec.number, found, bare)
-            group.attributes["warnings"] += self._strained(found)
+            group.attributes["warnings"] += self._strained(found.core_strain, "in the estimate")
             if spec.bounds is not None:
                 store_hysteretic_bounds(group, self.building, self._bounds(sizing, self.action))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 
-    def _strained(self, found: HystereticEstimate) -> list[str]:
+    def _strained(self, strain: np.ndarray | None, where: str) -> list[str]:
         """A warning where cores strain beyond what the manufacturer's values are known for."""
         restrained = self.building.law.restrained
-        if (
-            restrained is None
-            or found.core_strain is None
-            or float(found.core_strain.max()) <= restrained.tested_strain
-        ):
+        if restrained is None or strain is None or float(strain.max()) <= restrained.tested_strain:
             return []
-        strain = f"{100.0 * float(found.core_strain.max()):.3g} %"
-        known = f"{100.0 * restrained.tested_strain:g} %"
-        return [f"estimated core strain {strain}, and omega and beta are known up to {known}"]
+        known = f"omega and beta are known up to {100.0 * restrained.tested_strain:g} %"
+        return [f"cores strain by {100.0 * float(strain.max()):.3g} % {where}, and {known}"]
 
     def _bounds(self, sizing: HystereticSizing, action: Action) -> tuple[Bound[HystereticEstimate], ...]:
         """The response with lower, nominal and upper forces, each at the amplitude of its own spectrum."""

@@ -42,12 +42,14 @@ def hysteretic_estimate(
     peaks = spectral_peaks(frame.building.frame, action, modes, added)
     scale, loop = frame.scale(yield_force), frame.loop
     secants = frame.secants(scale, peaks.combined(modes.dampers))
-    force, strain, of_law = secants.force, None, frame.building.deformation_scale * secants.stroke
+    force = secants.force
     if isinstance(loop, RestrainedCycles):
-        force, strain = scale * loop.compression(of_law), loop.core_strain(of_law)
+        force = scale * loop.compression(frame.building.deformation_scale * secants.stroke)
     found = frame_estimate(frame.building, modes, storage, peaks, force)
     ductility = secants.stroke / frame.yield_deformation
-    return HystereticEstimate(**vars(found), damper_stroke=secants.stroke, ductility=ductility, core_strain=strain)
+    return HystereticEstimate(
+        **vars(found), damper_stroke=secants.stroke, ductility=ductility, core_strain=frame.core_strain(secants.stroke)
+    )
 
 
 def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:

@@ -9,6 +9,7 @@ import numpy as np
 import scipy
 
 from edesign.damper.hysteresis import Hysteresis, behind_brace
+from edesign.damper.restrained_cycles import RestrainedCycles
 from edesign.errors import AnalysisError
 from edesign.project.dampers.designs import BraceRatio, DriftAmplitude, HystereticDesign, RoofAmplitude
 from edesign.study.design.building import Building, mode_shears
@@ -105,6 +106,12 @@ class HystereticFrame:
     def stiffness(self, scale: np.ndarray) -> np.ndarray:
         """Initial stiffness of dampers of a scale (d,), (d,) N/m."""
         return scale * self.building.deformation_scale * self.loop.stiffness
+
+    def core_strain(self, stroke: np.ndarray) -> np.ndarray | None:
+        """Strain of the cores of buckling-restrained braces at amplitudes (d,) m; None: the dampers are others."""
+        if not isinstance(self.loop, RestrainedCycles):
+            return None
+        return self.loop.core_strain(self.building.deformation_scale * stroke)
 
     def secants(self, scale: np.ndarray, deformation: np.ndarray) -> Secants:
         """Dampers of a scale (d,) at amplitudes (..., d) m of their deformation with their braces."""
