@@ -73,7 +73,8 @@ class RestrainedCycles:
         """
         u, alpha = np.asarray(amplitude), self.brace.post_yield_ratio
         half_range = (self.force(u) - alpha * self.stiffness * u) / (1.0 - alpha)
-        return np.asarray(4.0 * (1.0 - alpha) * half_range * np.maximum(u - half_range / self.stiffness, 0.0))
+        found = 4.0 * (1.0 - alpha) * half_range * np.maximum(u - half_range / self.stiffness, 0.0)
+        return np.where(u > self.yield_force / self.stiffness, found, 0.0)  # before it is rounding
 
 
 _TENSION, _COMPRESSION = 0, 1

@@ -20,7 +20,7 @@ _VALUES = {  # header, name, unit shown in SI
     "buckling_restrained": (
         ("force [kN]", "force", 1e3),
         ("strain [%]", "core_strain", 0.01),
-        ("cum. ductility", "cumulative_ductility", 1.0),
+        ("cum. [-]", "cumulative_ductility", 1.0),
     ),
 }
 
@@ -93,7 +93,8 @@ def _notes(group: Group, found: Sequence[DeviceDemand]) -> list[str]:
         notes.append(f"a damper yields at {_yields(group)}{after}; plastic: cumulated, work over F_y")
     elif kind == "buckling_restrained":
         notes.append("T_adj: omega R_y F_ysc A_sc, C_adj: beta omega R_y F_ysc A_sc (AISC 341-16, F4.2a)")
-        notes.append(f"strain: of the core; cum. ductility: all plastic deformation over {_yields(group)}, at yield")
+        notes.append(f"a brace yields at {_yields(group)}; strain: of its core")
+        notes.append("cum.: cumulative ductility, the sum of the plastic deformations over that at yield")
     counts = [f"{d.variant}, {d.level}: {d.histories} of {d.planned}".replace(", :", ":") for d in found]
     if counts:
         without = "" if kind == "buckling_restrained" else "; the stroke is without the brace"

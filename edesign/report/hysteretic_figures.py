@@ -22,8 +22,10 @@ def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figu
     if "device_yield_force" not in group.variables:
         return
     share, damping = (100.0 * float(str(group.attributes[key])) for key in ("share", "damping"))
+    given = group.attributes["shear_of"] == "given"
+    shear = "given shear of each storey" if given else "shear of each storey without dampers"
     caption = (
-        f"Design {name}: shear of each storey without dampers, yield force of its dampers, and its drift. The dampers "
+        f"Design {name}: {shear}, yield force of its dampers, and its drift. The dampers "
         f"have {plain(share)} % of the shears; the first mode has {plain(damping)} % of added damping."
     )
     yield file_name("design", name, "heights"), caption, hysteretic_heights_figure(group)

@@ -23,7 +23,6 @@ def hysteretic_storeys_table(group: Group) -> Table:
             ("F_y of the storey [kN]", "yield_force", 1e3),
             ("share [%]", "shear_share", 0.01),
             ("F_y of a damper [kN]", "device_yield_force", 1e3),
-            ("A_sc [mm2]", "device_core_area", 1e-6),
             ("yield drift [%]", "yield_drift", 0.01),
             ("amplitude [mm]", "design_stroke", 1e-3),
             ("ductility", "design_ductility", 1.0),

@@ -75,7 +75,7 @@ def test_devices_to_order(archive: Path) -> None:
     assert columns["C_adj [kN]"] == printed(1e-3 * 1.12 * 1.46 * 1.1 * F_YSC * area, rel=1e-3)
     strain = np.maximum(history.variables["core_strain_max"].values, -history.variables["core_strain_min"].values)
     assert columns["max strain [%]"] == printed(100.0 * strain, rel=1e-3)
-    assert columns["max cum. ductility"] == printed(history.variables["cumulative_ductility_final"].values, rel=1e-3)
+    assert columns["max cum. [-]"] == printed(history.variables["cumulative_ductility_final"].values, rel=1e-3)
     estimate = [float(row[table.columns.index("mean strain [%]")]) for row in table.rows if row[0] == "estimate"]
     assert estimate == printed(100.0 * design.variables["estimated_device_core_strain"].values, rel=1e-3)
 

@@ -101,6 +101,14 @@ def test_stable_loops_are_those_of_the_core() -> None:
     assert float(loop.energy(np.array(0.5 * (up + down)))) == pytest.approx(energy, rel=5e-4)
 
 
+def test_nothing_is_dissipated_before_yielding() -> None:
+    loop = hysteresis(LawValues("buckling_restrained", VALUES))
+    elastic = np.linspace(0.01, 1.0, 100) * loop.yield_force / loop.stiffness
+    assert np.all(loop.energy(elastic) == 0.0)
+    with pytest.raises(InputError, match="more than they deform at the amplitude of the design"):
+        run(f"{RISING}, damping: 5 %, level: DBE, amplitude: {{drift: 0.05 %}}")
+
+
 @pytest.mark.parametrize("amplitude", [0.001, 0.007, 0.02, 0.05, 0.2])
 def test_tangents_are_those_of_the_forces(amplitude: float) -> None:
     loop = hysteresis(LawValues("buckling_restrained", VALUES))

@@ -47,9 +47,8 @@ def hysteretic_estimate(
         force = scale * loop.compression(frame.building.deformation_scale * secants.stroke)
     found = frame_estimate(frame.building, modes, storage, peaks, force)
     ductility = secants.stroke / frame.yield_deformation
-    return HystereticEstimate(
-        **vars(found), damper_stroke=secants.stroke, ductility=ductility, core_strain=frame.core_strain(secants.stroke)
-    )
+    strain = frame.core_strain(secants.stroke)
+    return HystereticEstimate(**vars(found), damper_stroke=secants.stroke, ductility=ductility, core_strain=strain)
 
 
 def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:

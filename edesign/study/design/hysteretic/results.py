@@ -86,11 +86,10 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
     label = "that deformation over the one at which they yield"
     ductility = of_storeys(building, vibration.secants.stroke / frame.yield_deformation)
     add("design_ductility", ("storey",), ductility, "1", label)
-    strain = frame.core_strain(vibration.secants.stroke)
-    if strain is not None:
-        add(
-            "design_core_strain", ("storey",), of_storeys(building, strain), "1", "strain of the core at that amplitude"
-        )
+    core = frame.core_strain(vibration.secants.stroke)
+    if core is not None:
+        strain = of_storeys(building, core)
+        add("design_core_strain", ("storey",), strain, "1", "strain of the steel core at that amplitude")
     secant = of_storeys(building, vibration.stiffness) / number
     add("device_secant_stiffness", ("storey",), secant, "N/m", "secant stiffness of one damper with its brace")
     group.attributes |= {
