@@ -128,7 +128,9 @@ def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> li
 
 
 def _difference(base: float | None, value: float | None) -> str:
-    return f"{100.0 * (value / base - 1.0):+.1f}" if value is not None and base else "-"
+    if value is None or base is None or abs(base) < ROUNDING:
+        return "-"
+    return f"{100.0 * (value / base - 1.0):+.1f}"
 
 
 def _first(ordered: Sequence[HistorySet], at: int) -> int:

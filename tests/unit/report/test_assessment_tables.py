@@ -44,6 +44,13 @@ def test_single_histories_have_no_statistics() -> None:
     assert row(table, "interstorey drift [%]")[1:] == ["2.000", "1.000", "-50.0"]
 
 
+def test_rounding_has_no_difference() -> None:
+    """What is shown as 0 is no measure of anything."""
+    one = {name: history(name, "DBE", drift, record="one") for name, drift in (("bare", 1e-18), ("damped", 3e-18))}
+    (table,) = statistics_tables(history_sets(one))
+    assert row(table, "interstorey drift [%]")[1:] == ["0", "0", "-"]
+
+
 def test_statistics_stand_beside_each_other_with_their_difference() -> None:
     mean, maximum, *_ = statistics_tables(history_sets(HISTORIES))
     assert list(mean.columns) == ["measure", "bare, DBE", "damped, DBE", "diff. [%]"]
