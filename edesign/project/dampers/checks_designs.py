@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from edesign.project.analysis.checks_actions import check_drift
 from edesign.project.dampers.checks_dampers import check_beams_met
 from edesign.project.dampers.checks_hysteretic_designs import check_hysteretic_design
 from edesign.project.dampers.checks_placement import (
@@ -13,6 +14,7 @@ from edesign.project.dampers.checks_viscous_designs import check_viscous_design
 from edesign.project.dampers.designs import (
     Bounds,
     Design,
+    DriftAmplitude,
     ElastomerDesign,
     FixedProperties,
     HystereticDesign,
@@ -49,7 +51,10 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
     if check_candidate_places(keys, spec, project, problems):
         check_beams_met((*keys, "kind"), spec, project, problems)
     check_design_hazard(keys, spec, project, problems)
-    _stiffnesses(keys, spec, project, problems)
+    _of_storeys(keys, spec, project, problems)
+    amplitude = getattr(spec, "amplitude", None)
+    if isinstance(amplitude, DriftAmplitude):
+        check_drift(project, problems, (*keys, "amplitude", "drift"), amplitude.drift)
     if spec.bounds is not None:
         _bounds((*keys, "bounds"), spec, spec.bounds, problems)
     if isinstance(spec, ViscousDesign):
@@ -105,11 +110,12 @@ def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> N
         problems.at_value((*keys, "strain"), message)
 
 
-def _stiffnesses(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
-    given = spec.storey_stiffness
-    if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
-        message = f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
-        problems.at_value((*keys, "storey_stiffness"), message)
+def _of_storeys(keys: Keys, spec: SizedDesign, project: Project, problems: Problems) -> None:
+    for key in ("storey_stiffness", "shear"):
+        given = getattr(spec, key, None)
+        if isinstance(given, tuple) and len(given) != project.frame.n_storeys:
+            message = f"{len(given)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
+            problems.at_value((*keys, key), message)
 
 
 def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:

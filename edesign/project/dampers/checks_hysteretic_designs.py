@@ -33,9 +33,6 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
     if spec.drift is not None:
         message = "a drift has no part in the sizing of hysteretic dampers; meet one by `verify` and its criteria"
         problems.at_key((*keys, "drift"), message)
-    if isinstance(spec.shear, tuple) and len(spec.shear) != project.frame.n_storeys:
-        message = f"{len(spec.shear)} values for a frame of {project.frame.n_storeys} storeys; one for each is needed"
-        problems.at_value((*keys, "shear"), message)
     if spec.level is None:
         _level(keys, spec, problems)
     if spec.bounds is not None and spec.bounds.temperatures is not None:

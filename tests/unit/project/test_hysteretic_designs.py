@@ -66,6 +66,7 @@ def test_design_in_si() -> None:
         ),
         (DAMPING.replace(", level: DBE", ""), "level: this key is missing; `amplitude: spectrum` needs the spectrum"),
         (GOOD + ", amplitude: {drift: 10 mm}", "designs.tried.amplitude.drift: `10 mm` has the unit `mm`, but a ratio"),
+        (GOOD + ", amplitude: {drift: 90 %}", "designs.tried.amplitude.drift: 90 % is beyond 31.2 %, where the geome"),
         (GOOD + ", drift: 1 %", "designs.tried.drift: a drift has no part in the sizing of hysteretic dampers"),
         (GOOD + ", shear: base", "designs.tried.shear: `base` is unknown"),
         (GOOD + ", shear: [400 kN]", "designs.tried.shear: 1 values for a frame of 2 storeys; one for each is needed"),

@@ -63,13 +63,8 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
     stiffness = of_storeys(building, frame.stiffness(at_places)) / number
     add("device_stiffness", ("storey",), stiffness, "N/m", "initial stiffness of one damper, the largest of the storey")
     yields = of_storeys(building, frame.yield_deformation)
-    add(
-        "device_yield_deformation",
-        ("storey",),
-        yields,
-        "m",
-        "deformation at which it yields, the largest of the storey",
-    )
+    label = "deformation at which it yields, the largest of the storey"
+    add("device_yield_deformation", ("storey",), yields, "m", label)
     if restrained is not None:
         add("device_core_area", ("storey",), scale * restrained.area, "m^2", "area of the steel core, A_sc")
         label = "adjusted strength in tension, omega R_y F_ysc A_sc"
