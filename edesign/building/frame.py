@@ -13,7 +13,14 @@ import numpy as np
 from edesign.building.devices import Attached, Device, DeviceLaw, add_attachment, add_devices
 from edesign.building.footings import FootingSprings, project_footings
 from edesign.building.hinges import EndSpring, MemberBuilder, MemberEnd, member_ends
-from edesign.building.isolation import IsolatedFeet, add_isolation, base_loads, base_masses, isolated_support
+from edesign.building.isolation import (
+    IsolatedFeet,
+    add_base_beams,
+    add_isolation,
+    base_loads,
+    base_masses,
+    isolated_support,
+)
 from edesign.building.leaning_column import LeaningStruts, add_leaning_column
 from edesign.building.loads import MemberLoads, Stretches, beam_loads, column_loads, node_loads
 from edesign.building.masses import node_masses, vertical_masses
@@ -252,6 +259,8 @@ def build_frame(
         model.nodal_load(gravity, nodes[name], 0.0, -load, 0.0)
     leaning = add_leaning_column(project, model, nodes, gravity)
     isolated = None
+    if isolation is not None:
+        add_base_beams(project, model, nodes)
     if isolation is not None and laws is not None and weights is not None:
         isolated = add_isolation(project, model, nodes, laws, weights)
     devices = add_devices(project, model, nodes, laws, outside) if laws is not None else ()
@@ -332,6 +341,7 @@ def _supports(
     An isolated base is held by its isolators, or with `base_held` by fixed supports in their place.
     """
     held = _held_rotations(frame)
+    turning = isolation is not None and isolation.base.beams is not None
     at_base = {names.node_name(line, 0): line for line in frame.lines}
     supports, grounds, built = {}, {}, {}
     for name, node in nodes.items():
@@ -352,7 +362,7 @@ def _supports(
             continue
         springs = springs_of(support)
         horizontal = "fixed" if isolation is not None and base_held else springs.horizontal
-        directions = [horizontal, springs.vertical, springs.rotation if name in held else "fixed"]
+        directions = [horizontal, springs.vertical, springs.rotation if name in held or turning else "fixed"]
         ux, uy, rz = (direction == "fixed" for direction in directions)
         model.fix(node, ux=ux, uy=uy, rz=rz)
         ux, uy, rz = (direction != "free" for direction in directions)

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from edesign.building.devices import Device, DeviceLaw, DeviceSize
+from edesign.building.named_section import cross_section
 from edesign.building.supports import vertical_spring
 from edesign.errors import InputError
 from edesign.project.actions.loads import Combination
@@ -71,8 +73,9 @@ def base_masses(project: Project) -> dict[str, float]:
 def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSprings:
     """Return how the foot of a line is held in other directions than the horizontal one."""
     isolator = isolator_under(frame, isolation, line)
+    rotation = isolation.base.rotation or "free"  # with beams there is none: checked
     if isolator is None:  # it slides freely: checked
-        return SupportSprings(horizontal="free", vertical="fixed", rotation=isolation.base.rotation)
+        return SupportSprings(horizontal="free", vertical="fixed", rotation=rotation)
     vertical = isolator.vertical
     if isinstance(vertical, VerticalSpring):
         resistance = None if vertical.resistance is None else isolator.number * vertical.resistance
@@ -80,7 +83,29 @@ def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSp
         vertical = vertical.model_copy(update=change)
     elif isinstance(vertical, float):
         vertical = isolator.number * vertical
-    return SupportSprings.model_construct(horizontal="free", vertical=vertical, rotation=isolation.base.rotation)
+    return SupportSprings.model_construct(horizontal="free", vertical=vertical, rotation=rotation)
+
+
+def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> None:
+    """Add the beams of an isolated base, if it has any, from the foot of each column to the next one.
+
+    They stay elastic, and are no members: they carry what the feet turn with to the isolators.
+
+    Args:
+        project: the validated project.
+        model: has the nodes and the materials already.
+        nodes: ids by name.
+    """
+    beams = None if project.isolation is None else project.isolation.base.beams
+    if beams is None:
+        return
+    shape = cross_section(project, beams.section, beams.axis)
+    E = project.materials[beams.material].E
+    section = model.elastic_section(E * shape.area, E * (shape.inertia or 0.0))
+    feet = [foot for line in project.frame.lines if (foot := names.node_name(line, 0)) in nodes]
+    for left, right in pairwise(feet):
+        name = f"beam of the base from {left} to {right}"
+        model.beam_column(name, nodes[left], nodes[right], section, geometry="linear")
 
 
 def isolator_under(frame: Frame, isolation: Isolation, line: str) -> Isolator | None:

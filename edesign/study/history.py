@@ -93,7 +93,7 @@ def run_history(
     both.store(group, project.outputs.every)
     late.store(group)
     if response.status == "completed":
-        store_warnings(group, isolator_warnings(group, structure.frame))
+        store_warnings(group, isolator_warnings(project, group, structure.frame))
     return group
 
 

@@ -6,35 +6,107 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
+from edesign.building.isolation import IsolatedFeet, isolator_under
+from edesign.project.dampers.isolation import Isolation
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.supports import VerticalSpring
+from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.project import Project
 from edesign.study.warnings import AnalysisWarning
 
 _ROUNDING = 1e-9  # of an axial force that is none, against the largest
 
 
-def isolator_warnings(group: Group, frame: FrameModel) -> list[AnalysisWarning]:
-    """Return warnings of friction pendulums that lost contact, and of weights that vertical motion changed.
+def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list[AnalysisWarning]:
+    """Return warnings of isolators that are pulled or may be, of pendulums that lost contact, and of their weights.
 
     Args:
+        project: with the isolated base.
         group: of the history, with its axial forces, and its vertical motion if it has one.
         frame: the model.
     """
-    isolated = frame.isolated
-    if isolated is None or not isolated.weighed:
+    isolated, isolation = frame.isolated, project.isolation
+    if isolated is None or isolation is None:
         return []
-    names = [isolator.name for isolator in isolated.isolators]
     most, least = (np.asarray(group.variables[f"isolator_axial_force_{which}"].values) for which in ("max", "min"))
-    weighed = [i for i, name in enumerate(names) if name in isolated.weighed]
-    free = [i for i in weighed if most[i] >= -_ROUNDING * np.abs(least).max()]
+    most = np.where(np.abs(most) <= _ROUNDING * np.abs(least).max(), 0.0, most)
+    most_of = {isolator.name: float(force) for isolator, force in zip(isolated.isolators, most, strict=True)}
+    pressed = float(np.abs(least).max())
+    return [
+        *_held_down(project.frame, isolation, isolated, most_of, pressed),
+        *_moments_in_the_ground(project.frame, isolation, group, most_of),
+        *_weights(group, isolated, most_of, pressed),
+    ]
+
+
+def _held_down(
+    frame: Frame, isolation: Isolation, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float
+) -> list[AnalysisWarning]:
+    """Isolators that are pulled and as stiff then as under pressure; pendulums that slide on are told of elsewhere."""
+    pulled = []
+    for device in isolated.isolators:
+        line = next(line for line in frame.lines if names.node_name(line, 0) == device.foot)
+        isolator = isolator_under(frame, isolation, line)
+        lifts = isolator is not None and isinstance(isolator.vertical, VerticalSpring) and isolator.vertical.uplift
+        if most_of[device.name] > 0.0 and not lifts and device.name not in isolated.weighed:
+            pulled.append(device.name)
+    if not pulled:
+        return []
+    worst = max(pulled, key=lambda name: most_of[name])
+    count = "1 isolator is" if len(pulled) == 1 else f"{len(pulled)} isolators are"
+    text = (
+        f"{count} pulled, {worst} with {most_of[worst] / 1e3:.4g} kN; it is held down as it is held up, which bearings "
+        "of rubber and sliders are not (`uplift: true` of `vertical` lets it lift off)"
+    )
+    return [AnalysisWarning("isolator_tension", text, 1.0 + most_of[worst] / max(pressed, most_of[worst]))]
+
+
+def _moments_in_the_ground(
+    frame: Frame, isolation: Isolation, group: Group, most_of: dict[str, float]
+) -> list[AnalysisWarning]:
+    """Isolators that are pressed, and could be pulled if the base brought the moments of the feet to them.
+
+    Moments of the feet that are held by `rotation` go into the ground. Beams would carry them as shear to the
+    isolators: no span has more of it than the sum of all moments over its length.
+    """
+    if isolation.base.beams is not None or isolation.base.rotation == "free":
+        return []
+    extremes = [np.asarray(group.variables[f"member_bending_moment_{which}"].values) for which in ("max", "min")]
+    members = [str(name) for name in group.coords["member"].values]
+    feet = [line for line in frame.lines if names.column_name(line, 1) in members]
+    if len(feet) < 2:
+        return []
+    total = sum(max(float(abs(one[members.index(names.column_name(line, 1))][0])) for one in extremes) for line in feet)
+    places = [x for line, x in zip(frame.lines, frame.x, strict=True) if line in feet]
+    change = total / float(np.diff(places).min())
+    near = [name for name, force in most_of.items() if -change < force <= 0.0]
+    if not near:
+        return []
+    worst = max(near, key=lambda name: most_of[name])
+    text = (
+        f"{worst} is pressed by {max(0.0, -most_of[worst]) / 1e3:.4g} kN at least, without the moments of the columns' "
+        f"feet, up to {total / 1e3:.4g} kNm in all, which `rotation` lets into the ground; `base.beams` brings them to "
+        "the isolators, and may show that they are pulled"
+    )
+    return [AnalysisWarning("isolator_foot_moments", text, 1.0)]
+
+
+def _weights(group: Group, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float) -> list[AnalysisWarning]:
+    """Pendulums that slide under their weight by gravity, whatever presses on them."""
+    weighed = [name for name in most_of if name in isolated.weighed]
+    if not weighed:
+        return []
     found = []
+    free = [name for name in weighed if most_of[name] >= 0.0]
     if free:
-        worst = max(free, key=lambda i: most[i])
-        pulled = most[worst] > _ROUNDING * np.abs(least).max()
-        text = f"pulls at {names[worst]} with {most[worst] / 1e3:.4g} kN" if pulled else f"lifts off {names[worst]}"
+        worst = max(free, key=lambda name: most_of[name])
+        pulls = most_of[worst] > 0.0
+        text = f"pulls at {worst} with {most_of[worst] / 1e3:.4g} kN" if pulls else f"lifts off {worst}"
         count = "1 friction pendulum" if len(free) == 1 else f"{len(free)} friction pendulums"
         rest = "it slides as under its weight" if len(free) == 1 else "they slide as under their weight"
         message = f"{count} of {len(weighed)} lost contact: the frame {text}; {rest} (`weight: varying` follows it)"
-        found.append(AnalysisWarning("isolator_uplift", message, 1.0 + float(most[worst] / np.abs(least).max())))
+        found.append(AnalysisWarning("isolator_uplift", message, 1.0 + most_of[worst] / pressed))
     if "vertical_pga_m_s2" in group.attributes:
         peak = float(str(group.attributes["vertical_pga_m_s2"])) / STANDARD_GRAVITY
         text = (

@@ -105,6 +105,35 @@ def test_moat_stops_the_base_and_the_frame_lifts_off(tmp_path: Path) -> None:
     assert "lost contact: the frame lifts off I_" in warning.text
 
 
+@pytest.mark.parametrize("feet", ["rotation: fixed", "beams: {section: grid, material: S355}"])
+def test_moments_of_the_feet_pull_at_isolators(tmp_path: Path, feet: str) -> None:
+    """Held feet keep their moments from the isolators, which is told; beams bring them there, and these are pulled."""
+    path = of_case(
+        CASE,
+        tmp_path / "rubber",
+        (
+            "law: pendulum, vertical: {stiffness: 1500 kN/mm, uplift: true}",
+            "law: rubber, vertical: {stiffness: 2 MN/mm}",
+        ),
+        ("    oil:", "    rubber: {type: lead_rubber, parameters: {Q: 40 kN, K_d: 2.5 kN/mm, Y: 8 mm}}\n    oil:"),
+        ("rotation: fixed", feet),
+        ("materials:\n", "sections: {grid: {area: 0.1 m^2, inertia: 0.01 m^4}}\nmaterials:\n"),
+    )
+    path.write_text(path.read_text(encoding="utf-8").replace("pga: 0.5 g", "pga: 0.4 g"), encoding="utf-8")
+    with open_archive(run_project(load_project(path), tmp_path / "rubber.h5", only=["shake"]).archive) as opened:
+        group = opened.group("analyses/shake")
+    [warning] = warnings_of(group)
+    pulls = float(np.max(value(group, "isolator_axial_force_max")))
+    if feet == "rotation: fixed":
+        assert pulls < 0.0
+        assert warning.kind == "isolator_foot_moments"
+        assert f"is pressed by {-pulls / 1e3:.4g} kN at least" in warning.text
+    else:
+        assert pulls > 0.0
+        assert warning.kind == "isolator_tension"
+        assert f"with {pulls / 1e3:.4g} kN; it is held down" in warning.text
+
+
 def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:
     """Criteria of an isolated base apply to isolated variants with their bounds, not to the frame on its supports."""
     study = load_study(HERE / CASE / "study.yaml")

@@ -33,7 +33,7 @@ dampers:
   laws: {isolator: @law@}
   isolation:
     isolators: [{lines: all, law: isolator@more@}]
-    base: {G: 12.5 kN/m, mass: 30 t}
+    base: {G: 12.5 kN/m, mass: 30 t, @feet@}
     design_displacement: 150 mm
 analyses:
   - {name: modes, kind: modal, modes: 2}
@@ -46,8 +46,8 @@ PENDULUM = (
 LEAD = "{type: lead_rubber, parameters: {Q: 18 kN, K_d: 0.35 kN/mm, Y: 8 mm}}"
 
 
-def isolated(law: str, more: str = "", storeys: int = 1, stiff: bool = False) -> Project:
-    text = shear_frame_text(storeys) + REST.replace("@law@", law).replace("@more@", more)
+def isolated(law: str, more: str = "", storeys: int = 1, stiff: bool = False, feet: str = "rotation: fixed") -> Project:
+    text = shear_frame_text(storeys) + REST.replace("@law@", law).replace("@more@", more).replace("@feet@", feet)
     if stiff:  # a rigid body above the isolators: its columns are 1e7 times as stiff
         text = text.replace("inertia: 1e-4 m^4", "inertia: 1e3 m^4")
     return parse_project(text)
@@ -142,6 +142,23 @@ def test_isolators_hold_the_base_under_horizontal_loads_of_gravity() -> None:
     stiffness = 2.0 * (0.35e6 + 18e3 / 8e-3)
     assert float(value(group, "base_displacement_final")) == pytest.approx(8e3 / stiffness, rel=1e-6)
     assert value(group, "reaction_x_final") == pytest.approx([-4e3, -4e3], rel=1e-6)
+
+
+def test_beams_of_the_base_bring_the_moments_of_the_feet_to_the_isolators() -> None:
+    """8 kN at 2 m press and relieve the isolators, 8 m apart, by 2 kN; feet that are held keep a part of the 16 kNm.
+
+    Equal columns in a floor that does not bend share 8 kN; the one under 2 kN/m has w h^2 / 12 more at its foot, so the
+    moments of both feet are w h^2 / 4 + w h^2 / 12 (their shears at mid-height are half of all).
+    """
+    weight = np.array([-0.5 * WEIGHT] * 2)
+    beams = "beams: {section: rigid, material: steel}"
+    for feet, moments in (("rotation: fixed", 2e3 * 4.0**2 / 3.0), (beams, 0.0)):
+        project = isolated(LEAD, feet=feet)
+        project = project.with_values("loads.columns", [{"lines": "A", "storeys": 1, "G": "2 kN/m"}])
+        group = run_analysis(project, project.analyses[1])
+        change = (16e3 - moments) / 8.0
+        assert value(group, "isolator_axial_force_final") == pytest.approx(weight + [change, -change], rel=1e-6)
+    assert value(group, "base_displacement_final") == pytest.approx(8e3 / (2.0 * (0.35e6 + 18e3 / 8e-3)), rel=1e-6)
 
 
 MOTION = (

@@ -121,8 +121,17 @@ def _holds(support: SupportKind | SupportSprings | FootingSupport) -> bool:
 
 
 def _base(project: Project, problems: Problems, isolation: Isolation) -> None:
-    """The base has a mass in analyses that have masses."""
+    """The base has a mass in analyses that have masses, and beams between feet, which nothing else holds."""
     base, masses = isolation.base, project.masses
+    feet = [line for line in project.frame.lines if names.node_name(line, 0) in project.frame.nodes]
+    if base.beams is not None and base.rotation is not None:
+        message = "the feet of the columns turn with the `beams` of the base; leave `rotation` out, or the beams"
+        problems.at_key((*_AT, "base", "rotation"), message)
+    if base.beams is None and base.rotation is None:
+        message = "how do the feet of the columns turn? with `beams`, which bring their moments to the isolators"
+        problems.at_key((*_AT, "base"), f"{message}, or held by `rotation`, which lets these into the ground")
+    if base.beams is not None and len(feet) == 1:
+        problems.at_key((*_AT, "base", "beams"), "the frame has one foot, which no beam of the base leads from")
     if base.mass is not None and masses is None:
         message = "the frame itself has no `masses`, which analyses with masses need"
         problems.at_key((*_AT, "base", "mass"), message)

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
+from edesign.project.frame.sections import SectionAxis
 from edesign.project.frame.supports import Turning, Vertical
 from edesign.project.notation.selections import ALL_LINES, Lines
 from edesign.project.notation.units import LineLoad, PositiveArea, PositiveFactor, PositiveLength, PositiveMass
@@ -40,17 +41,27 @@ class Isolator(BaseDevice):
     weight: Literal["gravity", "varying", "law"] | None = None
 
 
+class BaseBeams(Model):
+    """Elastic beams of an isolated base, from the foot of each column to the next one."""
+
+    section: str
+    material: str
+    axis: SectionAxis = "strong"
+
+
 class IsolatedBase(Model):
     """The slab or grid of beams on the isolators, rigid horizontally, at floor 0.
 
     `G` and `Q` are its loads along the frame (N/m); `mass` (kg) is all of it, without it the base has that of its loads
-    if `masses.from_loads` says so. `rotation` holds the feet of the columns against it.
+    if `masses.from_loads` says so. The feet of the columns turn with its `beams`; or `rotation` holds them, as a
+    support would.
     """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
     mass: PositiveMass | None = None
-    rotation: Turning = "fixed"
+    beams: BaseBeams | None = None
+    rotation: Turning | None = None
 
 
 class Isolation(Model):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from edesign.project.dampers.isolation import BaseBeams
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BeamPlaces, BeamRun, BraceRun, ColumnPlaces, ColumnRun
@@ -13,7 +14,7 @@ from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
 
-Run = ColumnRun | BeamRun | BraceRun
+Run = ColumnRun | BeamRun | BraceRun | BaseBeams
 
 
 def check_frame(project: Project, problems: Problems, profiles: Catalogue | None) -> None:
@@ -46,7 +47,7 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     _releases(frame, problems, check)
     _leaning_column(project, problems)
     _sections(project, problems, profiles)
-    for keys, run in _runs(frame):
+    for keys, run in _runs(project):
         _section_of(project, problems, keys, run, profiles)
     for keys, run in _runs(frame):
         if run.material not in project.materials:
@@ -258,7 +259,8 @@ def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, prof
         problems.at_value((*keys, "section"), message)
 
 
-def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
+def _runs(project: Project) -> Iterable[tuple[Keys, Run]]:
+    frame, isolation = project.frame, project.isolation
     kinds: tuple[tuple[str, Sequence[Run]], ...] = (
         ("columns", frame.columns),
         ("beams", frame.beams),
@@ -267,6 +269,8 @@ def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
     for what, runs in kinds:
         for i, run in enumerate(runs):
             yield ("frame", what, i), run
+    if isolation is not None and isolation.base.beams is not None:
+        yield ("dampers", "isolation", "base", "beams"), isolation.base.beams
 
 
 def _count(items: list[str], what: str) -> str:

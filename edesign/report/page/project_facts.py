@@ -104,7 +104,8 @@ def _isolation(project: Project) -> str:
     beside = [f"{item.law} at {_at(str(item.lines))}" for item in isolation.beside]
     base = isolation.base
     mass = "" if base.mass is None else f", {plain(base.mass / 1e3)} t"
-    loads = f"base: G = {plain(base.G / 1e3)} kN/m, Q = {plain(base.Q / 1e3)} kN/m{mass}"
+    beams = "" if base.beams is None else f", beams {base.beams.section}"
+    loads = f"base: G = {plain(base.G / 1e3)} kN/m, Q = {plain(base.Q / 1e3)} kN/m{mass}{beams}"
     at = f"design displacement {plain(1e3 * isolation.design_displacement)} mm"
     return "; ".join([*under, *(["beside: " + ", ".join(beside)] if beside else []), loads, at])
 

@@ -55,6 +55,15 @@ def test_what_is_read() -> None:
         ),
         ("law: oil}", "law: ol}", "beside[0].law", "did you mean `oil`"),
         (BASE, "base: {rotation: fixed}", "base", "the base has no mass"),
+        (BASE, "base: {G: 36 kN/m}", "base", "how do the feet of the columns turn? with `beams`"),
+        (
+            BASE,
+            "base: {G: 36 kN/m, rotation: free, beams: {section: IPE500, material: S355}}",
+            "base.rotation",
+            "turn with the `beams`",
+        ),
+        (BASE, "base: {G: 36 kN/m, beams: {section: IPE500, material: S35}}", "base.beams.material", "`S355`"),
+        (BASE, "base: {G: 36 kN/m, beams: {section: IPE5000, material: S355}}", "base.beams.section", "IPE5000"),
         ("design_displacement: 200 mm", "design_displacement: 0 mm", "design_displacement", "greater than zero"),
     ],
 )
