@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak, residual
+from edesign.assess.sets import HistorySet
 from edesign.codes.ec8.isolation import GAMMA_X
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.measure_columns import ROUNDING
+from edesign.report.measure_tables import label, missing_notes
 from edesign.report.table import Table, number
 
 
@@ -67,6 +69,42 @@ def isolation_table(groups: Mapping[str, Group]) -> Table:
         table.rows.append([name, *cells, number(float(compression[least]), scale=1e3), names[least]])
     if table.rows:
         table.notes.append("N: axial force of the isolators, gravity included, positive in tension")
+    return table
+
+
+def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
+    """Return mean and largest of what histories made of an isolated base, for each variant and level.
+
+    Args:
+        sets: histories by variant and level; those without isolated base are left out.
+    """
+    header = ("variant, level", "statistic", "of", "u [mm]", "residual u [mm]", "base a [m/s2]", "base shear [kN]")
+    table = Table("Isolated base", (*header, "N max [kN]", "N min [kN]"), left=2)
+    told = []
+    for found in sets:
+        groups = {n: group for n, group in found.completed.items() if "isolator_axial_force_max" in group.variables}
+        if not groups:
+            continue
+        told.append(found)
+        columns = [
+            (found.statistics(lambda group: _value(peak(group, "base_displacement"))), 1e-3),
+            (found.statistics(lambda group: _value(residual(group, "base_displacement"))), 1e-3),
+            (found.statistics(lambda group: _value(peak(group, "base_acceleration"))), 1.0),
+            (found.statistics(lambda group: _value(peak(group, "base_shear"))), 1e3),
+            (found.statistics(lambda group: float(np.max(group.variables["isolator_axial_force_max"].values))), 1e3),
+        ]
+        least = found.statistics(lambda group: float(np.min(group.variables["isolator_axial_force_min"].values)))
+        of = f"{len(found.completed)}/{len(found.histories)}"
+        statistics = [
+            ("mean", [(one.mean, scale) for one, scale in columns], least.mean),
+            ("largest", [(one.maximum, scale) for one, scale in columns], least.minimum),
+        ]
+        for name, values, last in statistics[-min(len(groups), 2) :]:
+            cells = [number(one, scale=scale, negligible=ROUNDING) for one, scale in (*values, (last, 1e3))]
+            table.rows.append([label(found), name, of, *cells])
+    if table.rows:
+        table.notes.append("N: axial force of the isolators, gravity included, positive in tension")
+        table.notes += missing_notes(told)
     return table
 
 

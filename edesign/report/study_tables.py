@@ -18,6 +18,7 @@ from edesign.report.derived_results import not_swept
 from edesign.report.derived_tables import derived_tables
 from edesign.report.design_tables import design_tables
 from edesign.report.incremental_tables import incremental_tables
+from edesign.report.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.measure_tables import statistics_tables
 from edesign.report.pushover_tables import target_tables
 from edesign.report.summary import all_results, ending, statistics
@@ -47,7 +48,9 @@ def study_tables(archive: Archive) -> list[Table]:
     tables = [
         plan_table(archive, groups),
         *designs_tables(archive, study, sets),
+        *(isolation_estimate_table(name, group) for name, group in groups.items()),
         *statistics_tables(not_swept(study, sets)),
+        isolation_statistics_table(sets),
     ]
     tables += derived_tables(study, sets)
     tables += target_tables(study.base, groups, study)

@@ -17,6 +17,7 @@ from cases.test_case_dampers import of_case, same, value
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_project, load_study
+from edesign.report.tables import overview
 from edesign.report.verdict_data import study_verdicts
 from edesign.study.run import run_project, run_study
 from edesign.study.warnings import warnings_of
@@ -140,10 +141,20 @@ def test_study_of_isolated_and_fixed(tmp_path: Path) -> None:
     archive = run_study(study, tmp_path / "study.h5").archive
     with open_archive(archive) as opened:
         verdicts = study_verdicts(opened)
+        [table] = [one for one in overview(opened) if one.title == "Isolated base"]
+        group = opened.group("analyses/isolated.MCE.scaled")
         shears = {
             name: float(value(opened.group(f"analyses/{name}.MCE.scaled"), "base_shear_max"))
             for name in ("isolated_lower", "isolated", "isolated_upper", "fixed")
         }
+    rows = {row[0]: row[1:] for row in table.rows}
+    assert "isolated, MCE" in rows
+    assert not any(name.startswith("fixed") for name in rows)
+    u = np.abs([value(group, f"base_displacement_{end}") for end in ("max", "min")])
+    shown = {"u [mm]": 1e3 * np.max(u), "N min [kN]": 1e-3 * np.min(value(group, "isolator_axial_force_min"))}
+    for column, expected in shown.items():
+        cell = rows["isolated, MCE"][list(table.columns).index(column) - 1]
+        assert float(cell) == pytest.approx(float(expected), rel=5e-4)  # four digits
     of_base = [v for v in verdicts if v.name != "drift"]
     assert {v.variant for v in of_base} == {"isolated", "isolated_lower", "isolated_upper"}
     assert all(v.met for v in of_base)
