@@ -9,6 +9,7 @@ import numpy as np
 
 from edesign.ground_motion.transform_length import transform_length
 
+_PARTS = 1024  # of a step, to which positions are rounded: a wave of four samples then moves by 1/2600 of a turn
 _MARGIN = 256  # samples beyond each end, over which the motion fades away
 
 
@@ -47,6 +48,36 @@ def upsampled(acceleration: np.ndarray, factors: Iterable[int]) -> Iterator[np.n
                 between[key] = shifted[_MARGIN : _MARGIN + acceleration.size]
             fine[:, part] = between[key]
         yield fine.ravel()[: (acceleration.size - 1) * factor + 1]
+
+
+def band_limited_at(acceleration: np.ndarray, positions: np.ndarray) -> np.ndarray:
+    """The same motion at any positions between the first and the last of the given samples.
+
+    Args:
+        acceleration: (n,).
+        positions: (m,), in steps of the given samples, 0 to n - 1. Beyond as many different parts of a step as
+            `_PARTS` they are rounded to so many.
+
+    Returns:
+        (m,); given samples where positions are whole numbers.
+    """
+    whole = np.floor(positions).astype(int)
+    parts = np.round(positions - whole, 9)
+    if np.unique(parts).size > _PARTS:
+        parts = np.round(parts * _PARTS) / _PARTS
+    whole[parts == 1.0] += 1
+    parts[parts == 1.0] = 0.0
+    found = np.asarray(acceleration)[whole]
+    extended = _extended(acceleration)
+    content, size = np.fft.rfft(extended), extended.size
+    turn = 2.0 * np.pi / size * np.arange(size // 2 + 1)
+    for part in np.unique(parts[parts > 0.0]):
+        shift = np.exp(1j * part * turn)
+        if size % 2 == 0:
+            shift[-1] = shift[-1].real  # half of it belongs to the negative frequency
+        here = parts == part
+        found[here] = np.fft.irfft(content * shift, size)[_MARGIN + whole[here]]
+    return found
 
 
 def polygon_samples(acceleration: np.ndarray) -> np.ndarray:

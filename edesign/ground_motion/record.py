@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.ground_motion.band_limited import band_limited_at
 
 _TOLERANCE = 1e-9  # of a step: durations and steps are decimal numbers that floats hold to about 1e-13
 _BLOCK = 1 << 16  # samples that are interpolated at a time, for memory
@@ -23,6 +24,8 @@ class Record:
         time_step: s.
         source: where the samples come from, and what was done to them.
         checksum: SHA-256 of time step and samples as read (little-endian doubles), hexadecimal; kept by all methods.
+        band_limited: whether it runs between its samples as the motion through them that has no content above their
+            Nyquist frequency, the one whose response spectrum is told; if not, in straight lines.
     """
 
     name: str
@@ -30,6 +33,7 @@ class Record:
     time_step: float
     source: str
     checksum: str = field(default="")
+    band_limited: bool = False
 
     def __post_init__(self) -> None:
         samples = np.array(self.acceleration, dtype=float)
@@ -84,11 +88,12 @@ class Record:
         return last
 
     def resampled(self, time_step: float) -> Record:
-        """Return the record at another step by linear interpolation, which is how time integration reads a record.
+        """Return the record at another step, as time integration reads it.
 
-        The samples are those of the polygon through the given ones: nothing is filtered. If the old step is no multiple
-        of the new one, given samples between new ones are passed over, the peak may be one of them, and what is left at
-        the end, less than one new step, is dropped.
+        The samples are those of the polygon through the given ones, or of the band-limited motion where the step gets
+        shorter: nothing is filtered. Straight lines weaken the content at a frequency f by (pi f dt)^2 / 3, by 3.7 % at
+        5.3 Hz and a step dt of 0.02 s. If the old step is no multiple of the new one, given samples between new ones
+        are passed over, the peak may be one of them, and what is left at the end, less than one new step, is dropped.
 
         Args:
             time_step: the new step, s.
@@ -99,13 +104,17 @@ class Record:
         last = self.last_sample(time_step)
         if time_step == self.time_step:
             return self
+        finer = self.band_limited and time_step < self.time_step
         samples, given = np.empty(last + 1), np.arange(self.acceleration.size)
         for first in range(0, last + 1, _BLOCK):
             position = np.arange(first, min(first + _BLOCK, last + 1)) * (time_step / self.time_step)
             nearest = np.round(position)  # a sample that both grids share is taken over exactly
             position = np.where(np.abs(position - nearest) < _TOLERANCE * np.maximum(1.0, nearest), nearest, position)
-            samples[first : first + _BLOCK] = np.interp(position, given, self.acceleration)
-        source = f"{self.source}; resampled to {time_step:.9g} s by linear interpolation"
+            samples[first : first + _BLOCK] = position if finer else np.interp(position, given, self.acceleration)
+        if finer:
+            samples = band_limited_at(self.acceleration, samples)
+        how = "as a band-limited signal" if finer else "by linear interpolation"
+        source = f"{self.source}; resampled to {time_step:.9g} s {how}"
         return replace(self, acceleration=samples, time_step=time_step, source=source)
 
     def with_zeros(self, seconds: float) -> Record:

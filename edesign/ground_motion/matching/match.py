@@ -71,7 +71,7 @@ def match_record(record: Record, target: Spectrum, options: MatchOptions | None 
         original=record,
         scale=scale,
         scaled=scaled,
-        matched=matched,
+        matched=replace(matched, band_limited=True),
         lead=lead,
         method=options.method,
         damping=options.damping,
