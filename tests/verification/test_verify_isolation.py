@@ -233,7 +233,7 @@ def test_friction_under_the_weight_of_the_moment() -> None:
     mu, R = 0.05, 1.5
     varying = ", weight: varying, vertical: {stiffness: 2000 kN/mm, uplift: true}"
     text = shear_frame_text(1).replace("directions: horizontal", "directions: both")
-    text = text + REST.replace("@law@", pendulum(mu, mu)).replace("@more@", varying)
+    text += REST.replace("@law@", pendulum(mu, mu)).replace("@more@", varying).replace("@feet@", "rotation: fixed")
     project = parse_project(text).with_values("masses.given[0].mass", f"{300e3 / G!r} kg")
     project = project.with_values("dampers.isolation.base.mass", f"{100e3 / G!r} kg")
     structure = make_structure(project, dampers=True)

@@ -47,11 +47,15 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
     _releases(frame, problems, check)
     _leaning_column(project, problems)
     _sections(project, problems, profiles)
-    for keys, run in _runs(project):
+    for keys, run in _runs(frame):
         _section_of(project, problems, keys, run, profiles)
     for keys, run in _runs(frame):
-        if run.material not in project.materials:
-            problems.at_value((*keys, "material"), unknown_name("material", run.material, project.materials))
+        _material_of(project, problems, keys, run)
+    isolation = project.isolation
+    if isolation is not None and isolation.base.beams is not None:
+        place: Keys = ("dampers", "isolation", "base", "beams")
+        _section_of(project, problems, place, isolation.base.beams, profiles)
+        _material_of(project, problems, place, isolation.base.beams)
 
 
 class Selections:
@@ -259,8 +263,12 @@ def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, prof
         problems.at_value((*keys, "section"), message)
 
 
-def _runs(project: Project) -> Iterable[tuple[Keys, Run]]:
-    frame, isolation = project.frame, project.isolation
+def _material_of(project: Project, problems: Problems, keys: Keys, run: Run) -> None:
+    if run.material not in project.materials:
+        problems.at_value((*keys, "material"), unknown_name("material", run.material, project.materials))
+
+
+def _runs(frame: Frame) -> Iterable[tuple[Keys, Run]]:
     kinds: tuple[tuple[str, Sequence[Run]], ...] = (
         ("columns", frame.columns),
         ("beams", frame.beams),
@@ -269,8 +277,6 @@ def _runs(project: Project) -> Iterable[tuple[Keys, Run]]:
     for what, runs in kinds:
         for i, run in enumerate(runs):
             yield ("frame", what, i), run
-    if isolation is not None and isolation.base.beams is not None:
-        yield ("dampers", "isolation", "base", "beams"), isolation.base.beams
 
 
 def _count(items: list[str], what: str) -> str:
