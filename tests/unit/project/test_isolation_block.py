@@ -15,7 +15,7 @@ from edesign.study.check import check_project
 
 CASE = Path(__file__).parents[2] / "cases" / "isolated_frame" / "project.yaml"
 ISOLATOR = "- {lines: all, law: pendulum, vertical: {stiffness: 1500 kN/mm, uplift: true}}"
-BASE = "base: {G: 36 kN/m, Q: 12 kN/m, rotation: fixed}"
+BASE = "base: {G: 36 kN/m, Q: 12 kN/m, beams: {section: grid, material: concrete}}"
 
 
 def project(*changes: tuple[str, str]) -> Project:
