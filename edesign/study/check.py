@@ -295,7 +295,7 @@ def check_study(study: Study) -> dict[str, str]:
         "project": str(study.base.path),
         "frame": _frame(study.base),
         **_mass(study.base),
-        "period": f"T1 = {period:.4f} s of the bare frame {_standing(study.base)}"
+        "period": f"T1 = {period:.4f} s of the {'bare ' * (study.base.isolation is None)}frame {_standing(study.base)}"
         if period is not None
         else "no masses",
         "records": _records(study.base, found),
