@@ -8,7 +8,7 @@ from types import MappingProxyType
 from typing import Protocol
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
+import scipy
 
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import LawValues
@@ -161,8 +161,8 @@ class BoucWen:
         slope_away = at / np.concatenate(([1.0], power)) / A
         slope_back = at / (A + (gamma - beta) / (gamma + beta) * A * (1.0 - np.concatenate(([1.0], power))))
         du = unit * (slope_away + slope_back)
-        self._z = CubicHermiteSpline(u, z0 * y, z0 * at / du)
-        self._energy = CubicHermiteSpline(
+        self._z = scipy.interpolate.CubicHermiteSpline(u, z0 * y, z0 * at / du)
+        self._energy = scipy.interpolate.CubicHermiteSpline(
             u, energy, 4.0 * self._hysteretic * z0 * unit * y * (slope_away - slope_back) / du
         )
         self._largest, self._strength = float(u[-1]), z0

@@ -74,8 +74,8 @@ def test_a_specimen_on_hardly_any_mass(tmp_path: Path, capsys: pytest.CaptureFix
 
 
 def test_a_structure_faster_than_the_steps(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    code, text = said(tmp_path, capsys, "run", "100 t", "1e30 kN/mm")
-    frequency = math.sqrt(1e36 / 100e3) / (2.0 * math.pi)
+    code, text = said(tmp_path, capsys, "run", "100 t", "1e11 kN/mm")
+    frequency = math.sqrt(1e17 / 100e3) / (2.0 * math.pi)
     assert code == 2 and f"structure.stiffnesses: the lowest frequency is {frequency:.3g} Hz" in text
     assert "500 Hz; check masses and stiffnesses" in text
 
