@@ -8,50 +8,26 @@ designed.
 
 from __future__ import annotations
 
-import io
 import random
-import re
-import signal
 import time
 from collections import Counter
 from collections.abc import Iterator
-from contextlib import contextmanager, redirect_stderr, redirect_stdout
 from pathlib import Path
-from types import FrameType
 from typing import Any, get_args
 
 import pytest
-from building_mutants import MUTATIONS, mutants
+from cases.told_commands import TooLong, fault, told
 from every_building_key import EVERY_KEY, OTHER_FORMS
+from file_mutants import MUTATIONS, mutants
 from pydantic import BaseModel
 
-from edesign.cli.main import main
 from edesign.project.building.building import Building
 from edesign.project.reading.yaml_nodes import parse
 
 PROJECTS = Path(__file__).parents[2] / "projects"
 COUNT, SEED = 500, 1
-LIMIT = 120.0  # s of CPU time; the slowest of these files takes 15 s
 SMALL = ("every_key", "other_forms")
 """Files that are extracted and designed too: of few members, and with few evaluations."""
-
-
-class TooLong(BaseException):
-    """A command takes longer than its limit; nothing in edesign catches it."""
-
-
-@contextmanager
-def limit(seconds: float) -> Iterator[None]:
-    def ring(number: int, frame: FrameType | None) -> None:
-        raise TooLong
-
-    before = signal.signal(signal.SIGPROF, ring)
-    signal.setitimer(signal.ITIMER_PROF, seconds)
-    try:
-        yield
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0.0)
-        signal.signal(signal.SIGPROF, before)
 
 
 def texts() -> dict[str, str]:
@@ -61,27 +37,6 @@ def texts() -> dict[str, str]:
         "every_key": EVERY_KEY,
         "other_forms": OTHER_FORMS,
     }
-
-
-def told(words: list[str]) -> tuple[int | str, str]:
-    """Exit code and standard error of a command; of one that is stopped or breaks off the name of the reason."""
-    errors = io.StringIO()
-    try:
-        with redirect_stdout(io.StringIO()), redirect_stderr(errors), limit(LIMIT):
-            code: int | str = main(words)
-    except BaseException as error:
-        code = type(error).__name__
-    return code, errors.getvalue()
-
-
-def fault(code: int | str, said: str, path: Path) -> str:
-    """What is wrong with the end of a command, "" if nothing is: it is done, or refuses the file with a place in it."""
-    if code not in (0, 2):
-        return f"ends with {code}"
-    message = said[said.find("edesign: ") :]
-    if code == 2 and not re.match(rf"edesign: {re.escape(str(path))}:[0-9]+:[0-9]+: \S", message):
-        return "has no place"
-    return ""
 
 
 def commands(kind: str, path: Path, folder: Path) -> Iterator[list[str]]:

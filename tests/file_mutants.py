@@ -1,4 +1,4 @@
-"""Building files with one to three mistakes as people and editors make them, drawn by seed."""
+"""Input files with one to three mistakes as people and editors make them, drawn by seed."""
 
 from __future__ import annotations
 
@@ -132,11 +132,13 @@ def junk_part(text: str, rnd: Random) -> str:
 
 def wrong_place(text: str, rnd: Random) -> str:
     selections = ("at", "floors", "storeys", "frames", "bays", "x", "y", "diaphragms", "columns", "group", "level")
-    return replaced(text, rnd.choice([e.value for e in entries(text) if e.key in selections]), rnd.choice(PLACES))
+    found = [e.value for e in entries(text) if e.key in selections] or scalars(text)
+    return replaced(text, rnd.choice(found), rnd.choice(PLACES))
 
 
 def other_unit(text: str, rnd: Random) -> str:
-    node = rnd.choice([node for node in scalars(text) if " " in node.text and node.text[:1].isdigit()])
+    found = [node for node in scalars(text) if " " in node.text and node.text[:1].isdigit()]
+    node = rnd.choice(found or scalars(text))
     return replaced(text, node, f"{node.text.split()[0]} {rnd.choice(UNITS)}")
 
 
