@@ -13,6 +13,8 @@ from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.dampers.checks_placement import placement_warnings
+from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.sections import ElasticSection
 from edesign.project.project import Project
@@ -106,7 +108,12 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         InputError: the frame cannot be built, or a law has no parameters at a temperature.
     """
     found = frame_warnings(study.base, records)
-    found += [f"design {name}: {text}" for name, spec in study.designs.items() for text in design_warnings(spec)]
+    for name, spec in study.designs.items():
+        if isinstance(spec, PlacementDesign):
+            texts = placement_warnings(spec, study.base.frame)
+        else:
+            texts = design_warnings(spec)
+        found += [f"design {name}: {text}" for text in texts]
     return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
 
 

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+import math
+
 from edesign.project.dampers.checks_dampers import check_size
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness
 from edesign.project.dampers.designs import Design
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.frame.checks_frame import Selections
+from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
 from edesign.project.reading.checks_names import check_names, check_records
 from edesign.project.reading.problems import Keys, Problems, unknown_name
@@ -44,6 +47,18 @@ def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Pr
         check_records(problems, (*keys, "verify", "records"), spec.verify.records, project)
 
 
+def placement_warnings(spec: PlacementDesign, frame: Frame) -> list[str]:
+    """What is allowed in a placement and may not be meant."""
+    widths = frame.bay_widths
+    pairs = [(bay, frame.n_bays + 1 - bay) for bay in range(1, frame.n_bays // 2 + 1)]
+    uneven = [(a, b) for a, b in pairs if not math.isclose(widths[a - 1], widths[b - 1])]
+    if not (spec.limits.mirrored and uneven):
+        return []
+    a, b = uneven[0]
+    text = f"bay {a} is {widths[a - 1]:.6g} m wide and bay {b} {widths[b - 1]:.6g} m"
+    return [f"`mirrored` equips bays alike counted from both ends, but the frame is not symmetric: {text}"]
+
+
 def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Problems) -> None:
     laws = project.dampers.laws if project.dampers is not None else {}
     same: dict[object, str] = {}
@@ -64,7 +79,9 @@ def _catalogue(keys: Keys, spec: PlacementDesign, project: Project, problems: Pr
             if brace.material not in project.materials:
                 message = unknown_name("material", brace.material, project.materials)
                 problems.at_value((*where, "brace", "material"), message)
-        content = item.model_copy(update={"cost": 1.0, "kind": item.kind or spec.kind}).model_dump_json()
+        # what is left changes the force: neither the cost nor the amplitude at which it counts in natural modes does
+        alike = {"cost": 1.0, "design_deformation": None, "kind": item.kind or spec.kind, "scale": item.scale or 1.0}
+        content = item.model_copy(update=alike).model_dump_json()
         if content in same:
             problems.at_key(where, f"the dampers are those of `{same[content]}`; one of them is enough")
         same.setdefault(content, name)

@@ -103,19 +103,25 @@ def check_placement(project: Project, name: str, spec: PlacementDesign, per_layo
         project, name, spec, per_layout: as for `run_placement`.
 
     Raises:
-        InputError: a law or the hazard is wrong, the frame cannot be built, there are too many positions, or the budget
-            is not enough for one layout.
+        InputError: a law or the hazard is wrong, the frame cannot be built, there are too many positions, the limits
+            leave no dampers, or the budget is not enough for one layout.
     """
     try:
-        positions = len(make_candidates(project, name, spec).space.positions)
+        space = make_candidates(project, name, spec).space
     except AnalysisError:
         return  # `run_placement` keeps the reason
+    positions = len(space.positions)
     if spec.verify.budget < per_layout:
         message = f"{spec.verify.budget} histories are not enough for one layout, which takes {per_layout}"
         raise InputError(f"designs.{name}.verify.budget: {message}")
     if positions > MOST_POSITIONS:
         message = f"{positions} positions are more than {MOST_POSITIONS}; take `limits`, or fewer bays and storeys"
         raise InputError(f"designs.{name}: {message}")
+    if space.size == 1:
+        lowest = [at for at in space.positions if at.below is None]
+        fewest = min(len(at.places) * space.numbers[option] for at in lowest for option in at.options)
+        message = f"{spec.limits.most_dampers} are fewer than the smallest layout takes, {fewest}"
+        raise InputError(f"designs.{name}.limits.most_dampers: {message}")
 
 
 def _said(candidates: Candidates, layout: Layout) -> str:

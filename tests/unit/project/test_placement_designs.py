@@ -6,10 +6,14 @@ import re
 
 import pytest
 from design_examples import THESIS, design, refusal, shear_project
+from placement_examples import project_text
 
+from edesign.building.profiles import profile_names
 from edesign.project.criteria.checks_quantities import names_of_design
+from edesign.project.dampers.checks_placement import placement_warnings
 from edesign.project.dampers.placement import CatalogueItem, Costs, LayoutLimits, PlacementDesign
 from edesign.project.dampers.verification import PlacementVerify
+from edesign.project.loader import parse_project
 from edesign.project.reading.base import Model
 
 LAWS = """
@@ -59,6 +63,8 @@ def test_placement_in_si() -> None:
         ("scale: 40", "scale: 40, brace: {stiffness: [1 kN/mm, 2 kN/mm]}", "give one stiffness, and others in items"),
         ("scale: 40", "scale: 40, brace: {section: HEB200, material: steel}", "has no brace geometry"),
         (A, f"{A}, b: {{law: oil, scale: 40, cost: 2}}", "catalogue.b: the dampers are those of `a`"),
+        (A, f"{A}, b: {{law: oil, scale: 40, design_deformation: 9 mm, cost: 2}}", "the dampers are those of `a`"),
+        (A, "a: {law: oil, scale: 1, cost: 1}, b: {law: oil, cost: 2}", "the dampers are those of `a`"),
         (A, "", "catalogue: "),
         ("bays: 1", "bays: 2", "designs.tried.bays: there is no bay 2; bays are numbered 1 to 1"),
         ("bays: 1", "bays: 1, storeys: 1-3", "there is no storey 3"),
@@ -83,6 +89,25 @@ def test_refusals(old: str, new: str, said: str) -> None:
     assert GOOD.count(old) == 1
     message = refusal(GOOD.replace(old, new), shear_project(2, LAWS))
     assert said in message and "study.yaml:1:" in message, message
+
+
+@pytest.mark.parametrize(
+    ("bays", "told"),
+    [
+        ("[6 m, 5 m, 6 m]", []),
+        ("{count: 4, width: 6 m}", []),
+        ("[6 m, 5 m, 7 m]", ["the frame is not symmetric: bay 1 is 6 m wide and bay 3 7 m"]),
+    ],
+)
+def test_mirrored_in_a_frame_that_is_not_symmetric_is_told(bays: str, told: list[str]) -> None:
+    project = parse_project(project_text(bays, "[4 m]"), "project.yaml", profile_names(), files=False)
+    text = GOOD.replace("shake", "first").replace("bays: 1", "bays: all, limits: {mirrored: true}")
+    spec = design(text, project)
+    assert isinstance(spec, PlacementDesign)
+    found = placement_warnings(spec, project.frame)
+    assert len(found) == len(told) and all(part in text for part, text in zip(told, found, strict=True))
+    whole = spec.model_copy(update={"limits": LayoutLimits()})
+    assert placement_warnings(whole, project.frame) == []
 
 
 @pytest.mark.parametrize("model", [PlacementDesign, CatalogueItem, Costs, LayoutLimits, PlacementVerify])
