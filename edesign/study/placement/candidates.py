@@ -184,10 +184,12 @@ def _not_larger(
 ) -> np.ndarray:
     """Whether an option is another, or has its law, kind and layers' thickness and no more force and brace.
 
-    The empty option is not larger than any; items of different laws do not compare.
+    The empty option is not larger than any; items of different laws do not compare. It has to be so at every place:
+    a brace of a section is not equally stiff in all bays, one of a given stiffness is.
     """
     found = np.eye(len(items) + 1, dtype=bool)
     found[0] = True
+    compared: dict[tuple[int, int], bool] = {}
     for (a, place), small in devices.items():
         for b in range(1, len(items) + 1):
             large = devices.get((b, place))
@@ -196,7 +198,10 @@ def _not_larger(
             alike = small.law == large.law and small.deformation_scale == large.deformation_scale
             alike = alike and kinds[a - 1] == kinds[b - 1] and small.play == large.play
             braced = _brace(items[a - 1], small) <= _brace(items[b - 1], large)
-            found[a, b] = alike and braced and small.force_scale <= large.force_scale
+            here = alike and braced and small.force_scale <= large.force_scale
+            compared[a, b] = here and compared.get((a, b), True)
+    for pair, everywhere in compared.items():
+        found[pair] = everywhere
     return found
 
 
