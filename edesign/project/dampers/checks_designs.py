@@ -99,8 +99,14 @@ def _elastomer(keys: Keys, spec: ElastomerDesign, project: Project, problems: Pr
         problems.at_key((*keys, "bounds", "temperatures"), message)
 
 
+def _has_level(spec: SizedDesign) -> bool:
+    """Whether a design has a hazard level: of layers it is that of `verify` where none is named."""
+    verified = isinstance(spec, ElastomerDesign) and spec.verify is not None and bool(spec.verify.levels)
+    return spec.level is not None or verified
+
+
 def _followed_strain(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
-    if spec.level is None:
+    if not _has_level(spec):
         message = f"this key is missing; `strain: {spec.strain}` begins with the spectrum of a hazard level"
         problems.under(keys, "level", message)
     if spec.strain == "histories" and spec.verify is None:
@@ -129,7 +135,7 @@ def _thickness(keys: Keys, spec: ElastomerDesign, problems: Problems) -> None:
 def _strain_energy(keys: Keys, spec: StrainEnergyDesign, problems: Problems) -> None:
     if spec.distribution == "least_area":
         for key in ("level", "drift"):
-            if getattr(spec, key) is None:
+            if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
                 problems.under(keys, key, "this key is missing; `distribution: least_area` needs it")
         for key in ("target_in", "damping"):
             if getattr(spec, key) is not None:
@@ -154,7 +160,7 @@ def _unchangeable(keys: Keys, problems: Problems) -> None:
 
 def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
     for key in ("level", "drift"):
-        if getattr(spec, key) is None:
+        if getattr(spec, key) is None and not (key == "level" and _has_level(spec)):
             problems.under(keys, key, "this key is missing; the simplified method needs it")
     if spec.beta[0] > spec.beta[1]:
         problems.at_value((*keys, "beta"), "the range runs backwards; write the lower value first")
@@ -169,7 +175,7 @@ def _simplified(keys: Keys, spec: SimplifiedDesign, problems: Problems) -> None:
 
 
 def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -> None:
-    if spec.level is None:
+    if not _has_level(spec):
         problems.under(keys[:-1], "level", "this key is missing; bounds are compared at a hazard level")
     check_factors(keys, bounds, problems)
 

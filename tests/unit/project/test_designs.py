@@ -54,6 +54,19 @@ def test_unusual_alpha_is_told() -> None:
 
 
 @pytest.mark.parametrize(
+    "text",
+    [
+        GOOD.replace("20 %", "spectrum") + ", properties: law",
+        GOOD + ", bounds: {upper: 1.2}",
+        SIMPLE.replace(", level: DBE", ""),
+    ],
+)
+def test_level_of_the_verification_is_that_of_the_design(text: str) -> None:
+    spec = design(f"{text}, verify: {{records: shake, criteria: c, levels: DBE}}", shear_project(2))
+    assert isinstance(spec, (StrainEnergyDesign, SimplifiedDesign)) and spec.level is None
+
+
+@pytest.mark.parametrize(
     ("text", "said"),
     [
         (GOOD.replace("strain_energy", "strain_enery"), "did you mean `strain_energy`? (allowed: `strain_energy`"),
