@@ -118,7 +118,8 @@ designs:
     bays: {bays}
     layers: 2
     damping: 10 %                       # of critical, in the first mode; more if the criteria ask for it
-    strain: 20 %                        # of the layers, at which their properties are taken
+    level: {yaml_text(level)}                          # its spectrum tells what the dampers reach
+    strain: spectrum                    # of the layers, at which their properties are taken: what they reach
     properties: {{table: thesis_appendix_a}}
     drift: {percent}                        # with the strain limit it gives the thickness of the layers
     strain_limit: 50 %
