@@ -8,9 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.core import LawValues
+from edesign.damper.laws import law as law_of
 from edesign.errors import InputError
 from edesign.project.dampers.designs import VISCOUS_LAWS
 
+_POWER_LAWS = ("viscous_power", "asymmetric_viscous", "maxwell_power")
 LEAST_EXPONENT, LARGEST_EXPONENT = 0.15, 1.0
 """Of fluid dampers for buildings. Below, the force hardly depends on the velocity, as of a friction damper."""
 
@@ -55,6 +57,17 @@ def dashpot(law: LawValues) -> Dashpot:
             f"{LEAST_EXPONENT:g} to {LARGEST_EXPONENT:g}"
         )
     return found
+
+
+def locks_when_small(law: LawValues) -> bool:
+    """Whether the force of a dashpot over its amplitude grows without bound in ever smaller vibrations: alpha < 1.
+
+    Its stiffness in series with a spring then is that of the spring in small vibrations and nothing in large ones.
+    """
+    if law.law not in _POWER_LAWS:
+        return False
+    exponent = [parameter.name for parameter in law_of(law.law).parameters].index("alpha")
+    return law.values[exponent] < 1.0
 
 
 def energy_factor(alpha: float) -> float:

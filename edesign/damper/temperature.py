@@ -166,6 +166,8 @@ _TIMES: dict[str, dict[str, str]] = {
     "fractional_zener": {"a": "alpha", "b": "alpha"},
     "fractional_maxwell": {"c0": "", "lambda": "nu"},
 }
+LINEAR_LAWS = tuple(_TIMES)
+"""The linear viscoelastic laws: their stiffness does not change with the amplitude."""
 
 
 @dataclass(frozen=True)
@@ -200,7 +202,7 @@ class FerryShift:
     @property
     def laws(self) -> tuple[str, ...]:
         """The linear viscoelastic laws."""
-        return tuple(_TIMES)
+        return LINEAR_LAWS
 
     def factor(self, temperature_C: float) -> float:
         """a_T at a temperature.

@@ -56,16 +56,32 @@ def each_damper_table(name: str, group: Group) -> Table:
 
 def damper_stiffness_table(name: str, group: Group) -> Table:
     """Return stiffness and loss factor of the dampers that a modal analysis took into account."""
-    table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor"))
-    stiffness, loss = group.variables.get("damper_storage_stiffness"), group.variables.get("damper_loss_factor")
-    if stiffness is None or loss is None:
+    table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor", "amplitude [mm]"))
+    keys = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
+    if any(key not in group.variables for key in keys):
         return table
-    for damper, k, n in zip(group.coords["damper"].values, stiffness.values, loss.values, strict=True):
-        table.rows.append([str(damper), number(float(k), scale=1e6), number(float(n))])
+    columns = (group.variables[key].values for key in keys)
+    for damper, k, n, u in zip(group.coords["damper"].values, *columns, strict=True):
+        cells = [number(float(k), scale=1e6), number(float(n)), number(float(u), scale=1e-3)]
+        table.rows.append([str(damper), *cells])
     table.notes.append(
         f"in steady vibration at {float(group.attributes['damper_frequency_Hz']):.4g} Hz, braces included"
     )
     return table
+
+
+def amplitude_notes(group: Group) -> list[str]:
+    """Return what a table of periods has to say of dampers whose amplitude is not given."""
+    amplitude = group.variables.get("damper_amplitude")
+    if amplitude is None:
+        return []
+    small = group.attributes.get("dampers_in_small_vibrations")
+    said = {
+        "in small vibrations": len(small) if isinstance(small, list) else 0,
+        "left out, as viscous dampers (alpha < 1) whose stiffness depends on it": int(np.isnan(amplitude.values).sum()),
+    }
+    lines = [f"{count} of {amplitude.values.size} dampers {how}" for how, count in said.items() if count]
+    return [f"{'; '.join(lines)}: no `design_deformation` is given"] if lines else []
 
 
 def _largest(values: np.ndarray | None, unit: float) -> str:

@@ -11,7 +11,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.profile import storey_profile
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project, is_building_archive, is_study_archive, is_substructure_archive
-from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
+from edesign.report.damper_results import amplitude_notes, damper_stiffness_table, dampers_table, each_damper_table
 from edesign.report.isolation_tables import isolation_estimate_table, isolation_table
 from edesign.report.measure_columns import BRACE_COLUMNS, FRAME_COLUMNS, ROUNDING
 from edesign.report.pushover_tables import events_table, target_tables
@@ -175,6 +175,7 @@ def periods_table(name: str, group: Group) -> Table:
             total += float(ratio.values[mode])
             cells = [f"{100 * float(ratio.values[mode]):.2f}", f"{100 * total:.2f}"]
         table.rows.append([str(mode + 1), f"{value:.4f}", f"{1 / value:.4f}", *cells])
+    table.notes += amplitude_notes(group)
     return table
 
 

@@ -155,8 +155,8 @@ def first_period(project: Project, dampers: bool, damper_strain: float | None = 
     if not structure.frame.devices:
         return float(structure.modes(1).period[0])
     spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=1, damper_strain=damper_strain)
-    modes, _ = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec)
-    return float(modes.period[0])
+    damped = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec)
+    return float(damped.modes.period[0])
 
 
 def _spectral_acceleration(

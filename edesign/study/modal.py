@@ -32,8 +32,9 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
         structure.apply_gravity()
     group = Group()
     if structure.frame.devices:
-        modes, stiffness = damped_modes(project, structure, spec)
-        store_damper_stiffness(group, structure, modes, stiffness)
+        damped = damped_modes(project, structure, spec)
+        modes = damped.modes
+        store_damper_stiffness(group, structure, damped)
     else:
         modes = structure.modes(spec.modes)
     store_modes(group, structure, modes)

@@ -7,7 +7,7 @@ import pytest
 
 from edesign.archive.dataset import Group, Variable
 from edesign.assess.measures import response_measures
-from edesign.report.damper_results import damper_stiffness_table, dampers_table, each_damper_table
+from edesign.report.damper_results import amplitude_notes, damper_stiffness_table, dampers_table, each_damper_table
 
 
 @pytest.fixture
@@ -59,6 +59,9 @@ def test_stiffness_in_modes():
     found.coords["damper"] = Variable(("damper",), np.array(["V_1_1"]), "", "name")
     found.add("damper_storage_stiffness", ("damper",), [7.1e6], "N/m", "stiffness")
     found.add("damper_loss_factor", ("damper",), [0.35], "1", "loss factor")
+    found.add("damper_amplitude", ("damper",), [0.02], "m", "amplitude")
     table = damper_stiffness_table("modes", found)
-    assert table.rows == [["V_1_1", "7.100", "0.3500"]]
-    assert "2 Hz" in table.notes[0]
+    assert table.rows == [["V_1_1", "7.100", "0.3500", "20.00"]]
+    assert "2 Hz" in table.notes[0] and amplitude_notes(found) == []
+    found.attributes["dampers_in_small_vibrations"] = ["V_1_1"]
+    assert amplitude_notes(found) == ["1 of 1 dampers in small vibrations: no `design_deformation` is given"]
