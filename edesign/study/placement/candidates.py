@@ -55,8 +55,14 @@ class Candidates:
         }
         return dict(sorted(found.items(), key=lambda item: (item[0][1], item[0][0])))
 
-    def dampers(self, layout: Layout) -> Dampers:
-        """The project's dampers with those of a layout in place of its devices; equal ones stand in one run."""
+    def dampers(self, layout: Layout, amplitudes: Mapping[Place, float] | None = None) -> Dampers:
+        """The project's dampers with those of a layout in place of its devices; equal ones stand in one run.
+
+        Args:
+            layout: of the space.
+            amplitudes: estimated, of the dampers and braces of each equipped place, m: what they count at in natural
+                modes where their item names no `design_deformation`. None: they count in small vibrations.
+        """
         columns: dict[tuple[int, Kind, int], list[int]] = {}  # storeys by item, kind and bay
         for (bay, storey), option in self.equipped(layout).items():
             columns.setdefault((option, self.kind(option, (bay, storey)), bay), []).append(storey)
@@ -64,12 +70,17 @@ class Candidates:
         for (option, kind, bay), storeys in sorted(columns.items()):
             runs.setdefault((option, kind, tuple(storeys)), []).append(bay)
         items = tuple(self.spec.catalogue.values())
-        devices = tuple(
-            _run(items[option - 1], kind, tuple(bays), storeys) for (option, kind, storeys), bays in runs.items()
-        )
+        devices = []
+        for (option, kind, run_storeys), bays in runs.items():
+            run = _run(items[option - 1], kind, tuple(bays), run_storeys)
+            if amplitudes is not None and run.design_deformation is None:
+                found = [float(np.mean([amplitudes[bay, storey] for bay in bays])) for storey in run_storeys]
+                update = {"design_deformation": tuple(float(f"{mean:.3g}") for mean in found)}
+                run = run.model_copy(update=update)
+            devices.append(run)
         before = self.project.dampers
         assert before is not None, "check_placement wants the laws"
-        return before.model_copy(update={"devices": devices})
+        return before.model_copy(update={"devices": tuple(devices)})
 
     def kind(self, option: int, place: Place) -> Kind:
         """How an item stands at a place."""

@@ -7,11 +7,11 @@ import numpy as np
 from edesign.building.devices import Device
 from edesign.errors import AnalysisError
 from edesign.study.design.building import mode_shears
-from edesign.study.design.condensed import CondensedFrame
+from edesign.study.design.condensed import CondensedFrame, LinearModes
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.estimate import Action, spectral_peaks
+from edesign.study.design.estimate import Action, SpectralPeaks, spectral_peaks
 from edesign.study.placement.candidates import Candidates
-from edesign.study.placement.space import Layout
+from edesign.study.placement.space import Layout, Place
 from edesign.study.structure import device_stiffness
 
 RESPONSES = ("storey drift", "floor acceleration", "base shear")
@@ -55,7 +55,24 @@ class LayoutEstimates:
                 self._known[layout] = self(self._candidates.space.empty)
         return self._known[layout]
 
+    def amplitudes(self, layout: Layout) -> dict[Place, float] | None:
+        """Estimated deformation of dampers and braces at the equipped places of a layout, m; None if it fails."""
+        try:
+            *_, found = self._vibration(layout)
+        except (AnalysisError, np.linalg.LinAlgError):
+            return None
+        amplitudes = dict(zip(self._candidates.equipped(layout), found.tolist(), strict=True))
+        return amplitudes if all(value > 0.0 for value in found) else None
+
     def _estimate(self, layout: Layout) -> np.ndarray:
+        frame, modes, peaks, _ = self._vibration(layout)
+        drift = peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / self._candidates.heights
+        acceleration = peaks.combined(modes.omega[:, None] ** 2 * modes.floors)
+        shear = peaks.combined(mode_shears(frame, modes)[:, :1])
+        return np.maximum([drift.max(), acceleration.max(), shear[0]], np.finfo(float).tiny)
+
+    def _vibration(self, layout: Layout) -> tuple[CondensedFrame, LinearModes, SpectralPeaks, np.ndarray]:
+        """The frame with the dampers of a layout, its modes, its peaks, and the deformations of the dampers, m."""
         chosen = [(option, place) for place, option in self._candidates.equipped(layout).items()]
         rows = np.array([self._candidates.index[key] for key in chosen], dtype=int)
         devices = [self._candidates.devices[key] for key in chosen]
@@ -70,10 +87,7 @@ class LayoutEstimates:
             if np.all(np.abs(found - amplitude) <= _AGREEMENT * amplitude):
                 break
             amplitude = np.sqrt(found * amplitude)  # stiffness may fall with the amplitude as fast as it rises
-        drift = peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / self._candidates.heights
-        acceleration = peaks.combined(modes.omega[:, None] ** 2 * modes.floors)
-        shear = peaks.combined(mode_shears(frame, modes)[:, :1])
-        return np.maximum([drift.max(), acceleration.max(), shear[0]], np.finfo(float).tiny)
+        return frame, modes, peaks, found
 
     def _stiffness(self, device: Device, amplitude: float) -> complex:
         """Complex stiffness of a damper with its brace at an amplitude (m), N/m."""

@@ -80,11 +80,14 @@ def run_placement(
             progress(f"layout {number} of at most {budget}, {_said(candidates, layout)}: {_judged(outcome)}")
             yield outcome
 
+    def dampers_of(layout: Layout) -> Dampers:
+        return candidates.dampers(layout, estimates.amplitudes(layout))
+
     def interrupted(knowledge: Knowledge) -> None:
         if knowledge.analysed[-1].layout in known:
             return
         group = Group(attributes=about | {"status": "interrupted", "reason": "the design is not complete"})
-        store_placement(group, candidates, knowledge)
+        store_placement(group, candidates, knowledge, dampers_of(chosen_of(knowledge).layout))
         keep(group)
 
     knowledge = search(candidates.space, analyse, estimates, budget, spec.monotone, interrupted)
@@ -92,8 +95,9 @@ def run_placement(
     reason = "" if chosen.outcome.met else f"{proof.sentence}; the nearest misses: {chosen.outcome.misses}"
     status = "failed" if reason else "completed"
     group = Group(attributes=about | {"status": status, "reason": reason})
-    store_placement(group, candidates, knowledge, proof)
-    return DesignResult(candidates.dampers(chosen.layout), group, status, reason)
+    dampers = dampers_of(chosen.layout)
+    store_placement(group, candidates, knowledge, dampers, proof)
+    return DesignResult(dampers, group, status, reason)
 
 
 def check_placement(project: Project, name: str, spec: PlacementDesign, per_layout: int) -> None:

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.notation.names import damper_names
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
@@ -34,7 +35,7 @@ _COUNTS = (
 
 
 def store_placement(
-    group: Group, candidates: Candidates, knowledge: Knowledge, proof: Certificate | None = None
+    group: Group, candidates: Candidates, knowledge: Knowledge, dampers: Dampers, proof: Certificate | None = None
 ) -> None:
     """Add all that a search has found.
 
@@ -42,13 +43,14 @@ def store_placement(
         group: of the design.
         candidates: that it chose from.
         knowledge: what it analysed.
+        dampers: of the chosen layout.
         proof: of the chosen layout; None: the search is not over.
     """
     chosen = chosen_of(knowledge)
     _store_catalogue(group, candidates, chosen.layout)
     _store_layouts(group, candidates, knowledge)
     _store_chosen(group, candidates, chosen)
-    group.attributes |= {"warnings": [], "devices": devices_text(candidates.dampers(chosen.layout))}
+    group.attributes |= {"warnings": [], "devices": devices_text(dampers)}
     if proof is None:
         return
     counts = {key: getattr(proof, key) for key in _COUNTS}

@@ -31,6 +31,9 @@ TEXT = (
 )
 
 
+VERIFY = "{records: first, levels: DBE, criteria: drift}"
+
+
 @pytest.fixture(scope="module")
 def candidates(tmp_path_factory: pytest.TempPathFactory) -> Candidates:
     project = small_project(tmp_path_factory.mktemp("candidates"), "[6 m, 5 m, 6 m]", "[4 m, 3.3 m]")
@@ -69,6 +72,69 @@ def test_items_that_compare(candidates: Candidates) -> None:
     expected[0] = True
     expected[1, 2] = expected[3, 2] = True  # a weaker one, and one behind a softer brace; a has more brace than c
     np.testing.assert_array_equal(candidates.space.not_larger, expected)
+
+
+def test_items_compare_where_they_do_at_every_place(tmp_path: Path) -> None:
+    """Braces of a section have 2 E A cos^2 / length: 1.30 times as much in a bay of 14 m as in one of 6 m."""
+    project = small_project(tmp_path, "[14 m, 6 m]", "[4 m]")
+
+    def candidates_with(stiffness: float) -> Candidates:
+        items = (
+            "a: {law: oil, scale: 40, cost: 1, brace: {section: HEB140, material: S275}}, "
+            f"b: {{law: oil, scale: 80, cost: 1, brace: {{stiffness: {stiffness} N/m}}}}"
+        )
+        text = f"method: placement, kind: chevron, bays: all, catalogue: {{{items}}}, verify: {VERIFY}"
+        spec = design(text, project)
+        assert isinstance(spec, PlacementDesign)
+        return make_candidates(project, "tried", spec)
+
+    devices = candidates_with(1e6).devices
+    wide, narrow = (devices[1, (bay, 1)].brace for bay in (1, 2))
+    shape = {half: (half / np.hypot(half, 4.0)) ** 2 / np.hypot(half, 4.0) for half in (3.0, 7.0)}
+    assert wide / narrow == pytest.approx(shape[7.0] / shape[3.0], rel=1e-12)
+    for stiffness, smaller in ((0.9 * narrow, False), (0.5 * (narrow + wide), False), (1.1 * wide, True)):
+        assert bool(candidates_with(stiffness).space.not_larger[1, 2]) is smaller
+
+
+@pytest.mark.parametrize(
+    ("limits", "said"),
+    [
+        ("most_dampers: 1, mirrored: true", "1 are fewer than the smallest layout takes, 2"),
+        ("most_dampers: 2, storey_groups: [1-3]", "2 are fewer than the smallest layout takes, 3"),
+        ("most_dampers: 1, continuous: true, storey_groups: [1-2]", "1 are fewer than the smallest layout takes, 2"),
+    ],
+)
+def test_limits_that_leave_no_dampers_are_refused(tmp_path: Path, limits: str, said: str) -> None:
+    project = small_project(tmp_path, "[6 m, 6 m]", "[4 m, 3 m, 3 m]")
+    item = "{law: oil, scale: 40, cost: 1}"
+    text = (
+        f"method: placement, kind: chevron, bays: all, catalogue: {{a: {item}}}, limits: {{{limits}}}, verify: {VERIFY}"
+    )
+    spec = design(text, project)
+    assert isinstance(spec, PlacementDesign)
+    with pytest.raises(InputError, match=rf"^designs.tried.limits.most_dampers: {said}"):
+        check_placement(project, "tried", spec, 1)
+
+
+def test_amplitude_of_linear_dampers_in_one_storey_is_in_closed_form(tmp_path: Path) -> None:
+    """Oscillator with a dashpot: S_d(T1, zeta + c phi^2 / (2 omega)) Gamma phi, phi of unit modal mass."""
+    project = small_project(tmp_path, "[6 m]", "[4 m]")
+    text = "method: placement, kind: storey, bays: all, catalogue: {a: {law: linear, scale: 400, cost: 1}}"
+    spec = design(f"{text}, verify: {VERIFY}", project)
+    assert isinstance(spec, PlacementDesign)
+    found, action = make_candidates(project, "tried", spec), action_of(project, "DBE", None)
+    amplitudes = LayoutEstimates(found, action).amplitudes((1,))
+    assert amplitudes is not None
+    modes = found.frame.modes()
+    omega, phi = float(modes.omega[0]), float(modes.floors[0, 0])
+    added = 4e5 * phi**2 / (2.0 * omega)
+    expected = action.displacement(omega, action.inherent_damping + added) * abs(modes.participation[0] * phi)
+    # vertical modes of the beam's ends add to the CQC sum
+    assert amplitudes[1, 1] == pytest.approx(expected, rel=1e-3)
+    (run,) = found.dampers((1,), amplitudes).devices
+    assert run.design_deformation == (float(f"{amplitudes[1, 1]:.3g}"),)
+    (plain,) = found.dampers((1,)).devices
+    assert plain.design_deformation is None
 
 
 def test_estimates_fall_with_dampers_and_are_those_of_the_frame_without(candidates: Candidates) -> None:
