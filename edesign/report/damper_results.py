@@ -76,12 +76,14 @@ def amplitude_notes(group: Group) -> list[str]:
     if amplitude is None:
         return []
     small = group.attributes.get("dampers_in_small_vibrations")
+    missing = "no `design_deformation` is given"
     said = {
-        "in small vibrations": len(small) if isinstance(small, list) else 0,
-        "left out, as viscous dampers (alpha < 1) whose stiffness depends on it": int(np.isnan(amplitude.values).sum()),
+        f"count in small vibrations: {missing}": len(small) if isinstance(small, list) else 0,
+        f"are left out: their stiffness depends on the amplitude (alpha < 1), and {missing}": int(
+            np.isnan(amplitude.values).sum()
+        ),
     }
-    lines = [f"{count} of {amplitude.values.size} dampers {how}" for how, count in said.items() if count]
-    return [f"{'; '.join(lines)}: no `design_deformation` is given"] if lines else []
+    return [f"{count} of {amplitude.values.size} dampers {how}" for how, count in said.items() if count]
 
 
 def _largest(values: np.ndarray | None, unit: float) -> str:

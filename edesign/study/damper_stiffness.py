@@ -87,8 +87,8 @@ def store_damper_stiffness(group: Group, structure: Structure, found: DampedMode
     if found.left_out:
         names = listed([device.name for device in found.left_out], 4)
         text = (
-            f"the stiffness of {names} is left out of the modes: no `design_deformation` is given, and "
-            "dashpots with alpha < 1 behind springs have any, from that of the spring down to nothing"
+            f"the stiffness of {names} is left out of the modes: no `design_deformation` is given, and a dashpot with "
+            "alpha < 1 behind a spring is as stiff as the spring in small vibrations and has no stiffness in large ones"
         )
         store_warnings(group, [AnalysisWarning("damper_amplitude", text, 1.0)])
 

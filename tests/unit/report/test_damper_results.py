@@ -64,4 +64,4 @@ def test_stiffness_in_modes():
     assert table.rows == [["V_1_1", "7.100", "0.3500", "20.00"]]
     assert "2 Hz" in table.notes[0] and amplitude_notes(found) == []
     found.attributes["dampers_in_small_vibrations"] = ["V_1_1"]
-    assert amplitude_notes(found) == ["1 of 1 dampers in small vibrations: no `design_deformation` is given"]
+    assert amplitude_notes(found) == ["1 of 1 dampers count in small vibrations: no `design_deformation` is given"]

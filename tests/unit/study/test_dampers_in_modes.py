@@ -66,7 +66,7 @@ def test_dashpot_of_a_power_without_amplitude_is_left_out_and_told(law: str, ext
     (warning,) = warnings_of(found)
     assert warning.kind == "damper_amplitude" and "`S_1_1` is left out of the modes" in warning.text
     assert amplitude_notes(found) == [
-        "1 of 1 dampers left out, as viscous dampers (alpha < 1) whose stiffness depends on it: "
+        "1 of 1 dampers are left out: their stiffness depends on the amplitude (alpha < 1), and "
         "no `design_deformation` is given"
     ]
     small, large = (
@@ -85,5 +85,5 @@ def test_dashpot_of_a_power_alone_has_no_stiffness_to_leave_out() -> None:
 def test_damper_whose_stiffness_depends_on_an_amplitude_that_is_not_given_is_noted() -> None:
     law = "{type: elastic_plastic, parameters: {k: 20 kN/mm, Fy: 100 kN, b: 0.02}}"
     found = modes(law, "brace: rigid")
-    assert amplitude_notes(found) == ["1 of 1 dampers in small vibrations: no `design_deformation` is given"]
+    assert amplitude_notes(found) == ["1 of 1 dampers count in small vibrations: no `design_deformation` is given"]
     assert amplitude_notes(modes(law, "design_deformation: 10 mm")) == []
