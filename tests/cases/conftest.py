@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +16,18 @@ from edesign.study.run import run_project
 
 HERE = Path(__file__).parent
 CASES = sorted(path.parent.name for path in HERE.glob("*/project.yaml"))
+
+
+def copied_study(case: str, folder: Path, *changes: tuple[str, str]) -> Path:
+    """Copy a case and the records into a folder; return its study, in which old texts are replaced by new ones."""
+    shutil.copytree(HERE / "records", folder / "records")
+    path = Path(shutil.copytree(HERE / case, folder / case)) / "study.yaml"
+    text = path.read_text(encoding="utf-8")
+    for old, new in changes:
+        assert text.count(old) == 1
+        text = text.replace(old, new)
+    path.write_text(text, encoding="utf-8")
+    return path
 
 
 @pytest.fixture(scope="session")

@@ -5,12 +5,11 @@ from __future__ import annotations
 import csv
 import io
 import json
-import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases.conftest import HERE
+from cases.conftest import copied_study
 from scipy.signal import lsim
 
 from edesign.archive.dataset import Group
@@ -33,10 +32,7 @@ LEVELS = np.array([4.0, 7.5])  # m
 
 @pytest.fixture(scope="module")
 def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("criteria")
-    shutil.copytree(HERE / "any_quantity", folder / "any_quantity")
-    shutil.copytree(HERE / "records", folder / "records")
-    return run_study(load_study(folder / "any_quantity" / "study.yaml")).archive
+    return run_study(load_study(copied_study("any_quantity", tmp_path_factory.mktemp("criteria")))).archive
 
 
 @pytest.fixture(scope="module")

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import io
-import shutil
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases.conftest import HERE
+from cases.conftest import copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -40,11 +39,9 @@ outputs: {{archive: by_hand.h5}}
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("derived")
-    shutil.copytree(HERE / "any_quantity", folder / "any_quantity")
-    shutil.copytree(HERE / "records", folder / "records")
-    (folder / "any_quantity" / "by_hand.yaml").write_text(BY_HAND, encoding="utf-8")
-    return folder / "any_quantity"
+    folder = copied_study("any_quantity", tmp_path_factory.mktemp("derived")).parent
+    (folder / "by_hand.yaml").write_text(BY_HAND, encoding="utf-8")
+    return folder
 
 
 @pytest.fixture(scope="module")

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import io
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases.conftest import HERE
+from cases.conftest import copied_study
 
 from edesign import summarise
 from edesign.archive.dataset import Group
@@ -26,9 +25,7 @@ Results = Callable[[str, str], Group]
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("strain")
-    shutil.copytree(HERE / "records", folder / "records")
-    return Path(shutil.copytree(HERE / "elastomer_strain", folder / "case")) / "study.yaml"
+    return copied_study("elastomer_strain", tmp_path_factory.mktemp("strain"))
 
 
 @pytest.fixture(scope="module")

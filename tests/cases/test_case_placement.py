@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
 import yaml
-from cases.conftest import HERE
+from cases.conftest import HERE, copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -21,19 +21,7 @@ from edesign.study.run import run_study
 CASE = HERE / "placement"
 PLACE, COST = 0.5, {1: 1.0, 2: 1.6}  # of study.yaml
 Results = Callable[[str, str], Group]
-
-
-def study_in(folder: Path, *changes: tuple[str, str]) -> Path:
-    """A copy of the study with some of its text changed."""
-    shutil.copytree(HERE / "records", folder / "records")
-    shutil.copytree(CASE, folder / "case")
-    path = folder / "case" / "study.yaml"
-    text = path.read_text(encoding="utf-8")
-    for old, new in changes:
-        assert text.count(old) == 1
-        text = text.replace(old, new)
-    path.write_text(text, encoding="utf-8")
-    return path
+study_in = partial(copied_study, "placement")
 
 
 @pytest.fixture(scope="module")

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases.conftest import HERE
+from cases.conftest import copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -68,9 +67,7 @@ def test_a_record_that_ends_with_a_velocity_is_told(results_of: Results) -> None
 
 def test_studies_have_the_same_waves(results_of: Results, tmp_path: Path) -> None:
     """Bit for bit the history of the project; a soil of half the modulus under the footing moves it further."""
-    shutil.copytree(HERE / CASE, tmp_path / CASE)
-    shutil.copytree(HERE / "records", tmp_path / "records")
-    with open_archive(run_study(load_study(tmp_path / CASE / "study.yaml")).archive) as archive:
+    with open_archive(run_study(load_study(copied_study(CASE, tmp_path))).archive) as archive:
         bare, soft = (archive.group(f"analyses/{name}.motion") for name in ("bare", "soft"))
         first, second = (archive.group(f"analyses/bare.peaks.motion.{level}") for level in ("0.1g", "0.2g"))
     project = results_of(CASE, "passing")

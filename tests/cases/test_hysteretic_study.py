@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import pytest
-from cases.conftest import HERE
+from cases.conftest import HERE, copied_study
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
@@ -28,12 +28,7 @@ SLIP = np.array([3.345, 2.563, 1.323]) * 30e3  # N, of project.yaml
 BRACE = np.array([17.49e6, 17.77e6, 15.73e6])
 STIFFNESS = SLIP / 0.5e-3  # 60 kN/mm at 30 kN
 Results = Callable[[str, str], Group]
-
-
-def study_in(folder: Path) -> Path:
-    shutil.copytree(HERE / "records", folder / "records")
-    shutil.copytree(CASE, folder / "case")
-    return folder / "case" / "study.yaml"
+study_in = partial(copied_study, "hysteretic_dampers")
 
 
 @pytest.fixture(scope="module")
