@@ -21,6 +21,7 @@ DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
 GRAVITY_STEPS = 10
 _FIRST_GUESS = 0.5  # Hz, of an isolated building, from which the frequency of rate-dependent isolators is found
 _AGREEMENT = 1e-9  # of two frequencies that follow each other
+_TOLERATED = 1e-5  # after all rounds: steady cycles that SUNDIALS integrates behind a brace repeat to about 1e-6
 _MOST_ROUNDS = 50
 
 
@@ -61,13 +62,17 @@ class Structure:
     ) -> tuple[Modes, np.ndarray]:
         """The lowest modes with devices that vibrate steadily in the first of them, at their amplitudes in m.
 
-        `others` is the stiffness that dampers have apart from these, (n_dampers,) N/m; None: nothing.
+        Args:
+            count: how many modes.
+            devices: those that vibrate.
+            amplitudes: of each, m.
+            others: stiffness that dampers have apart from these, (n_dampers,) N/m; None: nothing.
 
         Returns:
             The modes, and the complex stiffness of each device, N/m.
 
         Raises:
-            AnalysisError: there are not so many modes, or the structure is unstable.
+            AnalysisError: there are not so many modes, the structure is unstable, or no frequency agrees with itself.
         """
         added = np.zeros(len(self.frame.model.damper_names)) if others is None else others.copy()
         numbers = [device.number for device in devices]
@@ -79,6 +84,11 @@ class Structure:
             before, frequency = frequency, float(modes.omega[0]) / (2.0 * np.pi)
             if abs(frequency - before) <= _AGREEMENT * frequency:
                 break
+        if abs(frequency - before) > _TOLERATED * frequency:
+            raise AnalysisError(
+                f"modes: the frequency at which devices vibrate and that of the frame with them did not agree within "
+                f"{_MOST_ROUNDS} iterations (last {before:.6g} Hz and {frequency:.6g} Hz)"
+            )
         return modes, found
 
     def install_dampers(self) -> None:

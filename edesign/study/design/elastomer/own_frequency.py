@@ -6,6 +6,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from edesign.errors import AnalysisError
 from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.elastomer.material import Elastomer, Moduli
@@ -20,7 +21,7 @@ def at_own_frequency(
     brace: np.ndarray | None,
     start: float,
 ) -> tuple[Moduli, np.ndarray, LinearModes]:
-    """Follow the frequency until it agrees, or for as many iterations as are allowed.
+    """Follow the frequency until it agrees.
 
     Args:
         building: the frame with its places.
@@ -31,6 +32,9 @@ def at_own_frequency(
 
     Returns:
         The properties, the complex stiffness at each place with its brace (d,) N/m, and the modes with it.
+
+    Raises:
+        AnalysisError: no frequency agrees with itself.
     """
     frequency = start
     for _ in range(MOST_ITERATIONS):
@@ -39,5 +43,5 @@ def at_own_frequency(
         modes = building.frame.modes(at_places.real)
         before, frequency = frequency, modes.first_frequency
         if abs(frequency - before) <= AGREEMENT * frequency:
-            break
-    return moduli, at_places, modes
+            return moduli, at_places, modes
+    raise AnalysisError(f"the frequencies did not agree to {AGREEMENT:g} within {MOST_ITERATIONS} iterations")
