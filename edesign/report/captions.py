@@ -5,6 +5,7 @@ from __future__ import annotations
 import hashlib
 import re
 from collections import Counter
+from collections.abc import Collection
 
 LONGEST = 64  # characters of a part of a file name; file systems take 255 bytes for all parts
 
@@ -22,6 +23,12 @@ def record_label(reference: str) -> str:
     """A record in words: table_5_6/ImperialValley1979_H-EMO000 is Imperial Valley 1979 H-EMO000."""
     name = reference.rpartition("/")[2].replace("_", " ")
     return re.sub(r"(?<=[a-z])(?=[A-Z]|[0-9]{4})", " ", name)
+
+
+def some_names(names: Collection[str], most: int = 2) -> str:
+    """Return the first names, and how many more there are."""
+    more = len(names) - most
+    return ", ".join(list(names)[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def file_name(*parts: str) -> str:

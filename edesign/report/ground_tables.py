@@ -8,6 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.footings import DIRECTIONS
+from edesign.report.captions import some_names
+from edesign.report.histories import groups_alike, names_of
 from edesign.report.table import Table, number
 
 FORMULAS = {
@@ -16,7 +18,9 @@ FORMULAS = {
 }
 _WORDS = ("horizontal", "vertical", "rocking")
 SHOWN = 40
-"""Rows of the table of feet at most: a page of them can be read."""
+"""Rows of the tables of feet and histories at most: a page of them can be read."""
+WORK = "footing_work_final"
+"""Variable that only histories with footings have."""
 
 
 def ground_tables(groups: Mapping[str, Group]) -> list[Table]:
@@ -33,11 +37,27 @@ def _footings(groups: Mapping[str, Group]) -> list[Table]:
     on_footings = {name: group for name, group in groups.items() if "footing" in group.coords}
     if not on_footings:
         return []
-    return [_soils(on_footings), _impedances(on_footings), _first_mode(on_footings), _work(on_footings)]
+    tables, alike = [], groups_alike(on_footings, _told)
+    for several in alike:
+        made = [_soils(one := next(iter(several.values()))), _impedances(one)]
+        for table in made if len(alike) > 1 else ():
+            table.title += f" ({some_names(several)})"
+        tables += made
+    return [*tables, _first_mode(on_footings), _work(on_footings)]
 
 
-def _soils(groups: Mapping[str, Group]) -> Table:
-    group = next(iter(groups.values()))
+def _told(group: Group) -> tuple[str, ...]:
+    """What tables say of the footings of an analysis."""
+    values = [
+        f"{value:.4g}"
+        for name, variable in group.variables.items()
+        if name.startswith("footing_") and variable.dims == ("footing",) and name not in ("footing_formula", WORK)
+        for value in variable.values
+    ]
+    return (*names_of(group, "footing"), *map(str, group.variables["footing_formula"].values), *values)
+
+
+def _soils(group: Group) -> Table:
     table = Table("Footings", ["footing", "static stiffness by", "G [MPa]", "G / G_0", "V_s [m/s]", "T [s]", "a_0"])
     columns = ("shear_modulus", "modulus_ratio", "wave_velocity", "period", "a_0")
     values = [group.variables[f"footing_{name}"].values for name in columns]
@@ -51,8 +71,7 @@ def _soils(groups: Mapping[str, Group]) -> Table:
     return table
 
 
-def _impedances(groups: Mapping[str, Group]) -> Table:
-    group = next(iter(groups.values()))
+def _impedances(group: Group) -> Table:
     table = Table(
         "Stiffness and damping of footings",
         ["footing", "direction", "K static", "K at T", "radiation [%]", "soil [%]", "dashpot"],
@@ -117,17 +136,15 @@ def _of(attributes: Mapping[str, object], name: str) -> float | None:
 
 
 def _work(groups: Mapping[str, Group]) -> Table:
-    table = Table("Work on the dashpots of footings", ["footing"])
-    histories = {name: group for name, group in groups.items() if "footing_work_final" in group.variables}
-    if not histories:
-        return table
-    table = Table("Work on the dashpots of footings, kJ", ["footing", *histories])
-    names = next(iter(histories.values())).coords["footing"].values
-    for i, footing in enumerate(names):
-        cells = [number(float(of.variables["footing_work_final"].values[i]), 4, 1e3) for of in histories.values()]
-        table.rows.append([str(footing), *cells])
+    """Work on the dashpots of each footing in each history; a frame of another variant may stand on others."""
+    histories = {name: group for name, group in groups.items() if WORK in group.variables}
+    footings = list(dict.fromkeys(footing for group in histories.values() for footing in names_of(group, "footing")))
+    table = Table("Work on the dashpots of footings, kJ", ["analysis", *footings])
+    for name, group in histories.items():
+        work = dict(zip(names_of(group, "footing"), group.variables[WORK].values.tolist(), strict=True))
+        table.rows.append([name, *(number(work.get(footing), 4, 1e3) for footing in footings)])
     table.notes.append("It is part of the energy of the dampers in the balance.")
-    return table
+    return _cut(table, "histories")
 
 
 def _passage(groups: Mapping[str, Group]) -> Table:
@@ -146,7 +163,12 @@ def _passage(groups: Mapping[str, Group]) -> Table:
             cells = [number(float(of[i]), 4, 1e-3, negligible=1e-9) for of in (*columns, final)]
             table.rows.append([name, str(foot), *cells])
     table.notes.append("Displacements of the ground at the foot relative to the ground that the motion reaches first.")
+    return _cut(table, "feet")
+
+
+def _cut(table: Table, what: str) -> Table:
+    """The table with as many rows as are shown, and a note of how many there are."""
     if len(table.rows) > SHOWN:
-        table.notes.append(f"The first {SHOWN} of {len(table.rows)} feet.")
+        table.notes.append(f"The first {SHOWN} of {len(table.rows)} {what}.")
         del table.rows[SHOWN:]
     return table

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 from edesign.archive.dataset import Group
@@ -117,6 +117,19 @@ def missing_text(chosen: Iterable[History]) -> str:
     """A sentence that names the histories that did not complete; "" if all did."""
     named = [f"{h.variant} {h.motion}".strip() + f" ({h.reason})" * bool(h.reason) for h in chosen if not h.completed]
     return f" Missing, as the analysis did not complete: {'; '.join(named)}." if named else ""
+
+
+def groups_alike(groups: Mapping[str, Group], told: Callable[[Group], Hashable]) -> list[dict[str, Group]]:
+    """Return groups in sets, in their order, of those of which the same is told.
+
+    Args:
+        groups: results by the name of the analysis.
+        told: what a table would say of a group.
+    """
+    found: dict[Hashable, dict[str, Group]] = {}
+    for name, group in groups.items():
+        found.setdefault(told(group), {})[name] = group
+    return list(found.values())
 
 
 def names_of(group: Group, dimension: str) -> list[str]:

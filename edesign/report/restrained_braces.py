@@ -8,7 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.notation.names import line_name
-from edesign.report.histories import names_of
+from edesign.report.captions import some_names
+from edesign.report.histories import groups_alike, names_of
 from edesign.report.table import Table, number
 
 LARGEST = "core_strain_max"
@@ -31,19 +32,24 @@ def restrained_tables(groups: Mapping[str, Group]) -> list[Table]:
     Args:
         groups: results of analyses by name; those that failed, or have no such braces, are left out.
     """
-    alike: dict[tuple[str, ...], dict[str, Group]] = {}
-    for name, group in groups.items():
-        if LARGEST in group.variables and group.attributes.get("status") == "completed":
-            numbers = [f"{value:.9g}" for variable, _ in STRENGTHS for value in _values(group, variable)]
-            alike.setdefault((*names_of(group, "damper"), *numbers), {})[name] = group
-    tables = []
-    for several in alike.values():
+
+    def told(group: Group) -> tuple[str, ...]:
+        numbers = [f"{value:.9g}" for variable, _ in STRENGTHS for value in _values(group, variable)]
+        return (*names_of(group, "damper"), *numbers)
+
+    restrained = {
+        name: group
+        for name, group in groups.items()
+        if LARGEST in group.variables and group.attributes.get("status") == "completed"
+    }
+    alike, tables = groups_alike(restrained, told), []
+    for several in alike:
         one = next(iter(several.values()))
         made = [demand_table(several), strength_table(one), beam_table(one), column_table(one)]
         tables += made
         if len(alike) > 1:
             for table in made[1:]:
-                table.title += f" ({_some(several)})"
+                table.title += f" ({some_names(several)})"
     return [table for table in tables if table.rows]
 
 
@@ -54,7 +60,7 @@ def demand_table(groups: Mapping[str, Group]) -> Table:
         groups: results of one analysis at least, of the same braces.
     """
     columns = ("brace", "T [kN]", "T/T_adj", "C [kN]", "C/C_adj", "strain [%]", "strain/given", "mu", "sum mu")
-    table = Table(f"Buckling-restrained braces: largest demand in {_some(groups)}", columns)
+    table = Table(f"Buckling-restrained braces: largest demand in {some_names(groups)}", columns)
 
     def largest(of: Callable[[Group], np.ndarray]) -> np.ndarray:
         return np.max([of(group) for group in groups.values()], axis=0)
@@ -172,12 +178,6 @@ def column_table(group: Group) -> Table:
     if table.rows:
         table.notes.append("AISC 341-16, F4.3: E_cl, the axial forces of the columns; add those of the gravity loads.")
     return table
-
-
-def _some(names: Mapping[str, Group], most: int = 2) -> str:
-    """The first names, and how many more there are."""
-    more = len(names) - most
-    return ", ".join(list(names)[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def _braces(group: Group) -> list[tuple[int, str]]:

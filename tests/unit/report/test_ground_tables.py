@@ -1,0 +1,49 @@
+"""Tables of footings: those of every variant are told, and a history has the work of its own."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group, Variable
+from edesign.building.footings import DIRECTIONS
+from edesign.report.ground_tables import SHOWN, ground_tables
+
+
+def on_footings(modulus: float, work: dict[str, float]) -> Group:
+    """Results of a history on footings on a soil of one modulus, Pa, with the work of their dashpots, J."""
+    group = Group()
+    group.coords["footing"] = Variable(("footing",), np.array(list(work)), "", "")
+    group.add("footing_formula", ("footing",), ["gazetas"] * len(work), "", "")
+    values = {"shear_modulus": modulus, "modulus_ratio": 1.0, "wave_velocity": 200.0, "period": 0.5, "a_0": 0.1}
+    values |= {"soil_damping": 0.05, "mass": 0.0}
+    for direction in DIRECTIONS:
+        for name, value in (("static_stiffness", modulus), ("stiffness", modulus), ("radiation_damping", 0.1)):
+            values[f"{name}_{direction}"] = value
+        values[f"dashpot_{direction}"] = 1e6
+    for name, value in values.items():
+        group.add(f"footing_{name}", ("footing",), [value] * len(work), "", "")
+    group.add("footing_work_final", ("footing",), list(work.values()), "J", "")
+    return group
+
+
+def test_footings_of_every_variant_are_told() -> None:
+    groups = {"bare": on_footings(60e6, {"A0": 1e3}), "soft": on_footings(30e6, {"A0": 2e3})}
+    soils = [table for table in ground_tables(groups) if table.title.startswith("Footings")]
+    assert [(table.title, table.rows[0][2]) for table in soils] == [
+        ("Footings (bare)", "60.0"),
+        ("Footings (soft)", "30.0"),
+    ]
+    assert len(ground_tables({"one": groups["bare"], "two": groups["bare"]})) == 3  # soils, stiffness, work
+
+
+def test_work_stands_under_the_footing_that_does_it() -> None:
+    """Frames of two variants stand on other footings."""
+    groups = {"first": on_footings(60e6, {"A0": 1e3, "B0": 2e3}), "second": on_footings(60e6, {"B0": 3e3})}
+    work = ground_tables(groups)[-1]
+    assert list(work.columns) == ["analysis", "A0", "B0"]
+    assert work.rows == [["first", "1.000", "2.000"], ["second", "-", "3.000"]]
+
+
+def test_a_page_of_histories_is_shown() -> None:
+    work = ground_tables({str(i): on_footings(60e6, {"A0": 1e3}) for i in range(SHOWN + 2)})[-1]
+    assert len(work.rows) == SHOWN and work.notes[-1] == f"The first {SHOWN} of {SHOWN + 2} histories."
