@@ -36,7 +36,7 @@ def check(
         found = check_building(load_building(project))
     else:
         from edesign.building.project_file import load_project, load_study
-        from edesign.study.check import check_project, check_study
+        from edesign.study.check_summary import check_project, check_study
 
         found = check_study(load_study(project)) if kind == STUDY else check_project(load_project(project))
     for label, text in found.items():

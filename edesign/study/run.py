@@ -13,7 +13,6 @@ from edesign.study.advice import project_warnings, study_warnings, unjudged
 from edesign.study.backends import make_backend
 from edesign.study.check import check_inputs, check_study_inputs
 from edesign.study.choosing import study_with_choices, with_choices
-from edesign.study.designing import study_designs
 from edesign.study.execute import execute
 from edesign.study.execution import Execution, Job, Prepared
 from edesign.study.incremental import study_stripes
@@ -22,6 +21,7 @@ from edesign.study.outcome import Outcome, RunSummary
 from edesign.study.plan import make_plan
 from edesign.study.progress import Listener, silent
 from edesign.study.provenance import root_group, study_root_group
+from edesign.study.study_designs import study_designs
 from edesign.study.study_plan import make_study_plan
 from edesign.study.variants import variant_strain
 

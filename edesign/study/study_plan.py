@@ -141,3 +141,21 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
             raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")
         found += [reference for reference in ([name] if recording else known) if reference not in found]
     return tuple(found)
+
+
+def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
+    """Names of the designs that the variants of a plan have, in the order of the file."""
+    wanted = {study.variants[task.variant].design for task in plan}
+    return tuple(name for name in study.designs if name in wanted)
+
+
+def verification_records(study: Study, name: str) -> tuple[str, ...]:
+    """References of the recordings that a design of a study is verified with."""
+    verify = study.designs[name].verify
+    return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
+
+
+def histories_of_a_round(study: Study, name: str) -> int:
+    """How many histories one round of a design's verification takes: its recordings at all its levels."""
+    verify = study.designs[name].verify
+    return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0

@@ -17,7 +17,7 @@ from edesign.building.project_file import load_study
 from edesign.report.page.document import page_text
 from edesign.report.study_tables import study_tables
 from edesign.report.text import print_tables
-from edesign.study.check import check_study
+from edesign.study.check_summary import check_study
 from edesign.study.run import run_study
 
 Results = Callable[[str, str], Group]

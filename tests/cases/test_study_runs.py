@@ -26,8 +26,8 @@ from edesign.errors import AnalysisError, InputError, Interrupted
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.response_spectrum import psa
 from edesign.report.summary import summarise
-from edesign.study import designing
 from edesign.study import run as runs
+from edesign.study import study_designs
 from edesign.study.backends.serial import SerialBackend
 from edesign.study.backends.work import Control, Result, Results, Work
 from edesign.study.progress import Progress
@@ -523,7 +523,7 @@ def test_a_stop_between_two_designs_starts_nothing_more(tmp_path: Path, monkeypa
     )
     path = write(tmp_path, ("variants:\n  bare", second))
     begun: list[str] = []
-    make = designing.run_design
+    make = study_designs.run_design
 
     def stop_after(*arguments: Any) -> Any:
         result = make(*arguments)
@@ -531,7 +531,7 @@ def test_a_stop_between_two_designs_starts_nothing_more(tmp_path: Path, monkeypa
         return result
 
     with monkeypatch.context() as patched:
-        patched.setattr(designing, "run_design", stop_after)
+        patched.setattr(study_designs, "run_design", stop_after)
         with pytest.raises(Interrupted, match="0 of 31 analyses are finished, with designs/added, and kept in"):
             run_study(load_study(path), progress=lambda report: begun.append(report.analysis))
     assert not any(name.startswith(("bare", "more")) for name in begun)

@@ -21,7 +21,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.project.project import Project
 from edesign.study import provenance
-from edesign.study.check import check_project, check_study_inputs
+from edesign.study.check import check_study_inputs
+from edesign.study.check_summary import check_project
 from edesign.study.dampers import device_laws
 from edesign.study.progress import Progress
 from edesign.study.provenance import IDENTITY, root_group, study_root_group

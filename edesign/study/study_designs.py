@@ -16,7 +16,6 @@ from edesign.project.dampers.verification import AnyVerify
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.backends.work import Work
-from edesign.study.check import histories_of_a_round, verification_records, wanted_designs
 from edesign.study.criteria import kept_for_verification
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
@@ -24,6 +23,7 @@ from edesign.study.kinds import DESIGNS
 from edesign.study.modal import mode_count
 from edesign.study.placement.placement import run_placement
 from edesign.study.plan import Task, labels
+from edesign.study.study_plan import histories_of_a_round, verification_records, wanted_designs
 from edesign.study.variants import variant_project
 from edesign.study.works import analyse
 
