@@ -66,6 +66,11 @@ class Building:
 def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
     """Build the frame, find the places and the stiffness of the storeys. Tuned masses are left out.
 
+    Args:
+        project: with the law; checked by `check_design`.
+        name: of the design.
+        spec: of the design.
+
     Raises:
         InputError: the law is wrong, or the frame cannot be built.
         AnalysisError: the frame is unstable.
@@ -131,12 +136,12 @@ def storey_shears(floor_forces: np.ndarray) -> np.ndarray:
 
 
 def law_at(project: Project, name: str, temperature_C: float | None) -> DeviceLaw:
-    """A law of the project at a temperature; None: its own."""
+    """A law of the project at a temperature, degC; None: its own."""
     return device_laws(with_temperature(project, name, temperature_C))[name]
 
 
 def with_temperature(project: Project, name: str, temperature_C: float | None) -> Project:
-    """The project with one law at a temperature; None: as it is."""
+    """The project with one of its laws, by name, at a temperature, degC; None: as it is."""
     dampers = project.dampers
     if temperature_C is None or dampers is None:
         return project

@@ -80,7 +80,12 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
 
 
 def action_of(project: Project, level: str, inherent_damping: float | None) -> Action:
-    """The action of a hazard level on a frame with a damping ratio of its own; None: that of the project.
+    """The action of a hazard level on a frame.
+
+    Args:
+        project: with the hazard.
+        level: of the hazard.
+        inherent_damping: damping ratio of the frame without dampers; None: that of the project.
 
     Raises:
         InputError: the hazard of the project is wrong.
@@ -138,7 +143,14 @@ class SpectralPeaks:
 
 
 def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, added: np.ndarray) -> SpectralPeaks:
-    """The peaks of the modes under an action, each with the damping (n,) that the dampers add to it."""
+    """The peaks of the modes under an action; modes with next to no effective mass are left out.
+
+    Args:
+        frame: that the modes are of.
+        action: spectrum, and damping of the frame without dampers.
+        modes: with the dampers' stiffness.
+        added: damping ratio that the dampers add to each mode, (n,).
+    """
     total = float(frame.mass @ frame.influence)
     kept = modes.participation**2 > _NEGLIGIBLE_MASS * total
     damping = np.minimum(action.inherent_damping + added[kept], 1.0)

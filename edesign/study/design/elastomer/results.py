@@ -102,7 +102,14 @@ def store_strain_steps(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
 
 
 def store_elastomer_rounds(group: Group, building: Building, rounds: Sequence[Round[Sizing]], changed: str) -> None:
-    """Add the rounds of sizing and verification."""
+    """Add the rounds of sizing and verification.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        rounds: all.
+        changed: what the rounds change, for people.
+    """
     store_rounds(group, rounds, changed, _ROUNDS)
     add = group.add
     outcomes = [r.outcome for r in rounds]

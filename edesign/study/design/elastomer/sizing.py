@@ -126,5 +126,5 @@ def layer_areas(
 
 
 def total_area(building: Building, spec: ElastomerDesign, area: np.ndarray) -> float:
-    """Area of all layers of all dampers, m2."""
+    """Area of all layers of all dampers, m2, from that of one layer in each storey with dampers, (s,) m2."""
     return float(layers(building, spec) * spec.number * area[building.place_storey].sum())
