@@ -11,7 +11,14 @@ from edesign.building.named_section import cross_section
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError
-from edesign.project.dampers.dampers import PROTOTYPE_SCALE, BraceSection, BraceStiffness, DamperBetween, DamperRun
+from edesign.project.dampers.dampers import (
+    PROTOTYPE_SCALE,
+    BraceSection,
+    BraceStiffness,
+    DamperBetween,
+    DamperRun,
+    restrained_misfits,
+)
 from edesign.project.frame.sections import no_section
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -199,7 +206,8 @@ def add_devices(
             raise InputError(f"{where}: scale: {PROTOTYPE_SCALE.format(run.law)}")
         restrained = law.restrained
         if restrained is not None:
-            _check_restrained(run, where)
+            for key, message in restrained_misfits(run.kind, run.brace).items():
+                raise InputError(f"{where}: {key}: {message}")
         elif run.carries_gravity:
             message = f"the law `{run.law}` is of a damper that is set in under the gravity loads; leave this key out"
             raise InputError(f"{where}: carries_gravity: {message}")
@@ -229,16 +237,6 @@ def add_devices(
             own = (place.storey, place.terms, thickness, size, *of_law, amplitude, own_brace)
             found.append(Device(name, number, run.law, law.law, *own, carries=run.carries_gravity))
     return tuple(found)
-
-
-def _check_restrained(run: DamperRun | DamperBetween, where: str) -> None:
-    """Check that a buckling-restrained brace stands along its own length, whose ends its stiffness factor counts."""
-    if run.kind in ("chevron", "storey"):
-        allowed = "`chevron_braces`, `rising`, `falling`, `nodes`"
-        message = f"`{run.kind}` acts horizontally, and a buckling-restrained brace along its length; take {allowed}"
-        raise InputError(f"{where}: kind: {message}")
-    if run.brace != "rigid":
-        raise InputError(f"{where}: brace: the ends of a buckling-restrained brace are in its `KF`; leave this key out")
 
 
 def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.dampers import DamperLaw
-from edesign.project.dampers.designs import BRACE_KINDS, HYSTERETIC_LAWS, HystereticDesign, Optimum
+from edesign.project.dampers.checks_dampers import check_sized_law
+from edesign.project.dampers.dampers import restrained_misfits
+from edesign.project.dampers.designs import DESIGNED_BRACES, HYSTERETIC_LAWS, HystereticDesign, Optimum
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed
 
@@ -21,9 +22,9 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
     """
     laws = project.dampers.laws if project.dampers is not None else {}
     if spec.law in laws:
-        _law((*keys, "law"), spec.law, laws[spec.law], problems)
+        check_sized_law((*keys, "law"), spec, laws[spec.law], HYSTERETIC_LAWS, problems)
         if laws[spec.law].type == "buckling_restrained":
-            for key, message in restrained_misfits(spec).items():
+            for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
                 problems.at_value((*keys, key), message)
     given = [key for key in TARGETS if getattr(spec, key) is not None]
     if not given:
@@ -40,25 +41,6 @@ def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project
         problems.at_key((*keys, "bounds", "temperatures"), message)
     if spec.optimum is not None:
         _optimum(keys, spec, spec.optimum, problems)
-
-
-def _law(keys: Keys, name: str, law: DamperLaw, problems: Problems) -> None:
-    if law.prototype is not None:
-        problems.at_value(keys, f"the law `{name}` of the project has a `prototype`; hysteretic dampers have no layers")
-    if law.file is None and law.type is not None and law.type not in HYSTERETIC_LAWS:
-        message = f"the law `{name}` is of type `{law.type}`; hysteretic dampers are of type {listed(HYSTERETIC_LAWS)}"
-        problems.at_value(keys, message)
-
-
-def restrained_misfits(spec: HystereticDesign) -> dict[str, str]:
-    """What a design of buckling-restrained braces must not say, by its key."""
-    found = {}
-    if spec.kind not in BRACE_KINDS:
-        message = f"`{spec.kind}` acts horizontally, and a buckling-restrained brace along its length"
-        found["kind"] = f"{message}; take {listed(BRACE_KINDS)}"
-    if spec.brace != "rigid":
-        found["brace"] = "the ends of a buckling-restrained brace are in its `KF`; leave this key out"
-    return found
 
 
 def _level(keys: Keys, spec: HystereticDesign, problems: Problems) -> None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.dampers.checks_dampers import check_sized_law
 from edesign.project.dampers.designs import VISCOUS_LAWS, ViscousDesign
 from edesign.project.project import Project
-from edesign.project.reading.problems import Keys, Problems, listed
+from edesign.project.reading.problems import Keys, Problems
 
 
 def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, problems: Problems) -> None:
@@ -19,7 +19,7 @@ def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, prob
     """
     laws = project.dampers.laws if project.dampers is not None else {}
     if spec.law in laws:
-        _law((*keys, "law"), spec.law, laws[spec.law], problems)
+        check_sized_law((*keys, "law"), spec, laws[spec.law], VISCOUS_LAWS, problems)
     if spec.amplitude == "spectrum" and spec.level is None:
         problems.under(keys, "level", "this key is missing; `amplitude: spectrum` needs the spectrum of a hazard level")
     if spec.bounds is not None and spec.bounds.temperatures is not None:
@@ -33,14 +33,6 @@ def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, prob
     if spec.drift is not None:
         message = "a drift has no part in the sizing for a damping; meet one by `verify`, or by `least_coefficient`"
         problems.at_key((*keys, "drift"), message)
-
-
-def _law(keys: Keys, name: str, law: DamperLaw, problems: Problems) -> None:
-    if law.prototype is not None:
-        problems.at_value(keys, f"the law `{name}` of the project has a `prototype`; viscous dampers have no layers")
-    if law.file is None and law.type is not None and law.type not in VISCOUS_LAWS:
-        message = f"the law `{name}` is of type `{law.type}`; viscous dampers are of type {listed(VISCOUS_LAWS)}"
-        problems.at_value(keys, message)
 
 
 def _least_coefficient(keys: Keys, spec: ViscousDesign, problems: Problems) -> None:

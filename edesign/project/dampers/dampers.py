@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Annotated, Any, Literal
 
 from pydantic import Discriminator, Field, Tag
@@ -20,6 +21,7 @@ from edesign.project.notation.units import (
     PositiveStiffness,
 )
 from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list
+from edesign.project.reading.problems import listed
 
 Layers = Annotated[int, Field(ge=1, le=1000)]
 Count = Annotated[int, Field(ge=1, le=1000)]
@@ -116,6 +118,25 @@ Brace = Annotated[
 
 
 PROTOTYPE_SCALE = "the law `{}` has a `prototype`: give the size of the layers, not a `scale`"
+BRACE_KINDS = ("chevron_braces", "rising", "falling", "nodes")
+"""Of dampers that stand along the length of a brace."""
+
+
+def restrained_misfits(kind: str, brace: object, kinds: Iterable[str] = BRACE_KINDS) -> dict[str, str]:
+    """Return what buckling-restrained braces must not have, by its key, in words.
+
+    Args:
+        kind: how they stand.
+        brace: in series with them; the stiffness factor of the law counts their ends.
+        kinds: that may be given here.
+    """
+    found = {}
+    if kind not in BRACE_KINDS:
+        message = f"`{kind}` acts horizontally, and a buckling-restrained brace along its length"
+        found["kind"] = f"{message}; take {listed(kinds)}"
+    if brace != "rigid":
+        found["brace"] = "the ends of a buckling-restrained brace are in its `KF`; leave this key out"
+    return found
 
 
 class _Sized(Model):

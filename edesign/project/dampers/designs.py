@@ -226,9 +226,9 @@ class ViscousDesign(_Design):
     verify: ViscousVerify | None = None
 
 
+DESIGNED_BRACES = ("chevron_braces", "rising", "falling")
+"""Kinds of dampers of a design that stand along the length of a brace."""
 HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgood", "bouc_wen", "buckling_restrained")
-BRACE_KINDS = ("chevron_braces", "rising", "falling")
-"""Of dampers that stand along the length of a brace."""
 
 
 class Optimum(Model):

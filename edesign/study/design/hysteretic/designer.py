@@ -9,9 +9,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.damper.hysteresis import hysteresis
 from edesign.errors import InputError
-from edesign.project.dampers.checks_hysteretic_designs import restrained_misfits
-from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import HystereticDesign
+from edesign.project.dampers.dampers import Dampers, restrained_misfits
+from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import NAMES, Bound, property_factors
 from edesign.study.design.building import law_at, per_storey, sized_dampers
@@ -54,7 +53,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
 
     def __init__(self, project: Project, name: str, spec: HystereticDesign, progress: Callable[[str], None]) -> None:
         if law_at(project, spec.law, None).restrained is not None:  # the law of a file, too
-            for key, message in restrained_misfits(spec).items():
+            for key, message in restrained_misfits(spec.kind, spec.brace, DESIGNED_BRACES).items():
                 raise InputError(f"designs.{name}.{key}: {message}")
         super().__init__(project, name, spec, progress)
         self.spec = spec
