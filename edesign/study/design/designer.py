@@ -6,11 +6,13 @@ import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from typing import Any, ClassVar, Generic
+from typing import Any, ClassVar, Generic, TypeVar
 
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.core import LawValues
+from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
@@ -21,6 +23,8 @@ from edesign.study.design.verification import Judge, Respond, judged, kept_outco
 
 REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
 LARGEST_FACTOR = 10.0  # on the size of the dampers
+
+L = TypeVar("L")
 
 
 class Designer(ABC, Generic[S]):
@@ -37,6 +41,25 @@ class Designer(ABC, Generic[S]):
         self._spec = spec
         self.building: Building = make_building(project, name, spec)
         self.action: Action | None = make_action(project, spec)
+
+    def read_law(self, read: Callable[[LawValues], L]) -> L:
+        """What the sizing of dampers without layers needs of their law.
+
+        Args:
+            read: makes it of the law, or refuses the law.
+
+        Raises:
+            InputError: the law has layers, or is refused.
+        """
+        spec, law = self._spec, self.building.law
+        where = f"designs.{self.name}.law"
+        if law.layers is not None:
+            message = f"the law `{spec.law}` has a `prototype`: {spec.method} dampers have no layers"
+            raise InputError(f"{where}: {message}")
+        try:
+            return read(law.law)
+        except InputError as error:
+            raise InputError(f"{where}: `{spec.law}`: {error}") from error
 
     @abstractmethod
     def make(self, value: float) -> S:

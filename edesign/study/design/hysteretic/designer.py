@@ -57,15 +57,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
                 raise InputError(f"designs.{name}.{key}: {message}")
         super().__init__(project, name, spec, progress)
         self.spec = spec
-        law = self.building.law
-        if law.layers is not None:
-            message = f"the law `{spec.law}` has a `prototype`: hysteretic dampers have no layers"
-            raise InputError(f"designs.{name}.law: {message}")
-        try:
-            loop = hysteresis(law.law)
-        except InputError as error:
-            raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
-        self.frame = HystereticFrame(self.building, spec, loop, self.action)
+        self.frame = HystereticFrame(self.building, spec, self.read_law(hysteresis), self.action)
 
     def make(self, value: float) -> HystereticSizing:
         """The dampers for a value of what the loop changes."""

@@ -47,14 +47,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
     def __init__(self, project: Project, name: str, spec: ViscousDesign, progress: Callable[[str], None]) -> None:
         super().__init__(project, name, spec, progress)
         self.spec = spec
-        law = self.building.law
-        if law.layers is not None:
-            message = f"the law `{spec.law}` has a `prototype`: viscous dampers have no layers"
-            raise InputError(f"designs.{name}.law: {message}")
-        try:
-            found = dashpot(law.law)
-        except InputError as error:
-            raise InputError(f"designs.{name}.law: `{spec.law}`: {error}") from error
+        found = self.read_law(dashpot)
         if found.alpha < 1.0 and spec.amplitude is None and self.action is None:
             message = f"this key is missing (or `level`): with alpha = {found.alpha:g} damping follows the amplitude"
             raise InputError(f"designs.{name}.amplitude: {message}")
