@@ -13,7 +13,7 @@ from edesign.building.supports import vertical_spring
 from edesign.errors import InputError
 from edesign.project.actions.loads import Combination
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
-from edesign.project.dampers.isolation import BaseDevice, Isolation, Isolator
+from edesign.project.dampers.isolation import NEEDS_STIFFNESS, WEIGHED, BaseDevice, Isolation, Isolator
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.supports import SupportSprings, VerticalSpring
 from edesign.project.notation import names
@@ -24,8 +24,6 @@ if TYPE_CHECKING:
     from edesign.core import Model
 
 UX = 0
-WEIGHED = "friction_pendulum"
-"""The law whose forces are proportional to the weight on it, which is its first parameter."""
 
 
 @dataclass(frozen=True)
@@ -211,8 +209,7 @@ def _check_size(item: BaseDevice, law: DeviceLaw, where: str) -> None:
     if isinstance(item, Isolator) and item.weight is not None and law.law.law != WEIGHED:
         raise InputError(f"{where}.weight: the forces of the law `{item.law}` ({law.law.law}) do not go with a weight")
     if isinstance(item, Isolator) and item.weight == "varying" and item.vertical == "fixed":
-        message = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
-        raise InputError(f"{where}.weight: {message}")
+        raise InputError(f"{where}.weight: {NEEDS_STIFFNESS}")
     if item.scale is None:
         return
     if law.layers is not None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis
 from edesign.project.dampers.dampers import PROTOTYPE_SCALE
-from edesign.project.dampers.isolation import BaseDevice, Isolation, Isolator
+from edesign.project.dampers.isolation import NEEDS_STIFFNESS, WEIGHED, BaseDevice, Isolation, Isolator
 from edesign.project.frame.checks_frame import Selections
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.supports import SupportKind, SupportSprings, springs_of, support_name
@@ -12,7 +12,6 @@ from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, listed, unknown_name
 
-_WEIGHED = "friction_pendulum"
 _AT: Keys = ("dampers", "isolation")
 
 
@@ -86,14 +85,13 @@ def _weight(project: Project, problems: Problems, keys: Keys, isolator: Isolator
     law = project.dampers.laws.get(isolator.law)
     if law is None or law.type is None:
         return
-    if law.type != _WEIGHED:
+    if law.type != WEIGHED:
         if isolator.weight is not None:
             message = f"the forces of the law `{isolator.law}` ({law.type}) do not go with a weight; leave it out"
             problems.at_key((*keys, "weight"), message)
     elif isolator.weight == "varying" and isolator.vertical == "fixed":
-        message = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
-        problems.at_value((*keys, "weight"), message)
-    if law.type == _WEIGHED and isolator.weight != "law" and isolator.scale is not None:
+        problems.at_value((*keys, "weight"), NEEDS_STIFFNESS)
+    if law.type == WEIGHED and isolator.weight != "law" and isolator.scale is not None:
         message = "the forces of this isolator follow from the weight on it; leave `scale` out, or say `weight: law`"
         problems.at_key((*keys, "scale"), message)
 

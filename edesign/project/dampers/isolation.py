@@ -14,6 +14,10 @@ from edesign.project.reading.base import Model
 
 Count = Annotated[int, Field(ge=1, le=1000)]
 
+WEIGHED = "friction_pendulum"
+"""The law whose forces are proportional to the weight on it, which is its first parameter."""
+NEEDS_STIFFNESS = "what presses on the isolator at every moment is known where its `vertical` has a stiffness"
+
 
 class BaseDevice(Model):
     """A law between the ground and the base, horizontally, at some column lines; `number` of them at each.
