@@ -97,7 +97,7 @@ def test_what_cannot_be_met_fails_with_its_reason(tmp_path: Path) -> None:
     with open_archive(summary.archive) as opened:
         about = opened.group_attributes("designs/placed")
     assert about["status"] == "failed" and str(about["reason"]).startswith("none meets the criteria if more dampers")
-    assert "; the nearest misses: drift, DBE (0.0" in str(about["reason"])
+    assert "; the nearest misses: drift, DBE (1.09 %, limit 0.4 %)" in str(about["reason"])
     damped = {outcome.name: outcome for outcome in summary.outcomes}["damped.DBE.motion"]
     assert damped.status == "failed" and "its design `placed` failed: none meets" in damped.reason
     assert "placement, failed" in page_text(summary.archive)

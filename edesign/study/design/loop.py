@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Generic, Protocol, TypeVar
 
+from edesign.assess.requirement import shown
 from edesign.errors import AnalysisError, InputError
 
 _LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
@@ -236,7 +237,7 @@ def _missed(rounds: Sequence[Round[S]], largest: float, most_rounds: int, beyond
 def _said(verdict: RoundVerdict) -> str:
     if math.isnan(verdict.value) or math.isnan(verdict.limit):
         return verdict.name
-    return f"{verdict.name} ({verdict.value:.4g}, limit {verdict.limit:.4g})"
+    return f"{verdict.name} ({shown(verdict.value, verdict.unit)}, limit {shown(verdict.limit, verdict.unit)})"
 
 
 def demand_of(verdict: RoundVerdict) -> float:

@@ -14,6 +14,7 @@ from edesign.study.design.building import Building
 from edesign.study.design.condensed import LinearModes
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.loop import Round
+from edesign.study.design.verification import store_outcomes
 from edesign.study.recording import coordinate
 
 MODES = 3
@@ -106,30 +107,9 @@ def _store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) ->
     add = group.add
     add("round_changed", ("round",), [r.changed for r in rounds], "1", f"what is changed: {changed}")
     add("round_target", ("round",), [r.sizing.target for r in rounds], "1", "target: damping ratio, beta, or share")
-    verified = [r for r in rounds if r.outcome is not None]
     met = [r.outcome.met if r.outcome is not None else False for r in rounds]
     add("round_met", ("round",), np.array(met, dtype=int), "1", "1: all criteria met, or no verification asked for")
-    if not verified:
-        return
-    failed = [0 if r.outcome is None else len(r.outcome.failed) for r in rounds]
-    add("round_failed_histories", ("round",), failed, "1", "histories that were not completed")
-    first = verified[0].outcome
-    assert first is not None
-    names = [verdict.name for verdict in first.verdicts]
-    if not names:
-        return
-    coordinate(group, "criterion", names, "", "name of the criterion")
-    for part, label in (("value", "value that is judged"), ("limit", "its limit"), ("met", "1: met")):
-        rows = np.full((len(rounds), len(names)), np.nan)
-        for i, r in enumerate(rounds):
-            if r.outcome is not None:
-                rows[i] = [float(getattr(verdict, part)) for verdict in r.outcome.verdicts]
-        add(f"verdict_{part}", ("round", "criterion"), rows, "1", f"{label}, in the unit of the criterion")
-    units = [verdict.unit for verdict in first.verdicts]
-    group.add("criterion_unit", ("criterion",), units, "", "SI unit of the value and its limit")
-    group.attributes["failed_histories"] = {
-        str(r.number): list(r.outcome.failed) for r in rounds if r.outcome is not None and r.outcome.failed
-    }
+    store_outcomes(group, "round", [r.number for r in rounds], [r.outcome for r in rounds])
 
 
 def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, without: FrameEstimate) -> None:

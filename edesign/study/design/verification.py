@@ -1,9 +1,10 @@
-"""Verification of a round of a design: verdicts on its histories, or those that an earlier run kept."""
+"""Verification of a design by histories: verdicts on them, stored in the archive, or read from an earlier run's."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict
 from edesign.project.dampers.dampers import Dampers
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
+from edesign.study.recording import coordinate
 
 Respond = Callable[[Dampers, int], Mapping[str, Group]]
 """Runs the histories of a round (from 1) with these dampers."""
@@ -57,17 +59,58 @@ def kept_outcome(
     now = {"changed": value, **size}
     if not all(np.array_equal(resume.variables[f"round_{name}"].values[i], x) for name, x in now.items()):
         return None
-    value_of, limit_of, met_of = (resume.variables[f"verdict_{part}"].values[i] for part in ("value", "limit", "met"))
-    if np.any(np.isnan(met_of)):
-        return None
-    names = [str(criterion) for criterion in resume.coords["criterion"].values]
-    met = [bool(one) for one in met_of]
-    units = [str(unit) for unit in resume.variables["criterion_unit"].values]
-    verdicts = zip(names, value_of.tolist(), limit_of.tolist(), met, units, strict=True)
-    failed = resume.attributes.get("failed_histories", {}).get(str(number), ())
+    outcome = stored_outcomes(resume, rounds)[i]
     strain = resume.variables.get("round_history_strain")
-    return RoundOutcome(
-        tuple(RoundVerdict(*verdict) for verdict in verdicts),
-        tuple(failed),
-        math.nan if strain is None else float(strain.values[i]),
-    )
+    if not outcome.verdicts or strain is None:
+        return outcome if outcome.verdicts else None
+    return replace(outcome, strain=float(strain.values[i]))
+
+
+def store_outcomes(group: Group, dim: str, numbers: Sequence[int], outcomes: Sequence[RoundOutcome | None]) -> None:
+    """Add the verdicts of all rounds or layouts, and the histories that failed.
+
+    Args:
+        group: of the design.
+        dim: "round" or "layout".
+        numbers: of the rounds or layouts, by which failed histories are named.
+        outcomes: one for each; None: not verified.
+    """
+    known = [(row, outcome) for row, outcome in enumerate(outcomes) if outcome is not None]
+    if not known:
+        return
+    failed = [0 if outcome is None else len(outcome.failed) for outcome in outcomes]
+    group.add(f"{dim}_failed_histories", (dim,), failed, "1", "histories that were not completed")
+    units = {verdict.name: verdict.unit for _, outcome in known for verdict in outcome.verdicts}
+    if not units:
+        return
+    columns = {name: column for column, name in enumerate(units)}
+    coordinate(group, "criterion", list(units), "", "name of the criterion")
+    for part, label in (("value", "value that is judged"), ("limit", "its limit"), ("met", "1: met")):
+        rows = np.full((len(outcomes), len(units)), np.nan)
+        for row, outcome in known:
+            for verdict in outcome.verdicts:
+                rows[row, columns[verdict.name]] = float(getattr(verdict, part))
+        label = f"{label}, in the unit of the criterion; nan: none, or it does not apply"
+        group.add(f"verdict_{part}", (dim, "criterion"), rows, "1", label)
+    group.add("criterion_unit", ("criterion",), list(units.values()), "", "SI unit of the value and its limit")
+    group.attributes["failed_histories"] = {str(numbers[row]): list(one.failed) for row, one in known if one.failed}
+
+
+def stored_outcomes(group: Group, numbers: Sequence[int]) -> list[RoundOutcome]:
+    """What `store_outcomes` has stored, without strains; an outcome without verdicts was not verified."""
+    names = [str(name) for name in group.coords["criterion"].values]
+    units = [str(unit) for unit in group.variables["criterion_unit"].values]
+    value, limit, met = (group.variables[f"verdict_{part}"].values for part in ("value", "limit", "met"))
+    lost = group.attributes.get("failed_histories")
+    failed: Mapping[str, Sequence[str]] = lost if isinstance(lost, Mapping) else {}
+    return [
+        RoundOutcome(
+            tuple(
+                RoundVerdict(name, float(value[row, i]), float(limit[row, i]), bool(met[row, i]), unit)
+                for i, (name, unit) in enumerate(zip(names, units, strict=True))
+                if not np.isnan(met[row, i])
+            ),
+            tuple(failed.get(str(number), ())),
+        )
+        for row, number in enumerate(numbers)
+    ]

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.notation.names import damper_names
 from edesign.study.design.device_text import devices_text
-from edesign.study.design.loop import RoundOutcome, RoundVerdict
+from edesign.study.design.loop import RoundOutcome
+from edesign.study.design.verification import store_outcomes, stored_outcomes
 from edesign.study.placement.candidates import Candidates
 from edesign.study.placement.certificate import Certificate
 from edesign.study.placement.knowledge import Analysed, Knowledge
@@ -61,22 +60,11 @@ def store_placement(
 
 def kept_outcomes(resume: Group | None) -> dict[Layout, RoundOutcome]:
     """The outcomes of the layouts that an earlier run kept; None: there was none."""
-    if resume is None or "verdict_met" not in resume.variables:
+    if resume is None or "criterion_unit" not in resume.variables:
         return {}
     layouts = resume.variables["layout_option"].values.tolist()
-    names = [str(name) for name in resume.coords["criterion"].values]
-    value, limit, met = (resume.variables[f"verdict_{part}"].values for part in ("value", "limit", "met"))
-    lost = resume.attributes.get("failed_histories")
-    failed: Mapping[str, list[str]] = lost if isinstance(lost, Mapping) else {}
-    found = {}
-    for i, layout in enumerate(layouts):
-        verdicts = tuple(
-            RoundVerdict(name, float(value[i, j]), float(limit[i, j]), bool(met[i, j]))
-            for j, name in enumerate(names)
-            if not np.isnan(met[i, j])
-        )
-        found[tuple(layout)] = RoundOutcome(verdicts, tuple(failed.get(str(i + 1), ())))
-    return found
+    outcomes = stored_outcomes(resume, range(1, len(layouts) + 1))
+    return {tuple(layout): outcome for layout, outcome in zip(layouts, outcomes, strict=True)}
 
 
 def _store_catalogue(group: Group, candidates: Candidates, chosen: Layout) -> None:
@@ -111,22 +99,7 @@ def _store_layouts(group: Group, candidates: Candidates, knowledge: Knowledge) -
     add("layout_demand", ("layout",), ratios, "1", "worst ratio of demand to limit of all criteria")
     met = np.array([one.outcome.met for one in analysed], dtype=int)
     add("layout_met", ("layout",), met, "1", "1: all criteria met")
-    failed = [len(one.outcome.failed) for one in analysed]
-    add("layout_failed_histories", ("layout",), failed, "1", "histories that were not completed")
-    criteria = list(dict.fromkeys(verdict.name for one in analysed for verdict in one.outcome.verdicts))
-    if not criteria:
-        return
-    coordinate(group, "criterion", criteria, "", "name of the criterion")
-    for part, label in (("value", "value that is judged"), ("limit", "its limit"), ("met", "1: met")):
-        rows = np.full((len(analysed), len(criteria)), np.nan)
-        for i, one in enumerate(analysed):
-            for verdict in one.outcome.verdicts:
-                rows[i, criteria.index(verdict.name)] = float(getattr(verdict, part))
-        long_name = f"{label}, in the unit of the criterion; nan: it does not apply"
-        add(f"verdict_{part}", ("layout", "criterion"), rows, "1", long_name)
-    group.attributes["failed_histories"] = {
-        str(one.number): list(one.outcome.failed) for one in analysed if one.outcome.failed
-    }
+    store_outcomes(group, "layout", [one.number for one in analysed], [one.outcome for one in analysed])
 
 
 def _store_chosen(group: Group, candidates: Candidates, chosen: Analysed) -> None:
