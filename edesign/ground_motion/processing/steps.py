@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 
 from edesign.errors import InputError
 from edesign.ground_motion.processing.band_pass import band_pass
@@ -48,4 +49,6 @@ def _one(record: Record, step: Step) -> Record:
         return pad(record, step.pad.before, step.pad.after)
     if step.resample:
         return resample_band_limited(record, step.resample.time_step)
+    if step.reverse:
+        return replace(record, acceleration=-record.acceleration, source=f"{record.source}; reversed")
     return record

@@ -9,7 +9,7 @@ from pydantic import Discriminator, Field, Tag
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import Method, Pushover, Steps
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio
+from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio, SignedFactor
 from edesign.project.reading.base import Model, by_key
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]
@@ -62,10 +62,11 @@ class TargetAnalysis(_Analysis, Pushover):
 class VerticalMotion(Model):
     """Vertical ground motion beside the horizontal one: `ratio` times the same record, or another `record`.
 
-    The other record is scaled as the horizontal one, or to its own peak `pga` (m/s2), or by `scale`.
+    A `ratio` below 0 moves the ground down where the record is positive. The other record is scaled as the horizontal
+    one, or to its own peak `pga` (m/s2), or by `scale`.
     """
 
-    ratio: PositiveFactor | None = None
+    ratio: SignedFactor | None = None
     record: str | None = None
     pga: PositiveAcceleration | None = None
     scale: PositiveFactor | None = None

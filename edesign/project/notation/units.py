@@ -149,6 +149,14 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
     return result
 
 
+def parse_signed_ratio(value: Any) -> float:
+    """Read a ratio of either sign; zero is refused."""
+    result = parse_ratio(value, -LARGEST_FACTOR, LARGEST_FACTOR)
+    if result == 0.0:
+        raise refuse(f"`{value}` is out of range: a ratio above or below 0 is allowed")
+    return result
+
+
 def held(kind: Kind, what: str, *words: str) -> BeforeValidator:
     """Return what reads one of some words, or a stiffness greater than zero.
 
@@ -352,3 +360,5 @@ PositiveFactor = Annotated[float, _ratio(0.0, math.inf, low_allowed=False)]
 """Greater than 0."""
 Factor = Annotated[float, _ratio(0.0, math.inf)]
 """At least 0."""
+SignedFactor = Annotated[float, BeforeValidator(parse_signed_ratio)]
+"""Above or below 0."""

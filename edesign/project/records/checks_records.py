@@ -254,3 +254,6 @@ def _processing(steps: tuple[Step, ...], keys: Keys, problems: Problems) -> None
             problems.at_key((*keys, i, name), f"`{step.given[0]}` is this step; begin a new one with `- {name}:`")
         if step.filter is not None and step.filter.low is None and step.filter.high is None:
             problems.at_key((*keys, i, "filter"), "give `low`, `high`, or both")
+        if step.reverse is False:
+            message = "`true` is allowed, which reverses the motion; leave the step out for the motion as recorded"
+            problems.at_value((*keys, i, "reverse"), message)

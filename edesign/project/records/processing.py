@@ -72,7 +72,7 @@ class Resample(Model):
 
 
 class Step(Model):
-    """One step: exactly one of the keys."""
+    """One step: exactly one of the keys; `reverse` turns the motion to the other side."""
 
     baseline: Baseline | None = None
     remove_drift: RemoveDrift | None = None
@@ -82,6 +82,7 @@ class Step(Model):
     taper: Taper | None = None
     pad: Pad | None = None
     resample: Resample | None = None
+    reverse: bool | None = None
 
     @property
     def given(self) -> tuple[str, ...]:

@@ -24,6 +24,18 @@ def test_steps_are_done_in_their_order() -> None:
     assert np.array_equal(done.acceleration[:1501], MOTION.acceleration[500:])
 
 
+def test_a_reversed_motion_is_the_same_to_the_other_side() -> None:
+    """Its sign alone changes, wherever the step stands: every other step is linear in the motion."""
+    reverse, other = (
+        Step.model_validate(step) for step in ({"reverse": True}, {"filter": {"low": "0.1 Hz", "high": "25 Hz"}})
+    )
+    done = processed(MOTION, [reverse])
+    assert np.array_equal(done.acceleration, -MOTION.acceleration)
+    assert done.source == "sine of 20 s; reversed"
+    first, last = processed(MOTION, [reverse, other]), processed(MOTION, [other, reverse])
+    assert np.array_equal(first.acceleration, last.acceleration)
+
+
 @pytest.mark.parametrize(
     ("step", "said"),
     [
