@@ -15,10 +15,12 @@ from edesign.assess.performance import By
 from edesign.assess.requirement import Requirement, performance_requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
+from edesign.building.masses import STILL_BEAMS
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.project import Project
+from edesign.project.reading.problems import listed
 from edesign.project.study.study import Study, own_variant
 
 Answer = Literal["met", "not met", "open", "does not apply"]
@@ -259,4 +261,7 @@ def _remark(
         remarks.append("failed histories count as beyond the limit")
     if found.not_run:
         remarks.append("histories not run yet")
+    told = {name: None for group in found.completed.values() for name in group.attributes.get(STILL_BEAMS) or ()}
+    if still := [name for name in map(str, told) if asked.bends(name)]:
+        remarks.append(f"vertical motion does not bend {listed(still, 3)}: masses stand at the ends of beams")
     return "; ".join(remarks)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 from edesign.archive.dataset import Group
-from edesign.assess.measures import Located, located_measure
+from edesign.assess.measures import Located, located_measure, storey_of
 from edesign.assess.members import FrameMember, Kind
 from edesign.assess.performance import By, usage
 from edesign.assess.quantities import lacking, located_quantity, missing_history
@@ -24,6 +24,7 @@ from edesign.project.criteria.measures import MEASURE_KINDS, short_name
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 
+BENDING_OF_BEAMS = ("member_bending_moment", "member_shear_force", "beam_plastic_rotation")
 KINDS: dict[str, tuple[Kind, ...]] = {"columns": ("column",), "beams": ("beam",), "all": ("column", "beam")}
 UNITS = {
     "m": ("mm", 1e-3),
@@ -56,6 +57,7 @@ class Requirement:
         of_dampers: it means nothing of a frame without dampers.
         lacks: why it does not apply to a completed history, "" where it does.
         missing: the variable over time that it needs and a completed history has not in the archive, "" if none.
+        bends: of a beam's name whether what is limited is how that beam bends.
     """
 
     name: str
@@ -69,15 +71,33 @@ class Requirement:
     of_dampers: bool = False
     lacks: Callable[[Group], str] = lambda group: ""
     missing: Callable[[Group], str] = lambda group: ""
+    bends: Callable[[str], bool] = lambda beam: False
 
 
 def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
     """Make a criterion of a study ready; `members` are those of the frame, needed for performance levels only."""
     found = _of_its_kind(criterion, members, project)
+    if not isinstance(criterion, PerformanceCriterion) and _limits_beams(criterion):
+        storeys, names = _numbers(criterion.storeys, project), getattr(criterion, "members", ())
+        found = replace(found, bends=partial(_chosen, storeys=storeys, members=names))
     if criterion.share is None:
         return found
     words = f"{found.words}, in at least {100.0 * criterion.share:g} % of the motions"
     return replace(found, share=criterion.share, words=words, statistic="share")
+
+
+def _limits_beams(criterion: MeasureCriterion | HingeCriterion | QuantityCriterion) -> bool:
+    """Whether beams are among what a criterion limits the moments, shears or rotations of."""
+    if isinstance(criterion, HingeCriterion):
+        return "beam" in KINDS[criterion.of]
+    if isinstance(criterion, MeasureCriterion):
+        return criterion.measure.startswith("beam_")
+    return criterion.quantity in BENDING_OF_BEAMS
+
+
+def _chosen(name: str, storeys: tuple[int, ...] | None, members: tuple[str, ...]) -> bool:
+    """Whether a member is among those that a criterion chooses; all without `storeys` or `members`."""
+    return (storeys is None or storey_of(name) in storeys) and (not members or name in members)
 
 
 def _of_its_kind(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
@@ -162,7 +182,10 @@ def performance_requirement(
     ways = {"drift": "drift", "members": "plastic rotation", "both": "drift and plastic rotation"}
     whose = f" of {of}" if by != "drift" and of != "all" else ""
     words = f"{PERFORMANCE_LEVELS[level]} by {ways[by]}{whose}"
-    return Requirement(name, words, statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
+    found = Requirement(name, words, statistic, place, 1.0, None, DEMAND_OVER_CAPACITY)
+    if by == "drift" or "beam" not in KINDS[of]:
+        return found
+    return replace(found, bends=partial(_chosen, storeys=storeys, members=()))
 
 
 def shown(value: float, unit: str) -> str:

@@ -10,6 +10,9 @@ from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 
+STILL_BEAMS = "beams_without_vertical_motion"
+"""Attribute of a history with vertical motion: the names that `still_beams` returns."""
+
 
 def node_masses(project: Project) -> dict[str, float]:
     """Return the mass of every node that has one, in kg, by name: that of the frame, and what leans on it.
@@ -37,6 +40,28 @@ def vertical_masses(project: Project) -> dict[str, float]:
     if project.masses is None or project.masses.directions == "horizontal":
         return {}
     return _frame_masses(project)
+
+
+def still_beams(project: Project) -> list[str]:
+    """Return the names of the loaded beams that vertical ground motion does not bend.
+
+    Masses stand at nodes. What a beam carries between two nodes that columns or braces hold up is at these nodes, and
+    shakes the columns alone. A beam that is divided by a node with mass that hangs in it vibrates on its own.
+
+    Args:
+        project: the validated project.
+
+    Raises:
+        InputError: loads upwards would give a negative mass.
+    """
+    frame, masses = project.frame, vertical_masses(project)
+    held = {node for name, ends in frame.ends.items() if name not in frame.beam_members for node in ends}
+    loaded = beam_loads(project, project.loads.gravity)
+    return [
+        name
+        for name, beam in frame.beam_members.items()
+        if name in loaded and all(node in held or node not in masses for node in (beam.start, beam.end))
+    ]
 
 
 def _frame_masses(project: Project) -> dict[str, float]:

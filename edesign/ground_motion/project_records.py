@@ -81,7 +81,8 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
                 entries = tuple(entry for entry in suite.records if f"{name}/{entry.id}" in wanted)
                 part = suite.model_copy(update={"records": entries})
                 recordings = find_suite(part, project.suite_folders(name), spec.stand_ins)
-                found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, recordings, strict=True)}
+                done = [replace(item, record=processed(item.record, spec.processing)) for item in recordings]
+                found |= {f"{name}/{entry.id}": item for entry, item in zip(entries, done, strict=True)}
             elif isinstance(spec, PairRecord):
                 found |= _pair(project, name, spec)
             else:

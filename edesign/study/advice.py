@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from edesign.building.masses import still_beams
 from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
@@ -45,7 +46,21 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
         InputError: the frame cannot be built, or a law has no parameters at its temperature.
     """
     pushed = [spec for spec in project.analyses if isinstance(spec, PushoverAnalysis)]
-    return [*frame_warnings(project, records), *law_warnings(project), *pattern_warnings(pushed)]
+    vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
+    found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
+    return [*found, *law_warnings(project), *pattern_warnings(pushed)]
+
+
+def _still_warnings(projects: Iterable[Project]) -> list[str]:
+    """Say which beams miss the vertical motion of their histories."""
+    beams = list(dict.fromkeys(name for project in projects for name in still_beams(project)))
+    if not beams:
+        return []
+    return [
+        f"vertical motion does not bend {listed(beams, 3)}: masses stand at the ends of beams. Moments and shears of "
+        "these, and what goes from there to columns, are without it. A beam that is divided by column lines whose "
+        "columns are `missing` has it"
+    ]
 
 
 def _damping_warnings(project: Project) -> list[str]:
@@ -108,6 +123,8 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         InputError: the frame cannot be built, or a law has no parameters at a temperature.
     """
     found = frame_warnings(study.base, records)
+    moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
+    found += _still_warnings(study.project_of(name) for name in moved)
     for name, spec in study.designs.items():
         if isinstance(spec, PlacementDesign):
             texts = placement_warnings(spec, study.base.frame)

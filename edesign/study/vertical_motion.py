@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.building.masses import STILL_BEAMS, still_beams
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.project.analysis.analyses import HistoryAnalysis
@@ -37,17 +38,18 @@ class GroundMotion:
         """Vertical accelerations, m/s2."""
         return None if self.vertical is None else self.vertical.acceleration
 
-    def store(self, group: Group, every: int) -> None:
-        """Add the vertical motion to the group of a history, one step in so many."""
+    def store(self, group: Group, project: Project) -> None:
+        """Add the vertical motion, at the steps that are kept, and the beams that miss it to the group of a history."""
         if self.vertical is None:
             return
-        kept = self.vertical.acceleration[::every][: group.coords["time"].values.size]
+        kept = self.vertical.acceleration[:: project.outputs.every][: group.coords["time"].values.size]
         label = "vertical ground acceleration as applied, upwards"
         group.add("ground_acceleration_vertical", ("time",), kept, "m/s^2", label)
         group.attributes |= {
             "vertical_motion": self.vertical.source,
             "vertical_scale_factor": self.factor,
             "vertical_pga_m_s2": self.vertical.pga,
+            STILL_BEAMS: still_beams(project),
         }
 
 

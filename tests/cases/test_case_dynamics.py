@@ -116,6 +116,48 @@ def test_vertical_motion_shakes_the_posts_axially(results_of: Results) -> None:
         assert np.abs(shear).max() > 1e-3  # the horizontal motion is there as well
 
 
+def test_a_divided_beam_vibrates_under_vertical_motion(results_of: Results) -> None:
+    """Moment in the middle of a beam on hinges: w L^2/8, and what its modes add as exactly integrated oscillators.
+
+    The flexibility of three masses at the quarter points is that of a simple beam, x b (L^2 - b^2 - x^2) / (6 E I L)
+    for x <= a, b = L - a. The first frequency is that of the continuous beam, pi^2 sqrt(E I / (m L^4)), but for 0.05 %:
+    with one mass it is sqrt(96/pi^4), 0.7 %, and that of lumped masses falls with the fourth power of their spacing.
+    """
+    length, bending, load = 8.0, 210e9 * 2e-4, 20e3
+    at = length * np.array([0.25, 0.5, 0.75])
+    low, high = np.minimum.outer(at, at), np.maximum.outer(at, at)
+    away = length - high
+    flexibility = low * away * (length**2 - away**2 - low**2) / (6.0 * bending * length)
+    mass = load * length / 4.0 / G
+    values, shapes = np.linalg.eigh(np.linalg.inv(flexibility) / mass)
+    omega = np.sqrt(values)
+    found = results_of("divided_beam", "modes").variables["circular_frequency"].values
+    # the posts are not rigid: 5e10 N/m each, against 4e6 N/m of the beam
+    assert found[1:4] == pytest.approx(omega, rel=1e-3)
+    continuous = np.pi**2 * np.sqrt(bending / (load / G * length**4))
+    assert omega[0] == pytest.approx(continuous, rel=2.0**-4 * (1.0 - np.sqrt(96.0 / np.pi**4)))
+
+    path = Path(__file__).parent / "records" / "motion.csv"
+    time, given = np.loadtxt(path, delimiter=",", skiprows=1, unpack=True)
+    upwards = 0.9 * 0.2 * G / np.abs(given).max() * np.interp(np.arange(0.0, time[-1] + 1e-9, 0.001), time, given)
+    modal = np.array([oscillator(w, 0.05, upwards, 0.001) for w in omega]) * shapes.sum(axis=0)[:, None]
+    forces = -np.linalg.inv(flexibility) @ (shapes @ modal)  # of the masses on the beam, downwards
+    dynamic = (np.minimum(at, length - at) / 2.0 @ forces)[::5]  # influence line of the moment in the middle
+    static = load * length**2 / 8.0
+    assert np.abs(dynamic).max() > 0.2 * static
+    for name, sign in (("up", 1.0), ("down", -1.0), ("reversed", -1.0)):
+        group = results_of("divided_beam", name)
+        moment = group.variables["member_bending_moment"].values  # (time, member, end)
+        # Newmark lengthens periods by (omega dt)^2 / 12, 4e-5 of the first, and the posts by 3e-5
+        assert np.abs(moment[:, 0, 1] - static - sign * dynamic).max() < 2e-3 * np.abs(dynamic).max()
+        assert np.abs(moment[:, 1]).max() < 1e-6 * static  # the ends of the beam on hinges that is not divided
+        assert group.attributes["beams_without_vertical_motion"] == ["B_5_1"]
+    sway = {
+        name: results_of("divided_beam", name).variables["floor_displacement"].values for name in ("up", "reversed")
+    }
+    assert np.abs(sway["up"] + sway["reversed"]).max() < 1e-9
+
+
 def test_without_damping_the_base_shear_balances_the_inertia_of_the_roof(results_of: Results) -> None:
     """One rigid floor: m a + V = -m ag, weighted between the ends of each step as generalised-alpha does."""
     group = results_of("plates_menegotto_pinto", "shake")

@@ -90,6 +90,21 @@ def test_fitted_records_end_at_rest(archive: Path) -> None:
             assert abs(displacement(samples, 0.01)[-1]) < 1e-3
 
 
+def test_a_reversed_suite_is_fitted_alike(tmp_path: Path, archive: Path) -> None:
+    """A fit does not depend on the sign of a motion: the ground goes to the other side, bit by bit."""
+    written = "match: {method: frequency, periods: [0.1 s, 2 s]}}"
+    turned = "processing: [{reverse: true}], match: {method: frequency, periods: [0.1 s, 2 s]}}"
+    path = suite_project.write(tmp_path, (written, turned))
+    assert main(["run", str(path), "--only", "dbe", "--quiet"]) == 0
+    (run,) = tmp_path.glob("*.h5")
+    with open_archive(archive) as one, open_archive(run) as other:
+        for name, fitted in records(one).items():
+            assert np.array_equal(records(other)[name], -fitted)
+            motion = other.group(f"analyses/dbe.{name}")
+            assert str(motion.attributes["record_source"]).endswith("; reversed")
+            assert np.array_equal(motion.variables["ground_acceleration"].values, -fitted)
+
+
 def test_the_mean_of_the_suite_satisfies_the_code(archive: Path) -> None:
     with open_archive(archive) as opened:
         attributes = opened.group_attributes("records/set")

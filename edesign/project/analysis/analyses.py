@@ -9,7 +9,14 @@ from pydantic import Discriminator, Field, Tag
 from edesign.project.analysis.damping import ModeNumber, State
 from edesign.project.analysis.pushover import Method, Pushover, Steps
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveLength, PositiveRatio, SignedFactor
+from edesign.project.notation.units import (
+    Duration,
+    PositiveAcceleration,
+    PositiveFactor,
+    PositiveLength,
+    PositiveRatio,
+    SignedFactor,
+)
 from edesign.project.reading.base import Model, by_key
 
 Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.-]*$", max_length=64)]

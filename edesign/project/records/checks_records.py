@@ -59,6 +59,7 @@ def check_record(record: Record, keys: Keys, problems: Problems) -> None:
         for i, wanted in enumerate(record.only or ()):
             if wanted in (record.only or ())[:i]:
                 problems.at_value((*keys, "only", i), f"`{wanted}` stands here twice; a recording is taken once")
+        _processing(record.processing, (*keys, "processing"), problems)
         return
     _processing(record.processing, (*keys, "processing"), problems)
     if not isinstance(record, FemaP695Record):

@@ -113,13 +113,15 @@ class SuiteRecords(_Record):
     """All recordings of a suite file, or those named by `only`; a history of them becomes one of each.
 
     `suite` and `folders` are relative to the project file; the folders hold the user's own copies of the recordings.
-    What is found neither there nor in a package is simulated, or refused with `stand_ins: false`.
+    What is found neither there nor in a package is simulated, or refused with `stand_ins: false`. `processing` is done
+    to each recording before it is scaled or fitted.
     """
 
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
     stand_ins: bool = True
     only: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+    processing: tuple[Step, ...] = ()
 
 
 def _which(value: Any) -> str:

@@ -359,3 +359,30 @@ def test_tables_of_performance_fit_a_page() -> None:
     drift, members = (table.rows[0] for table in tables)
     assert drift[:8] == ["modified", "el_centro", "CP", "0", "0", "1", "0", "1/1"] and "transient drift" in drift[8]
     assert members[:8] == ["modified", "el_centro", "LS", "0", "1", "0", "0", "1/1"] and "B_1_1" in members[8]
+
+
+@pytest.mark.parametrize(
+    ("criterion", "said"),
+    [
+        ("quantity: member_bending_moment, most: 1 kN*m", True),
+        ("quantity: member_shear_force, most: 1 kN, members: [B_1_1]", True),
+        ("quantity: member_shear_force, most: 1 kN, storeys: 2", False),
+        ("quantity: member_bending_moment, most: 1 kN*m, members: [C_A_1]", False),
+        ("quantity: column_axial_force, most: 1 kN", False),
+        ("measure: beam_plastic_rotation_rad, most: 0.01 rad", True),
+        ("measure: interstorey_drift, most: 1 %", False),
+        ("plastic_hinges: none", True),
+        ("plastic_hinges: none, of: columns", False),
+        ("performance: LS, by: members", True),
+        ("performance: LS, by: drift", False),
+    ],
+)
+def test_beams_that_miss_the_vertical_motion_are_told(criterion: str, said: bool) -> None:
+    one = history("damped", "DBE")
+    one.attributes["beams_without_vertical_motion"] = ["B_1_1"]
+    one.coords["member"] = Variable(("member",), np.array(["C_A_1", "B_1_1", "B_1_2"]), "", "name")
+    for name in ("member_shear_force_max", "member_shear_force_min", "member_bending_moment_max"):
+        one.variables[name] = Variable(("member", "end"), np.zeros((3, 2)), "N", "known")
+    one.variables["member_bending_moment_min"] = one.variables["member_bending_moment_max"]
+    (found,) = verdicts(f"criteria: [{{name: c, {criterion}}}]", {"damped.DBE.one": one})
+    assert ("vertical motion does not bend `B_1_1`" in found.remark) == said

@@ -144,6 +144,16 @@ ONE_PROBLEM = {
         "analyses[1].vertical",
         "either `ratio` (times the horizontal record) or `record`",
     ),
+    "vertical that is none": (
+        ("pga: 0.2 g", "pga: 0.2 g, vertical: {ratio: «-0 %}"),
+        "analyses[1].vertical.ratio",
+        "`-0 %` is out of range: a ratio above or below 0 is allowed",
+    ),
+    "vertical beyond numbers": (
+        ("pga: 0.2 g", "pga: 0.2 g, vertical: {ratio: «-2.0e+12}"),
+        "analyses[1].vertical.ratio",
+        "`-2000000000000.0` is out of range: a ratio at least -1e+12 and at most 1e+12 is allowed",
+    ),
     "vertical of no record": (
         ("pga: 0.2 g", "pga: 0.2 g, vertical: {record: «el_cetro}"),
         "analyses[1].vertical.record",

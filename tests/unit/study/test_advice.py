@@ -56,3 +56,21 @@ def test_a_frame_without_doubts_has_no_warnings(tmp_path: Path) -> None:
     (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
     braces = "  braces: [{bays: 1, storeys: 1, kind: cross, section: rod, material: S275}]\n"
     assert "warnings" not in check_project(project(TEXT.replace(braces, ""), tmp_path / "project.yaml"))
+
+
+@pytest.mark.parametrize(
+    ("loads", "history", "said"),
+    [
+        ("{floors: 1, G: 10 kN/m}", "vertical: {ratio: -0.9}", True),
+        ("{floors: 1, points: [{at: [1/2], G: 10 kN}]}", "vertical: {ratio: 0.9}", True),
+        ("{floors: 1, Q: 10 kN/m}", "vertical: {ratio: 0.9}", False),  # not in the gravity combination
+        ("{floors: 1, G: 10 kN/m}", "scale: 1", False),
+    ],
+)
+def test_beams_that_miss_the_vertical_motion(tmp_path: Path, loads: str, history: str, said: bool) -> None:
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
+    text = TEXT.replace("damping:", f"loads: {{beams: [{loads}], gravity: {{G: 1, Q: 0}}}}\ndamping:")
+    found = check_project(
+        project(text.replace("record: pulse", f"record: pulse, {history}"), tmp_path / "project.yaml")
+    )
+    assert ("vertical motion does not bend `B_1_1`: masses" in found["warnings"]) == said
