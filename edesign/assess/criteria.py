@@ -193,7 +193,7 @@ def _verdict(asked: Requirement, found: HistorySet, study: Study | None) -> Verd
         statistic = "share"
         value, met = share_met(asked.share, values, found.not_run, asked.most, asked.least)
     else:
-        statistic = code_statistic(asked.statistic, len(values))
+        statistic = code_statistic(asked.statistic, found.motions)
         ended = {name: value for name, value in values.items() if name not in found.not_run}
         value = statistic_of(statistic, ended, bad)
         if value is not None and not math.isfinite(value):

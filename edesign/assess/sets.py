@@ -9,6 +9,7 @@ from functools import cached_property
 from edesign.archive.dataset import Group
 from edesign.assess.measures import MEASURES, response_measures
 from edesign.assess.statistics import Statistics, statistics
+from edesign.ground_motion.processing.steps import REVERSED
 from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.study.study import warm_variant
 
@@ -54,6 +55,19 @@ class HistorySet:
     def not_run(self) -> tuple[str, ...]:
         """Those whose results are still to come."""
         return tuple(name for name, group in self.histories.items() if _status(group) == NOT_RUN)
+
+    @property
+    def motions(self) -> int:
+        """How many motions they are of: a record and its reverse are one, shaking to both sides."""
+        about = [
+            (str(group.attributes.get("record_checksum")), str(group.attributes.get("record_source")))
+            for group in self.histories.values()
+        ]
+        plain = {motion for motion in about if REVERSED not in motion[1]}
+        return sum(
+            (checksum, source.replace(REVERSED, "")) not in plain or REVERSED not in source
+            for checksum, source in about
+        )
 
     @property
     def failed(self) -> tuple[str, ...]:

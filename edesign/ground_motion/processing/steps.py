@@ -13,6 +13,9 @@ from edesign.ground_motion.processing.resampling import resample_band_limited
 from edesign.ground_motion.record import Record
 from edesign.project.records.processing import Step
 
+REVERSED = "; reversed"
+"""What the source of a reversed record has, and that of the record as it was has not."""
+
 
 def processed(record: Record, steps: Iterable[Step]) -> Record:
     """Return a record after the steps, in their order; its source says each.
@@ -50,5 +53,5 @@ def _one(record: Record, step: Step) -> Record:
     if step.resample:
         return resample_band_limited(record, step.resample.time_step)
     if step.reverse:
-        return replace(record, acceleration=-record.acceleration, source=f"{record.source}; reversed")
+        return replace(record, acceleration=-record.acceleration, source=f"{record.source}{REVERSED}")
     return record

@@ -299,6 +299,21 @@ def test_performance_of_one_history_by_hand() -> None:
     assert column.of_force == ""
 
 
+def test_a_record_and_its_reverse_are_one_motion() -> None:
+    """Seven motions have a mean by EN 1998-1, 4.3.3.4.3(3); four of both signs are eight histories, and have none."""
+
+    def told(signs: list[str]) -> str:
+        histories = {}
+        for sign in signs:
+            for at in range(8 // len(signs)):
+                one = history("damped", "DBE", 0.001 * at)
+                one.attributes |= {"record_checksum": str(at), "record_source": f"{at}.csv{sign}"}
+                histories[f"{at}{sign}"] = one
+        return verdicts(DRIFT % "most: 1 %, statistic: ec8", histories)[0].statistic
+
+    assert [told([""]), told(["; reversed"]), told(["", "; reversed"])] == ["mean", "mean", "maximum"]
+
+
 def test_a_force_controlled_column_may_not_turn() -> None:
     one = history("damped", "DBE")
     one.variables["column_axial_force_min"].values[:] = [-2.6e6, -8e5]  # P/P_CL = 2600/4958 = 0.52
