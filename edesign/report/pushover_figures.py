@@ -224,7 +224,7 @@ def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
             plateau = float(spectra[level].acceleration(characteristic_period(spectra[level]) or 0.0))
             top = max(top, min(1.1 * plateau, HIGHEST * max(values["S_e"], values["F_y"] / values["m"])))
             _oscillator(here, one.group, values, color)
-            T = np.linspace(0.0, LONGEST, 400)
+            T = np.linspace(0.0, min(LONGEST, spectra[level].last_period), 400)
             here.plot(1e3 * spectra[level].displacement(T), spectra[level].acceleration(T), color=color)
         here.set_title(push, loc="left")
     for here in axes:

@@ -17,6 +17,10 @@ from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 
 
+SMALLEST_CORRECTION = 0.55
+"""Of eta, EN 1998-1:2004, 3.2.2.2(3)."""
+
+
 def damping_correction(damping: float) -> float:
     """Return eta = sqrt(10 / (5 + xi)), at least 0.55; xi in per cent, 5 % gives 1.
 
@@ -30,7 +34,7 @@ def damping_correction(damping: float) -> float:
     """
     if not 0.0 <= damping <= 1.0:
         raise InputError(f"the damping is a ratio between 0 and 1, such as 0.05 for 5 %, not {damping:g}")
-    return max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), 0.55)
+    return max(math.sqrt(10.0 / (5.0 + 100.0 * damping)), SMALLEST_CORRECTION)
 
 
 @dataclass(frozen=True)

@@ -82,5 +82,13 @@ class UserAction:
             periods, ordinates = read_spectrum(self.hazard, table)
         rules = find_code(self.hazard.criteria).set_rules
         return TabulatedSpectrum(
-            periods, ordinates, self.hazard.damping, rules, self.hazard.interpolation, factor, label
+            periods,
+            ordinates,
+            self.hazard.damping,
+            rules,
+            self.hazard.interpolation,
+            factor,
+            label,
+            self.hazard.damping_correction,
+            table.corner_period,
         )

@@ -163,10 +163,14 @@ class UserLevel(Model):
 
 
 class UserHazard(Hazard):
-    """Spectra as tables: their `damping`, the law of `interpolation`, and whose `criteria` a set of motions meets."""
+    """Spectra as tables: their `damping`, the law of `interpolation`, and whose `criteria` a set of motions meets.
+
+    `damping_correction` says by which code ordinates change with damping; None: the tables hold for theirs alone.
+    """
 
     code: Literal["user"]
     damping: PositiveRatio
+    damping_correction: Literal["ec8", "asce7"] | None = None
     interpolation: Literal["log-log", "linear"] = "log-log"
     criteria: Literal["ec8-2004", "ntc-2018", "asce7-16", "asce7-22"] = "ec8-2004"
     spectrum: SpectrumTable | None = None
@@ -174,13 +178,17 @@ class UserHazard(Hazard):
 
     @property
     def at_5_percent(self) -> bool:
-        """Whether the tables hold for 5 % damping, at which codes compare sets of motions."""
-        return math.isclose(self.damping, 0.05, rel_tol=1e-9)
+        """Whether the spectra are known for 5 % damping, at which codes compare sets of motions."""
+        return self.damping_correction is not None or math.isclose(self.damping, 0.05, rel_tol=1e-9)
 
     @property
     def own_shapes(self) -> bool:
         """Whether the levels have tables of their own."""
         return self.spectrum is None
+
+    def table(self, level: str | None) -> SpectrumTable | None:
+        """Return the table of a level, the one of the action where levels are factors on it; None: it is missing."""
+        return self.levels[level].spectrum if self.spectrum is None and level is not None else self.spectrum
 
     def probability(self, level: str) -> float | None:
         """Return the probability of exceedance in 50 years, if the file states it."""

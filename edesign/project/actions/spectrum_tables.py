@@ -6,18 +6,24 @@ from typing import Annotated, Any
 
 from pydantic import Discriminator, Field, Tag
 
-from edesign.project.notation.units import Duration, PositiveAcceleration
+from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveTime
 from edesign.project.reading.base import Model, keys_in
 
 
-class SpectrumValues(Model):
+class _Table(Model):
+    """What a table may say beside its ordinates: T_C, the end of the branch of constant acceleration, s."""
+
+    corner_period: PositiveTime | None = None
+
+
+class SpectrumValues(_Table):
     """Periods from 0 on (s) and pseudo-accelerations (m/s2), one for each."""
 
     periods: Annotated[tuple[Duration, ...], Field(min_length=2)]
     accelerations: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)]
 
 
-class SpectrumFile(Model):
+class SpectrumFile(_Table):
     """A CSV file; its first column is the period, `column` the header of the ordinates (None: the second column)."""
 
     file: Annotated[str, Field(min_length=1)]

@@ -52,13 +52,22 @@ def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pusho
     """What target displacements need of a spectrum, and EN 1998-1 has."""
     for i, method in enumerate(pushover.targets):
         if method != "asce41" and isinstance(hazard, UserHazard):
-            message = f"`{method}` needs the corner period T_C or T_S, and the spectra of the hazard are tables"
-            problems.at_item((*keys, "targets"), i, f"{message}; `asce41` needs none")
+            wanted = hazard.levels if pushover.levels is None else [n for n in pushover.levels if n in hazard.levels]
+            without = [n for n in wanted if (table := hazard.table(n)) is not None and table.corner_period is None]
+            if without:
+                message = f"`{method}` needs the corner period T_C or T_S, and the table of {listed(without)} has none"
+                problems.at_item(
+                    (*keys, "targets"), i, f"{message}; give `corner_period` with it, or take `asce41`, which needs none"
+                )
     if "asce41" in pushover.targets and pushover.site_class is None and not isinstance(hazard, EC8Hazard):
         message = f"this key is missing; only a ground type of EN 1998-1 has one, and the hazard is of `{hazard.code}`"
         problems.under(keys, "site_class", message)
-    if isinstance(hazard, UserHazard) and pushover.damping not in (None, hazard.damping):
-        message = f"the spectra of the hazard are tables for {100 * hazard.damping:g} % damping; leave this key out"
+    other_damping = isinstance(hazard, UserHazard) and hazard.damping_correction is None
+    if other_damping and pushover.damping not in (None, hazard.damping):
+        message = (
+            f"the spectra of the hazard are tables for {100 * hazard.damping:g} % damping; leave this key out, or give "
+            "`hazard.damping_correction`"
+        )
         problems.at_value((*keys, "damping"), message)
 
 

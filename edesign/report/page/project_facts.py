@@ -8,6 +8,7 @@ from itertools import groupby
 from edesign.codes.ec8 import ElasticSpectrum
 from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
+from edesign.codes.tabulated import CORRECTIONS, TabulatedSpectrum
 from edesign.errors import EdesignError
 from edesign.ground_motion.hazard import action_of
 from edesign.project.actions.hazard_base import Hazard
@@ -74,8 +75,12 @@ def _shape(spectrum: Spectrum) -> str:
         p = spectrum.parameters
         factor = f"S = {p.S:g}, " + (f"F_0 = {p.F_0:g}, " if p.F_0 != type(p).F_0 else "")
     corners = ", ".join(f"{name} = {period:.4g} s" for name, period in spectrum.corners.items())
-    corners = corners or f"table from 0 s to {spectrum.last_period:g} s"
-    return f"{factor}{corners}; {100 * spectrum.damping:g} % damping"
+    damping = f"{100 * spectrum.damping:g} % damping"
+    if isinstance(spectrum, TabulatedSpectrum):
+        corners = ", ".join(part for part in (f"table from 0 s to {spectrum.last_period:g} s", corners) if part)
+        if spectrum.correction is not None:
+            damping += f", another by {CORRECTIONS[spectrum.correction].title}"
+    return f"{factor}{corners}; {damping}"
 
 
 def _lengths(values: Iterable[float]) -> str:

@@ -74,7 +74,8 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
     if isinstance(spec, SimplifiedDesign) and "T_C" not in spectrum.corners:
         raise InputError(
             f"{project.where('hazard', 'code')}: hazard.code: a simplified design is by the lateral force method "
-            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none, take another method"
+            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none: give `corner_period` "
+            "with a table, or take another method"
         )
     return action
 

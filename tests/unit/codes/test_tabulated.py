@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.codes.ec8 import SET_RULES
-from edesign.codes.tabulated import Interpolation, TabulatedSpectrum
+from edesign.codes.asce7 import AsceSpectrum, damping_coefficient
+from edesign.codes.ec8 import SET_RULES, ElasticSpectrum, damping_correction, national_parameters
+from edesign.codes.spectrum import Spectrum, characteristic_period
+from edesign.codes.tabulated import Correction, Interpolation, TabulatedSpectrum
 from edesign.errors import InputError
 
 
@@ -41,6 +43,68 @@ def test_nothing_beyond_the_table_and_no_other_damping() -> None:
     assert table().with_damping(0.05) == table()
     with pytest.raises(InputError, match="for 5 % damping; what it would be for 10 % is not known"):
         table().with_damping(0.10)
+
+
+def of_code(spectrum: Spectrum, correction: Correction | None) -> TabulatedSpectrum:
+    """A table of a code's spectrum at its corners, between which it is a straight line or a power of T."""
+    periods = (0.0, *spectrum.corners.values(), 10.0)
+    ordinates = tuple(spectrum.acceleration(periods).tolist())
+    return TabulatedSpectrum(periods, ordinates, spectrum.damping, SET_RULES, correction=correction)
+
+
+EC8 = ElasticSpectrum(2.0, national_parameters(None).horizontal(1, "C"))
+ASCE = AsceSpectrum(10.0, 6.0, 6.0)
+
+
+@pytest.mark.parametrize(("spectrum", "correction"), [(EC8, "ec8"), (ASCE, "asce7")])
+@pytest.mark.parametrize("held", [0.02, 0.05, 0.10])
+@pytest.mark.parametrize("wanted", [0.01, 0.05, 0.17, 0.50])
+def test_a_table_of_a_code_changes_with_damping_as_the_code(
+    spectrum: Spectrum, correction: Correction, held: float, wanted: float
+) -> None:
+    """A table of the spectrum of one damping gives that of another: EN 1998-1, Eqs. 3.2-3.6, ASCE 41-17, 2.4.1.7.1."""
+    T = np.linspace(0.0, 10.0, 2001)
+    found = of_code(spectrum.with_damping(held), correction).with_damping(wanted)
+    np.testing.assert_allclose(found.acceleration(T), spectrum.with_damping(wanted).acceleration(T), rtol=1e-9)
+    assert found.zero_period == pytest.approx(spectrum.zero_period) and found.damping == wanted
+
+
+def test_a_corrected_table_goes_back_to_its_own_damping() -> None:
+    first = of_code(EC8, "ec8")
+    T = np.linspace(0.0, 10.0, 101)
+    again = first.with_damping(0.17).with_damping(0.30).with_damping(0.05)
+    np.testing.assert_allclose(again.acceleration(T), first.acceleration(T), rtol=1e-12)
+
+
+def test_a_dip_before_the_largest_ordinate_keeps_what_it_has() -> None:
+    """Ordinates below S(0) stay; a straight line through S(0) would go below zero there."""
+    dipping = TabulatedSpectrum((0.0, 0.1, 0.5, 1.0), (2.0, 0.2, 5.0, 2.5), 0.05, SET_RULES, correction="ec8")
+    found = dipping.with_damping(0.0).acceleration([0.0, 0.1, 0.5, 1.0])
+    np.testing.assert_allclose(found, [2.0, 0.2, 5.0 * 2**0.5, 2.5 * 2**0.5], rtol=1e-12)
+
+
+def test_the_corrections_are_those_of_the_codes() -> None:
+    """eta = sqrt(10/22) at 17 %; B = 1.2 + 0.7 x 0.3 there."""
+    assert damping_correction(0.17) == pytest.approx((10.0 / 22.0) ** 0.5)
+    assert damping_coefficient(0.17) == pytest.approx(1.41)
+
+
+def test_the_end_of_the_constant_branch() -> None:
+    known = TabulatedSpectrum((0.0, 0.1, 0.5, 4.0), (2.0, 5.0, 5.0, 0.625), 0.05, SET_RULES, corner_period=0.5)
+    assert characteristic_period(known) == 0.5 and characteristic_period(table()) is None
+
+
+@pytest.mark.parametrize("corner", [0.05, 4.5])
+def test_a_corner_period_outside_of_the_table(corner: float) -> None:
+    with pytest.raises(InputError, match="corner_period: .* is not between the largest ordinate, at 0.1 s, and the las"):
+        TabulatedSpectrum((0.0, 0.1, 0.5, 4.0), (2.0, 5.0, 5.0, 0.625), 0.05, SET_RULES, corner_period=corner)
+
+
+def test_tables_that_no_correction_applies_to() -> None:
+    with pytest.raises(InputError, match="the largest ordinate is that at 0 s"):
+        TabulatedSpectrum((0.0, 1.0), (2.0, 1.0), 0.05, SET_RULES, correction="asce7")
+    with pytest.raises(InputError, match="is 0.55 for 30 % damping and for all above"):
+        TabulatedSpectrum((0.0, 1.0), (1.0, 2.0), 0.30, SET_RULES, correction="ec8")
 
 
 @pytest.mark.parametrize(
