@@ -121,6 +121,7 @@ class Device:
         brace: N/m; 0: rigid.
         play: of the pins of its brace, from end to end, m.
         tested_strain: of its law.
+        strain_limit: largest shear strain that its layers are meant for; None: none is said.
         brace_bar: the brace as a bar; None: it has none, or only its stiffness is known.
         design_deformation: amplitude of damper and brace at which it counts in natural modes, m; None: none is said.
         restrained: all braces that stand at its place, of its length; None: its law is another.
@@ -141,6 +142,7 @@ class Device:
     brace: float
     play: float = 0.0
     tested_strain: float | None = None
+    strain_limit: float | None = None
     brace_bar: BraceBar | None = None
     design_deformation: float | None = None
     restrained: RestrainedBrace | None = None
@@ -200,6 +202,8 @@ def add_devices(
         if run.law not in laws:
             continue
         law = laws[run.law]
+        if law.layers is None and run.strain_limit is not None:
+            raise InputError(f"{where}: strain_limit: the law `{run.law}` has no `prototype`, and so no layers")
         if law.layers is None and (run.layers or run.layer_area or run.layer_thickness):
             raise InputError(f"{where}: the law `{run.law}` has no `prototype` whose size could be changed")
         if law.layers is not None and run.scale is not None:
@@ -232,7 +236,7 @@ def add_devices(
                 number = model.damper(name, law.law, place.terms, brace, *scales, play, carries=run.carries_gravity)
             except CoreError as error:  # an effect that the law cannot have with a brace
                 raise InputError(f"{where}: {error}") from error
-            of_law = (*scales, brace, play, law.tested_strain, _brace_bar(run, place))
+            of_law = (*scales, brace, play, law.tested_strain, run.strain_limit, _brace_bar(run, place))
             amplitude = None if run.design_deformation is None else _of_storey(run.design_deformation, place)
             own = (place.storey, place.terms, thickness, size, *of_law, amplitude, own_brace)
             found.append(Device(name, number, run.law, law.law, *own, carries=run.carries_gravity))

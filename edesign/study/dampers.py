@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -16,7 +16,7 @@ from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription, TunedMass
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
-from edesign.study.warnings import AnalysisWarning
+from edesign.study.warnings import AnalysisWarning, Kind
 
 WATER = 1000.0  # kg/m3
 
@@ -72,25 +72,31 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
 
 
 def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
-    """Dampers that strained beyond the tests of their law, a line for each law.
+    """Dampers that strained beyond the tests of their law, or beyond their strain limit; a line for each of them.
 
     Args:
         devices: of the frame.
         strain: (n_devices,) largest shear strain of each.
     """
-    beyond: dict[tuple[str, float], list[int]] = {}
-    for i, device in enumerate(devices):
-        if device.tested_strain is not None and strain[i] > device.tested_strain:
-            beyond.setdefault((device.law, device.tested_strain), []).append(i)
     found = []
-    for (name, tested), places in beyond.items():
-        most = max(places, key=lambda i: strain[i])
-        count = "1 damper strains" if len(places) == 1 else f"{len(places)} dampers strain"
-        text = (
-            f"law {name}: {count} beyond its tests, which went to {100.0 * tested:g} %: "
-            f"{devices[most].name} to {100.0 * strain[most]:.3g} %"
-        )
-        found.append(AnalysisWarning("damper_strain", text, float(strain[most]) / tested))
+    limits: tuple[tuple[Kind, Callable[[Device], float | None], str], ...] = (
+        ("damper_strain", lambda device: device.tested_strain, "its tests, which went to {:g} %"),
+        ("strain_limit", lambda device: device.strain_limit, "`strain_limit`, {:g} %"),
+    )
+    for kind, limit_of, what in limits:
+        beyond: dict[tuple[str, float], list[int]] = {}
+        for i, device in enumerate(devices):
+            limit = limit_of(device)
+            if limit is not None and strain[i] > limit:
+                beyond.setdefault((device.law, limit), []).append(i)
+        for (name, limit), places in beyond.items():
+            most = max(places, key=lambda i: strain[i])
+            count = "1 damper strains" if len(places) == 1 else f"{len(places)} dampers strain"
+            text = (
+                f"law {name}: {count} beyond {what.format(100.0 * limit)}: "
+                f"{devices[most].name} to {100.0 * strain[most]:.3g} %"
+            )
+            found.append(AnalysisWarning(kind, text, float(strain[most]) / limit))
     return found
 
 

@@ -35,6 +35,7 @@ def coordinates(group: Group, frame: FrameModel) -> None:
         for name, unit, label in (
             ("layer_thickness", "m", "thickness of a layer, nan: the damper has none"),
             ("tested_strain", "1", "largest shear strain in the tests of its law, nan: not known"),
+            ("strain_limit", "1", "largest shear strain that its layers are meant for, nan: none is said"),
         ):
             values = [getattr(device, name) for device in frame.devices]
             if any(values):

@@ -15,6 +15,7 @@ ATTRIBUTE = "warnings"
 Kind = Literal[
     "energy_error",
     "damper_strain",
+    "strain_limit",
     "damper_amplitude",
     "core_strain",
     "brace_buckling",
@@ -33,6 +34,7 @@ Kind = Literal[
 ALIKE: Mapping[Kind, str] = {
     "energy_error": "the energy balance is doubtful",
     "damper_strain": "dampers strain beyond the tests of their law",
+    "strain_limit": "dampers strain beyond their strain limit",
     "damper_amplitude": "modes leave out dampers whose amplitude is not known",
     "core_strain": "cores of buckling-restrained braces strain beyond the manufacturer's values",
     "brace_buckling": "braces carry more compression than their buckling resistance",

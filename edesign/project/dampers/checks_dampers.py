@@ -104,6 +104,9 @@ def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, l
             if getattr(device, key) is not None:
                 message = f"the law `{device.law}` has no `prototype` whose size could be changed"
                 problems.at_key((*keys, key), message)
+        if getattr(device, "strain_limit", None) is not None:  # an item of a catalogue has none
+            message = f"the law `{device.law}` has no `prototype`, and so no layers that could strain"
+            problems.at_key((*keys, "strain_limit"), message)
     elif law.prototype is not None and device.scale is not None:
         problems.at_key((*keys, "scale"), PROTOTYPE_SCALE.format(device.law))
 

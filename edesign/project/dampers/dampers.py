@@ -142,7 +142,8 @@ def restrained_misfits(kind: str, brace: object, kinds: Iterable[str] = BRACE_KI
 class _Sized(Model):
     """A law at the size of the device; `number` of them stand side by side.
 
-    Layers are those of the prototype unless given. `scale` multiplies the forces of a law without prototype.
+    Layers are those of the prototype unless given; histories that strain them beyond `strain_limit` are warned of.
+    `scale` multiplies the forces of a law without prototype.
     `design_deformation` is the amplitude of damper and brace at which they count in natural modes. Buckling-restrained
     braces can act from the beginning (`carries_gravity`); other dampers are set in under the gravity loads.
     """
@@ -152,6 +153,7 @@ class _Sized(Model):
     layers: Layers | None = None
     layer_area: Areas | None = None
     layer_thickness: PositiveLength | None = None
+    strain_limit: PositiveFactor | None = None
     scale: Scales | None = None
     design_deformation: Lengths | None = None
     brace: Brace = "rigid"

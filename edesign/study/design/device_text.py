@@ -17,7 +17,8 @@ def _entry(run: object) -> dict[str, object]:
     size: dict[str, object] = {}
     if run.layers is not None:
         size["layers"] = run.layers
-    for key, unit in (("layer_area", "m^2"), ("layer_thickness", "m"), ("scale", ""), ("design_deformation", "m")):
+    units = {"layer_area": "m^2", "layer_thickness": "m", "strain_limit": "", "scale": "", "design_deformation": "m"}
+    for key, unit in units.items():
         value = getattr(run, key)
         if value is not None:
             size[key] = _with_unit(value, unit)

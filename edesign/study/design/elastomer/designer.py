@@ -109,6 +109,7 @@ class ElastomerDesigner(Designer[Sizing]):
             "layers": layers(building, self.spec),
             "layer_area": per_storey(sizing.area),
             "layer_thickness": sizing.thickness,
+            "strain_limit": self.spec.strain_limit,
         }
         if isinstance(self.spec.strain, str):  # the modes of the variant count at the strain that was found
             alone, braced = (sizing.complex_stiffness(building, braces) for braces in (False, True))
@@ -162,7 +163,7 @@ class ElastomerDesigner(Designer[Sizing]):
                 bounds = analyse_bounds(building, sizing, spec, self._bound_material, self.action, self.share)
                 store_elastomer_bounds(group, building, bounds)
         in_histories = math.nan if done.chosen.outcome is None else done.chosen.outcome.strain
-        warnings += elastomer_warnings(building, spec, sizing, self.material, found, in_histories)
+        warnings += elastomer_warnings(building, spec, sizing, self.material, self.action, found, in_histories)
         group.attributes["warnings"] = list(dict.fromkeys(warnings))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group

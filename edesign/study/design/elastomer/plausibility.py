@@ -8,13 +8,13 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.project.dampers.designs import ElastomerDesign
+from edesign.project.dampers.designs import ElastomerDesign, FixedProperties
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Material
 from edesign.study.design.elastomer.own_strain import effective_strain
 from edesign.study.design.elastomer.sizing import Sizing, place_stiffness, total_area
-from edesign.study.design.estimate import Estimate
+from edesign.study.design.estimate import Action, Estimate, estimate
 from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, percent, spread
 
 LARGEST_BETA = 5.0
@@ -28,6 +28,7 @@ def elastomer_warnings(
     spec: ElastomerDesign,
     sizing: Sizing,
     material: Material,
+    action: Action | None,
     found: Estimate | None,
     in_histories: float,
 ) -> Iterator[str]:
@@ -38,10 +39,13 @@ def elastomer_warnings(
         spec: the design.
         sizing: the dampers.
         material: the elastomer at the temperature of the design.
-        found: response that the spectrum estimates; None: there is no level.
+        action: of the level of the design; None: there is none.
+        found: response that its spectrum estimates; None: there is no level.
         in_histories: effective strain of the dampers in the histories of a verification; nan: there are none.
     """
     yield from _too_stiff(building, sizing)
+    if action is not None and found is not None:
+        yield from _more_base_shear(building, spec, sizing, action, found)
     yield from _too_slender(building, spec, sizing)
     where, reached, strains = "in the histories", in_histories, None
     if found is not None:
@@ -75,6 +79,16 @@ def _other_strain(
     """
     taken, (low, high, source) = sizing.moduli, spread(spec.bounds)
     strains = f"the dampers reach {percent(reached)} strain {where}, not the {percent(sizing.strain)} of the design"
+    if isinstance(spec.properties, FixedProperties):
+        # the stress of an elastomer does not fall as its strain grows: G' goes at most as 1/strain
+        most = sizing.strain / reached
+        if not low <= most <= high:
+            yield (
+                f"{strains}, where alone the given `properties` hold. At a constant stress G' would be {most:.3g} "
+                f"times that value, outside {low:g} to {high:g} ({source}); take `properties` that follow the strain, "
+                "or those at the strain that is reached"
+            )
+        return
     try:
         there = material(reached)(sizing.frequency)
     except InputError as error:
@@ -105,6 +119,25 @@ def _too_stiff(building: Building, sizing: Sizing) -> Iterator[str]:
             f"k_D is {ratio.max():.3g} times the stiffness of the storey in storey "
             f"{building.storeys[int(ratio.argmax())]}; preliminary designs go to {LARGEST_BETA:g} (thesis 5.3.4, after "
             "Fan and Lee): such dampers are braces of elastomer"
+        )
+
+
+def _more_base_shear(
+    building: Building, spec: ElastomerDesign, sizing: Sizing, action: Action, found: Estimate
+) -> Iterator[str]:
+    """Dampers that stiffen the frame more than they damp it: it bears a larger base shear than without them.
+
+    Of one storey, where the spectrum goes as 1/T and eta as EN 1998-1, 3.2.2.2(3), has it, the base shear grows from
+    k_D / k_S = 50 n / (5 + 100 zeta) - 1 on, zeta the inherent damping.
+    """
+    none = np.zeros_like(building.at_places(sizing.stiffness), dtype=complex)
+    bare = estimate(building, action, none, None, sizing.thickness)
+    if found.base_shear > bare.base_shear * (1.0 + ROUNDING):
+        ratio = float((sizing.stiffness / building.designed_stiffness).max())
+        yield (
+            f"the dampers stiffen the frame more than they damp it: with k_D of up to {ratio:.3g} times the stiffness "
+            f"of a storey the base shear at {spec.level} is estimated as {1e-3 * found.base_shear:.4g} kN, and as "
+            f"{1e-3 * bare.base_shear:.4g} kN without dampers"
         )
 
 
