@@ -61,7 +61,8 @@ def design_tables(group: Group, sets: Sequence[HistorySet] = (), factors: Mappin
     """
     method = group.attributes.get("method")
     if method == "placement":
-        return [table for table in placement_tables(group, sets, factors) if table.rows or table.notes]
+        tables = [*placement_tables(group, sets, factors), Table("", notes=_doubts(group))]
+        return [table for table in tables if table.rows or table.notes]
     if method == "viscous":
         sized = [viscous_storeys_table(group), devices_table(group, sets, factors), viscous_damping_table(group)]
     elif method == "hysteretic":
@@ -141,10 +142,12 @@ def _prototypes(about: Mapping[str, Any]) -> str:
 def _warnings(group: Group) -> Table:
     """Return why a design failed, and what is doubtful about it; no columns."""
     about = group.attributes
-    warnings = about.get("warnings")
-    notes = [f"failed: {about['reason']}"] if about.get("reason") else []
-    notes += [f"warning: {text}" for text in (warnings if isinstance(warnings, list) else [])]
-    return Table("", notes=notes)
+    return Table("", notes=[*([f"failed: {about['reason']}"] if about.get("reason") else []), *_doubts(group)])
+
+
+def _doubts(group: Group) -> list[str]:
+    warnings = group.attributes.get("warnings")
+    return [f"warning: {text}" for text in (warnings if isinstance(warnings, list) else [])]
 
 
 def damping_table(group: Group) -> Table:

@@ -34,7 +34,8 @@ class LifeCycle:
         dispersion: of modelling, added to that of the records.
         curve: None where there is none.
         exceedances: by limit, of those that have a fragility.
-        loss: None where no losses are given or one of their limits has no fragility.
+        loss: None where no losses are given or none of their limits has a fragility.
+        uncounted: limits without a fragility, whose losses are not in `loss`: it is a lower bound then.
         reason: why something is missing, "" otherwise.
     """
 
@@ -44,6 +45,7 @@ class LifeCycle:
     curve: HazardCurve | None
     exceedances: Mapping[str, Exceedance]
     loss: Loss | None
+    uncounted: tuple[str, ...] = ()
     reason: str = ""
 
 
@@ -166,18 +168,19 @@ def _life_cycle(variant: str, fragilities: Sequence[LimitFragility], about: Grou
             raise InputError("the variant has no period at which the hazard curve could be taken")
         curve = HazardCurve(points, rates)
     except InputError as error:
-        return LifeCycle(variant, years, dispersion, None, {}, None, str(error))
+        return LifeCycle(variant, years, dispersion, None, {}, None, reason=str(error))
     fits = {one.limit: one.fit for one in fragilities if one.variant == variant}
     try:
         found = {name: exceedance(fit, curve, dispersion) for name, fit in fits.items() if fit is not None}
     except InputError as error:
-        return LifeCycle(variant, years, dispersion, curve, {}, None, str(error))
+        return LifeCycle(variant, years, dispersion, curve, {}, None, reason=str(error))
     losses = {str(name): float(share) for name, share in spec["losses"].items()}
-    missing = [name for name in losses if name not in found]
+    uncounted = tuple(name for name in losses if name not in found)
     loss, reason = None, ""
-    if missing:
-        reason = f"no expected loss without a fragility of {', '.join(missing)}"
-    elif losses:
+    # what passes a limit costs no less than its loss: those of the other limits alone are a lower bound
+    if counted := {name: share for name, share in losses.items() if name in found}:
         rate = {name: one.rate for name, one in found.items()}
-        loss = expected_loss(rate, losses, years, float(spec["discount"]))
-    return LifeCycle(variant, years, dispersion, curve, found, loss, reason)
+        loss = expected_loss(rate, counted, years, float(spec["discount"]))
+    elif losses:
+        reason = f"no expected loss without a fragility of {', '.join(uncounted)}"
+    return LifeCycle(variant, years, dispersion, curve, found, loss, uncounted, reason)

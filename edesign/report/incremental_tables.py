@@ -11,6 +11,7 @@ from edesign.assess.limit_fragility import LimitFragility
 from edesign.report.incremental_results import UNITS, IncrementalResults, read_incremental
 from edesign.report.measure_columns import measure_title
 from edesign.report.table import Table, number, whole
+from edesign.report.text import wrapped
 
 OUTSIDE = 0.2
 """Share of a rate that comes from outside of the points of a hazard curve, from which on a note tells it."""
@@ -65,16 +66,23 @@ def loss_tables(results: IncrementalResults) -> list[Table]:
     having = [one for one in results.life_cycle if one.loss is not None]
     if not having:
         return []
-    years, first = having[0].years, having[0].loss
-    assert first is not None
+    years = having[0].years
+    limits = list(dict.fromkeys(limit for one in having if one.loss is not None for limit in one.loss.shares))
     columns = ["variant", "loss a year [%]", f"in {number(years, 3)} years, at present [%]"]
-    columns += [f"of which {limit} [%]" for limit in first.shares]
+    columns += [f"of which {limit} [%]" for limit in limits]
     table = Table(f"{results.name}: expected loss, of the value of the building", columns)
     for one in having:
         loss = one.loss
         assert loss is not None
-        cells = [number(100.0 * loss.annual, 3), number(100.0 * loss.present_value, 3)]
-        table.rows.append([one.variant, *cells, *(number(100.0 * share, 3) for share in loss.shares.values())])
+        least = ">= " if one.uncounted else ""
+        cells = [f"{least}{number(100.0 * part, 3)}" for part in (loss.annual, loss.present_value)]
+        shares = (number(100.0 * loss.shares[limit], 3) if limit in loss.shares else "-" for limit in limits)
+        table.rows.append([one.variant, *cells, *shares])
+        if one.uncounted:
+            table.notes += wrapped(
+                f"{one.variant}: a lower bound, without a loss of {', '.join(one.uncounted)}: too few records reach it "
+                "for a fragility. Give larger intensities."
+            )
     return [table]
 
 

@@ -18,6 +18,7 @@ from edesign.project.study.study import Study
 from edesign.study.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.check import check_inputs, check_study_inputs
 from edesign.study.choosing import study_with_choices, with_choices
+from edesign.study.criteria import too_few_motions
 from edesign.study.dampers import device_laws
 from edesign.study.design.design import first_warnings
 from edesign.study.modal import fundamental_period
@@ -96,6 +97,7 @@ def check_study(study: Study) -> dict[str, str]:
         design = study.designs[name]
         if not isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
             warnings += first_warnings(study.base, name, design, study.folder)
+        warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
     return {
         "title": study.title,
         "project": str(study.base.path),

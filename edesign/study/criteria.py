@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Mapping
 
-from edesign.assess.statistics import CODES
+from edesign.assess.statistics import CODES, code_statistic, statistic
 from edesign.codes.criterion import with_standard
 from edesign.errors import InputError
 from edesign.ground_motion.sources import Found
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import HistoryKind, Outputs
-from edesign.project.criteria.criteria import QuantityCriterion
+from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
 from edesign.project.criteria.criterion_quantities import QUANTITIES
 from edesign.project.dampers.verification import AnyVerify
 from edesign.project.study.study import Study, warm_variant
-from edesign.study.study_plan import make_study_plan
+from edesign.study.study_plan import make_study_plan, verification_records
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
@@ -43,6 +43,31 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
                 )
         if isinstance(criterion, QuantityCriterion) and criterion.frequency is not None:
             _check_samples(study, where, criterion.frequency, found)
+
+
+def too_few_motions(study: Study, name: str) -> list[str]:
+    """Say so if criteria of a design take less than the maximum of so few motions that the maximum counts.
+
+    Of one motion every statistic is the maximum.
+
+    Args:
+        study: from `load_study`.
+        name: of the design.
+    """
+    verify, rules = study.designs[name].verify, CODES["ec8"].set_rules
+    count = len(verification_records(study, name))
+    if verify is None or not 1 < count < rules.number_for_mean:
+        return []
+    ranks = {str(rank): float(rank) for rank in range(count)}
+    return [
+        f"the criterion `{asked.name}` takes the {asked.statistic} of {count} motions; of fewer than "
+        f"{rules.number_for_mean} the maximum counts (EN 1998-1, 4.3.3.4.3(3)), which `statistic: ec8` takes"
+        for asked in study.criteria
+        if asked.name in verify.criteria
+        and asked.share is None
+        and not (isinstance(asked, MeasureCriterion | QuantityCriterion) and asked.most is None)
+        and statistic(code_statistic(asked.statistic, count), ranks) != count - 1.0
+    ]
 
 
 def _motions(study: Study) -> Counter[tuple[str, str]]:

@@ -16,7 +16,7 @@ from edesign.project.dampers.verification import AnyVerify
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.backends.work import Work
-from edesign.study.criteria import kept_for_verification
+from edesign.study.criteria import kept_for_verification, too_few_motions
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.execution import Execution, Prepared
 from edesign.study.kinds import DESIGNS
@@ -127,6 +127,8 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
                 )
     except _Lost as lost:
         raise lost.error from lost
+    told = result.group.attributes.get("warnings")
+    result.group.attributes["warnings"] = [*(told if isinstance(told, list) else []), *too_few_motions(study, name)]
     keep(result.group)
     if "certificate" in result.group.attributes:
         run.note(f"design {name}: {result.group.attributes['certificate']}")

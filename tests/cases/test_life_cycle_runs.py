@@ -22,10 +22,9 @@ ABOUT = """records: [shake, fast, slow], intensity: spectral_acceleration, perio
                  losses: {LS: 30 %, collapse: 100 %}, discount: 3 %}"""
 
 
-@pytest.fixture(scope="module")
-def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    folder = tmp_path_factory.mktemp("life")
-    path = write(folder, ABOUT)
+def run(folder: Path, about: str) -> Path:
+    """The archive of a study of three motions."""
+    path = write(folder, about)
     t = np.arange(400) * 0.01
     text = (folder / "project.yaml").read_text(encoding="utf-8")
     for name, frequency in (("fast", 14.0), ("slow", 6.0)):
@@ -36,6 +35,25 @@ def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
     text = text.replace("levels: {MCE: {probability: 2 %}}", "levels: {DBE: {gamma_I: 1}, MCE: {probability: 2 %}}")
     (folder / "project.yaml").write_text(text, encoding="utf-8")
     return run_study(load_study(path), backend="serial").archive
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return run(tmp_path_factory.mktemp("life"), ABOUT)
+
+
+def test_a_loss_without_collapses_is_a_lower_bound(tmp_path: Path) -> None:
+    """At these intensities no record collapses; what those that pass LS cost is 0.3 times its rate."""
+    first = ABOUT.replace(", 1.5 g, 2 g, 3 g, 4 g, 6 g, 8 g]", "]").replace("2.5 %", "1 %")
+    with open_archive(run(tmp_path, first)) as opened:
+        ((results),) = read_incremental(opened)
+        tables = {table.title: table for table in incremental_tables(opened)}
+    bare = results.life_cycle[0]
+    assert bare.loss is not None and bare.uncounted == ("collapse",) and set(bare.exceedances) == {"LS"}
+    assert bare.loss.annual == pytest.approx(0.3 * bare.exceedances["LS"].rate, rel=1e-12)
+    losses = tables["ida: expected loss, of the value of the building"]
+    assert losses.rows[0][1].startswith(">= ") and losses.rows[0][3:] == ["100"]
+    assert "bare: a lower bound, without a loss of collapse" in " ".join(losses.notes)
 
 
 def test_rates_follow_the_hazard_of_en_1998_1(archive: Path) -> None:

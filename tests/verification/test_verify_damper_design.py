@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ from hypothesis import strategies as st
 from scipy import linalg
 from shear_frames import HEIGHT, MASS, STIFFNESS
 
+from edesign.building.profiles import profile_names
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.codes.ec8 import damping_correction
 from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
@@ -243,6 +245,25 @@ def test_estimate_of_one_storey() -> None:
     assert found.damper_force[0] == pytest.approx(abs(added) * u, rel=1e-6)
     assert found.damper_strain[0] == pytest.approx(abs(added / damper) * u / 0.02, rel=1e-6)
     assert result.group.variables["estimated_storey_drift"].values[0] == pytest.approx(u / HEIGHT, rel=1e-6)
+
+
+@pytest.mark.parametrize(("beta", "more"), [(1.45, False), (1.55, True)])
+def test_dampers_that_stiffen_more_than_they_damp(beta: float, more: bool) -> None:
+    """One storey under S_e = a/T: V goes as sqrt(1 + beta) eta, with zeta = 2 % + n/2 beta/(1 + beta). It is that of
+    the bare frame at beta = 50 n / (5 + 2) - 1 = 1.5, and larger beyond."""
+    table = "{periods: [0 s, 0.01 s, 9 s], accelerations: [0.1 g, 9 g, 0.01 g]}"
+    hazard = "damping: 5 %\n  damping_correction: ec8\n  levels: {DBE: {spectrum: @}}\nrecords".replace("@", table)
+    text = re.sub(r"code: ec8-2004.*?\nrecords", f"code: user\n  {hazard}", shear_project(1).text, flags=re.DOTALL)
+    project = parse_project(text, "project.yaml", profile_names())
+    damping = 100.0 * 0.5 * N * beta / (1.0 + beta)
+    asked = f"method: strain_energy, damping: {damping!r} %, level: DBE, inherent_damping: 2 %, {FIXED}"
+    result = run_design(project, "tried", design(f"{COMMON}, {asked}", project), Path("."))
+    warnings = result.group.attributes["warnings"]
+    assert result.group.variables["damper_stiffness"].values[0] == pytest.approx(beta * STIFFNESS, rel=1e-6)
+    assert any(f"with k_D of up to {beta:g} times the stiffness of a storey" in text for text in warnings) == more
+    reached = result.group.attributes["estimated_strain"]
+    most = f"G' would be {0.2 / reached:.3g} times that value, outside 0.85 to 1.2"
+    assert any("where alone the given `properties` hold" in text and most in text for text in warnings)
 
 
 def test_correlation_of_modes() -> None:

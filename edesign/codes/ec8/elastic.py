@@ -16,7 +16,6 @@ from edesign.codes.ec8.parameters import HorizontalParameters, VerticalParameter
 from edesign.codes.motion_sets import SetRules
 from edesign.errors import InputError
 
-
 SMALLEST_CORRECTION = 0.55
 """Of eta, EN 1998-1:2004, 3.2.2.2(3)."""
 

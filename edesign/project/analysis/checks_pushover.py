@@ -57,7 +57,9 @@ def _other_codes(hazard: Hazard, problems: Problems, keys: Keys, pushover: Pusho
             if without:
                 message = f"`{method}` needs the corner period T_C or T_S, and the table of {listed(without)} has none"
                 problems.at_item(
-                    (*keys, "targets"), i, f"{message}; give `corner_period` with it, or take `asce41`, which needs none"
+                    (*keys, "targets"),
+                    i,
+                    f"{message}; give `corner_period` with it, or take `asce41`, which needs none",
                 )
     if "asce41" in pushover.targets and pushover.site_class is None and not isinstance(hazard, EC8Hazard):
         message = f"this key is missing; only a ground type of EN 1998-1 has one, and the hazard is of `{hazard.code}`"

@@ -41,7 +41,8 @@ def check_project_records(project: Project, problems: Problems) -> None:
             problems.at_value((*keys, "match", "component"), message)
         fitted_suite = isinstance(record, SuiteRecords | ChosenRecords) and record.fitted
         if fitted_suite and isinstance(project.hazard, UserHazard) and not project.hazard.at_5_percent:
-            message = f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %, or `damping_correction`"
+            message = f"the criteria for the suite `{name}` compare spectra of 5 % damping; give tables for 5 %, or "
+            message += "`damping_correction`"
             problems.at_value(("hazard", "damping"), message)
         check_record(record, keys, problems)
         if isinstance(record, ChosenRecords):

@@ -37,7 +37,10 @@ def check_incremental(
     if incremental.level is not None and incremental.level not in base.hazard_levels:
         problems.at_value((*keys, "level"), unknown_name("level", incremental.level, base.hazard_levels))
     if isinstance(base.hazard, UserHazard) and incremental.level is not None and not base.hazard.at_5_percent:
-        message = "intensities are of 5 % damping, and the tables of the hazard of another; leave this key out, or give `hazard.damping_correction`"
+        message = (
+            "intensities are of 5 % damping, and the tables of the hazard of another; leave this key out, or give "
+            "`hazard.damping_correction`"
+        )
         problems.at_key((*keys, "level"), message)
     if isinstance(incremental, LevelFactorStudy):
         fitted = [name for name in map(record_of, incremental.records) if name in base.records]

@@ -96,7 +96,9 @@ def test_the_end_of_the_constant_branch() -> None:
 
 @pytest.mark.parametrize("corner", [0.05, 4.5])
 def test_a_corner_period_outside_of_the_table(corner: float) -> None:
-    with pytest.raises(InputError, match="corner_period: .* is not between the largest ordinate, at 0.1 s, and the las"):
+    with pytest.raises(
+        InputError, match="corner_period: .* is not between the largest ordinate, at 0.1 s, and the las"
+    ):
         TabulatedSpectrum((0.0, 0.1, 0.5, 4.0), (2.0, 5.0, 5.0, 0.625), 0.05, SET_RULES, corner_period=corner)
 
 

@@ -113,6 +113,15 @@ def test_strains_beyond_the_tests_are_told(folder):
     assert warning.kind == "damper_strain" and warning.ratio == pytest.approx(1.24)
 
 
+def test_strains_beyond_the_limit_of_a_device_are_told(folder):
+    text = PROJECT.replace("layer_thickness: 24 mm", "layer_thickness: 24 mm, strain_limit: 40 %")
+    devices = make_frame(parse_project(text, folder / "project.yaml"), dampers=True).devices
+    assert strain_warnings(devices, np.array([0.4])) == []
+    (warning,) = strain_warnings(devices, np.array([0.5]))
+    assert warning.text == "law rubber: 1 damper strains beyond `strain_limit`, 40 %: S_1_1 to 50 %"
+    assert warning.kind == "strain_limit" and warning.ratio == pytest.approx(1.25)
+
+
 def test_published_parameters_know_their_tests():
     assert strain_of_tests(LawDescription(type="mgmm", parameters="thesis_table_4_2")) == 0.5
     assert strain_of_tests(LawDescription(type="mgmm", parameters={})) is None

@@ -74,6 +74,14 @@ ONE_PROBLEM = {
     "bare ordinate": (USER, "1 g,", "«1,", "hazard.spectrum.accelerations[1]", "needs a unit"),
     "no damping": (USER.replace("  damping: 5 %\n", ""), "hazard:\n", "«hazard:\n", "hazard.damping", "is missing"),
     "law": (USER, "damping: 5 %", "damping: 5 %\n  interpolation: «loglog", "hazard.interpolation", "`log-log`"),
+    "law of damping": (
+        USER,
+        "damping: 5 %",
+        "damping: 5 %\n  damping_correction: «ec8-2004",
+        "hazard.damping_correction",
+        "allowed: `ec8`, `asce7`",
+    ),
+    "bare corner": (USER, "0.1 g]}", "0.1 g], corner_period: «0.5}", "hazard.spectrum.corner_period", "needs a unit"),
     "criteria": (USER, "damping: 5 %", "damping: 5 %\n  criteria: «asce7", "hazard.criteria", "did you mean"),
     "level without a factor": (USER, "MCE: {factor: 1.5}", "«MCE: {}", "hazard.levels.MCE.factor", "is missing"),
     "two ways of rarity": (
@@ -113,6 +121,13 @@ def test_a_missing_file_of_a_table(broken: Broken) -> None:
     text = USER.replace("{periods: [0 s, 0.1 s, 4 s], accelerations: [0.4 g, 1 g, 0.1 g]}", "{file: «uhs.csv}")
     (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{text}"))
     assert problem.keys_text == "hazard.spectrum.file" and "there is no file" in problem.message
+
+
+def test_the_corner_of_a_table_lies_on_it(small: str) -> None:
+    text = USER.replace("0.1 g]}", "0.1 g], corner_period: 5 s}")
+    project = parse_project(small + text, "small.yaml")
+    with pytest.raises(InputError, match=r"spectrum: corner_period: 5 s is not between the largest ordinate, at 0.1 s"):
+        checked_hazard(project)
 
 
 def hazard_of(small: str, block: str, path: Path | str = "small.yaml") -> Hazard:
@@ -206,6 +221,10 @@ def test_target_displacements_of_other_codes(broken: Broken) -> None:
     push = "  - {name: t, kind: pushover, pattern: uniform, targets: [«n2, asce41], site_class: C}\n"
     (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{USER}"), ("analyses:\n", f"analyses:\n{push}"))
     assert problem.keys_text == "analyses[0].targets[0]" and "needs the corner period" in problem.message
+    known = USER.replace("0.1 g]}", "0.1 g], corner_period: 0.5 s}")
+    push = "  - {name: t, kind: pushover, pattern: uniform, targets: n2, damping: «7 %}\n"
+    (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{known}"), ("analyses:\n", f"analyses:\n{push}"))
+    assert problem.keys_text == "analyses[0].damping" and "give `hazard.damping_correction`" in problem.message
     push = "  - «{name: t, kind: pushover, pattern: uniform, targets: [n2, asce41]}\n"
     (problem,) = broken(("title: Small frame\n", f"title: Small frame\n{ASCE}"), ("analyses:\n", f"analyses:\n{push}"))
     assert problem.keys_text == "analyses[0].site_class" and "of `asce7-22`" in problem.message
