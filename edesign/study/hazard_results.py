@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
+from edesign.codes.tabulated import TabulatedSpectrum
 from edesign.ground_motion.hazard import action_of
 from edesign.project.actions.hazard_base import Hazard
 from edesign.study.kinds import HAZARD, HAZARD_LEVELS
@@ -44,6 +45,8 @@ def _add(group: Group, elastic: Spectrum, design: DesignOrdinates | None) -> Non
         "corner_periods": dict(elastic.corners),
         "criteria_of": elastic.set_rules.code,
     }
+    if isinstance(elastic, TabulatedSpectrum) and elastic.correction is not None:
+        group.attributes["damping_correction"] = elastic.correction
     group.coords["period"] = Variable(("period",), period, "s", "period of the oscillator")
     group.add("elastic", ("period",), elastic.acceleration(period), "m/s^2", elastic.label)
     if design is not None:

@@ -10,13 +10,15 @@ from typing import Any
 import numpy as np
 import pytest
 from cases import suite_project
-from cases.conftest import HERE
+from cases.conftest import HERE, copied_study
 from scipy.signal import lfilter
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
+from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.project.notation.units import STANDARD_GRAVITY as G
+from edesign.study.run import run_study
 
 CASE = HERE / "user_spectrum"
 
@@ -76,6 +78,25 @@ def test_levels_are_factors_on_the_table(archive_of: Callable[[str], Path]) -> N
     np.testing.assert_allclose(elastic[1], 1.5 * elastic[0], rtol=1e-12)
     assert action["rare"].coords["period"].values[-1] <= 4.0  # the table ends there
     assert text == (CASE / "uhs.csv").read_text(encoding="utf-8")
+
+
+def test_dampers_and_targets_under_the_table(tmp_path: Path) -> None:
+    """With eta of EN 1998-1 by hand: 15 % (5 % of the frame and 10 % of the dampers) and 10 % of the target.
+
+    The dampers hardly change the first mode (T by 4e-5), whose displacement of the roof is Gamma phi S_d.
+    """
+    with open_archive(run_study(load_study(copied_study("user_spectrum", tmp_path))).archive) as archive:
+        design, modes = archive.group("designs/oil"), archive.group("analyses/bare.modes")
+        targets = {name: archive.group(f"analyses/bare.push.n2.{name}") for name in ("UHS475", "rare")}
+        about = archive.group_attributes("hazard")
+    assert (about["damping_correction"], about["corner_periods"]) == ("ec8", {"T_C": 0.5})
+    T = float(design.variables["period"].values.flat[0])
+    S_d = table(np.array(T)) * (T / (2.0 * np.pi)) ** 2 * np.sqrt(10.0 / 20.0)
+    roof = modes.variables["participation_factor_x"].values[0] * modes.variables["floor_shape"].values[0, -1]
+    assert design.attributes["roof_displacement_m"] == pytest.approx(float(roof * S_d), rel=1e-3)
+    for name, factor in (("UHS475", 1.0), ("rare", 1.5)):
+        found = {key: float(targets[name].variables[f"n2_{key}"].values) for key in ("T", "S_e")}
+        assert found["S_e"] == pytest.approx(factor * table(np.array(found["T"])) * np.sqrt(10.0 / 15.0), rel=1e-9)
 
 
 def test_a_band_beyond_the_table_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
