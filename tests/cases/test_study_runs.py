@@ -219,7 +219,7 @@ def test_details_are_kept_of_the_records_that_are_named(archive: Path) -> None:
 
 def test_check_tells_what_a_run_would_do(study: Path, call: Caller) -> None:
     checked = call("check", study)
-    assert checked.code == 0 and checked.out.endswith("ok, with 6 warnings\n") and checked.err == ""
+    assert checked.code == 0 and checked.out.endswith("ok, with 7 warnings\n") and checked.err == ""
     assert "design added, first round: the dampers reach 5" in checked.out  # thin layers; the design counts on 20 %
     for text in ("designs:    added (strain_energy)", "variants:   bare, damped, upper, warm", "bare.DBE (3)"):
         assert text in checked.out
@@ -334,7 +334,7 @@ def test_back_ends_give_the_same_bits(tmp_path: Path, undisturbed: dict[str, Any
 def test_a_design_that_cannot_be_ends_with_its_reason_and_the_rest_is_there(tmp_path: Path, call: Caller) -> None:
     ended = call("run", write(tmp_path, HOPELESS, ("rounds: 6", "rounds: 2")))
     assert ended.code == 3
-    reason = "its design `added` failed: not met within 2 rounds; the last, with 0.064, misses: drift, DBE (0."
+    reason = "its design `added` failed: not met within 2 rounds; the last, with 0.064, misses: drift, DBE (2."
     (line,) = [line for line in ended.err.splitlines() if line.startswith("  damped.modes, ")]
     assert f"damped.modes, damped.gravity, upper.modes, upper.gravity and 17 more: {reason}" in line  # told once
     found = statuses(tmp_path / "out.h5")
