@@ -24,12 +24,12 @@ from edesign.project.records.chosen_records import ChosenRecords
 from edesign.project.records.records import record_of
 from edesign.project.study.study import Study
 from edesign.study.buckling import slender_braces
-from edesign.study.dampers import device_laws, law_warnings
+from edesign.study.dampers import law_warnings, laws_that_stand, with_restrained_braces
 from edesign.study.modal import fundamental_period
 from edesign.study.plan import Task
 from edesign.study.plausibility import implausible
 from edesign.study.structure import make_frame
-from edesign.study.variants import variant_warnings
+from edesign.study.variants import laws_of_design, variant_warnings
 
 MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
@@ -63,10 +63,21 @@ def _still_warnings(projects: Iterable[Project]) -> list[str]:
     ]
 
 
-def _damping_warnings(project: Project) -> list[str]:
-    """The doubt about damping by a stiffness matrix in a frame on buckling-restrained braces."""
-    braced = any(law.restrained is not None for law in device_laws(project).values())
-    if not braced or not isinstance(project.damping, (RayleighDamping, StiffnessDamping)):
+def _held_period(project: Project) -> float | None:
+    """T1 of an isolated frame with its base held, s; None if it cannot be found."""
+    try:
+        return fundamental_period(project, base_held=True)
+    except AnalysisError:
+        return None  # it may sway on its isolators alone
+
+
+def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
+    """The doubt about damping by a stiffness matrix in a frame on buckling-restrained braces.
+
+    Args:
+        laws: of the dampers that stand in the frame, or will by a design.
+    """
+    if not with_restrained_braces(project, laws) or not isinstance(project.damping, (RayleighDamping, StiffnessDamping)):
         return []
     return [
         f"damping: the stiffness that `{project.damping.kind}` is proportional to is that of the members, without "
@@ -74,14 +85,19 @@ def _damping_warnings(project: Project) -> list[str]:
     ]
 
 
-def frame_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
-    """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`."""
+def frame_warnings(project: Project, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
+    """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`.
+
+    Args:
+        designed: laws of the dampers that designs add.
+    """
+    laws = [*laws_that_stand(project), *designed]
     try:
         period = fundamental_period(project)
     except AnalysisError:
         period = None  # the analyses will say why
-    found = implausible(project, period) + slender_braces(project, make_frame(project, dampers=True))
-    found += _damping_warnings(project)
+    found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(project, make_frame(project, dampers=True))
+    found += _damping_warnings(project, laws)
     staying = [
         name
         for name, run in project.frame.members.items()
@@ -122,7 +138,8 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     Raises:
         InputError: the frame cannot be built, or a law has no parameters at a temperature.
     """
-    found = frame_warnings(study.base, records)
+    designed = [name for design in study.designs.values() for name in laws_of_design(design)]
+    found = frame_warnings(study.base, records, designed)
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
     for name, spec in study.designs.items():

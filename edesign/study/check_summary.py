@@ -19,7 +19,7 @@ from edesign.study.advice import project_warnings, record_warnings, study_warnin
 from edesign.study.check import check_inputs, check_study_inputs
 from edesign.study.choosing import study_with_choices, with_choices
 from edesign.study.criteria import too_few_motions
-from edesign.study.dampers import device_laws
+from edesign.study.dampers import laws_that_stand, with_restrained_braces
 from edesign.study.design.design import first_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.motions import Motion, expected_scale
@@ -199,7 +199,7 @@ def _mass(project: Project) -> dict[str, str]:
 def _standing(project: Project) -> str:
     """How the frame stands whose period is told."""
     isolation = project.isolation
-    braced = any(law.restrained for law in device_laws(project).values())
+    braced = with_restrained_braces(project, laws_that_stand(project))
     braces = ", with its buckling-restrained braces" if braced else ""
     if isolation is None:
         return f"under gravity{braces}"

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -30,6 +30,17 @@ def device_laws(project: Project) -> dict[str, DeviceLaw]:
     if project.dampers is None:
         return {}
     return {name: _device_law(project, name)[0] for name in project.dampers.laws}
+
+
+def laws_that_stand(project: Project) -> list[str]:
+    """Return the names of the laws whose dampers stand in the frame; a project may have others, for its designs."""
+    return [] if project.dampers is None else list(dict.fromkeys(run.law for run in project.dampers.devices))
+
+
+def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
+    """Return whether one of some laws of a project is of a buckling-restrained brace; errors as `device_laws`."""
+    laws = device_laws(project)
+    return any(laws[name].restrained is not None for name in names)
 
 
 def law_warnings(project: Project) -> list[str]:
@@ -59,6 +70,9 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
     if numbers.law == "buckling_restrained":  # a fit writes the specimen of its tests, whose layers mean nothing here
         if spec.prototype is not None:
             raise asked.refuse(("prototype",), "a buckling-restrained brace has no layers; leave this key out")
+        if described.effects:  # K, the strain of the core and the adjusted strengths would not know of them
+            message = "a buckling-restrained brace takes no effects: omega and beta say what its tests showed"
+            raise source.refuse(("effects",), f"{message}; leave this key out")
         prototype = None
     if prototype is None and numbers.law == "friction_pendulum":
         # what changes is the friction; the dish that brings it back keeps its radius

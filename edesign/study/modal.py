@@ -47,10 +47,10 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
     return group
 
 
-def fundamental_period(project: Project) -> float | None:
+def fundamental_period(project: Project, base_held: bool = False) -> float | None:
     """Return the first period of the frame under gravity, s; None if it has no masses.
 
-    Of its dampers it has its buckling-restrained braces and its isolators.
+    Of its dampers it has its buckling-restrained braces and its isolators, or with `base_held` none of these.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.
@@ -58,7 +58,7 @@ def fundamental_period(project: Project) -> float | None:
     if project.masses is None:
         return None
     try:
-        structure = frame_alone(project)
+        structure = frame_alone(project, base_held=base_held)
         structure.apply_gravity()
         return float(structure.modes(1).period[0])
     except AnalysisError as error:

@@ -42,7 +42,8 @@ def implausible(project: Project, period: float | None) -> list[str]:
 
     Args:
         project: the validated project.
-        period: T1 under gravity, s; None without masses, or if it is not known.
+        period: T1 under gravity, of an isolated frame with its base held, s; None without masses, or if it is not
+            known.
 
     Raises:
         InputError: the frame cannot be built.
@@ -60,18 +61,19 @@ def _period(project: Project, period: float) -> str:
     q d/H. More than 0.3 is not allowed, and stands for a frame that falls rather than sways.
     """
     height = project.frame.height
+    of = f"T1 = {period:.3g} s{'' if project.isolation is None else ' without its isolators'}"
     q = project.hazard.q if project.hazard is not None else None
     q = q or LEAST_BEHAVIOUR_FACTOR
     low, high = STIFF * height**0.75 / TEN_TIMES, 2.0 * math.sqrt(SENSITIVITY * height / q)
     if period > high:
         return (
-            f"T1 = {period:.3g} s is implausible for a frame {height:.3g} m high: from {high:.2g} s on its interstorey "
+            f"{of} is implausible for a frame {height:.3g} m high: from {high:.2g} s on its interstorey "
             f"drift sensitivity exceeds {SENSITIVITY:g} (EN 1998-1, 4.4.2.2, with q = {q:g}); are masses too large, or "
             "sections too small?"
         )
     if period < low:
         return (
-            f"T1 = {period:.3g} s is implausible for a frame {height:.3g} m high: up to {low:.2g} s its masses are ten "
+            f"{of} is implausible for a frame {height:.3g} m high: up to {low:.2g} s its masses are ten "
             f"times too small for the stiffest frames of EN 1998-1 (Eq. 4.6, {STIFF:.2f} H^(3/4)), or its sections too "
             "large"
         )

@@ -109,23 +109,24 @@ class Structure:
         return response
 
 
-def frame_alone(project: Project, dampers: bool = True) -> Structure:
+def frame_alone(project: Project, dampers: bool = True, base_held: bool = False) -> Structure:
     """Build the frame whose modes are meant by damping, lateral forces and periods: without tuned masses and dampers.
 
     Args:
         project: the validated project.
         dampers: whether it has its dampers, of which buckling-restrained braces and isolators are part of the frame.
             Other dampers of the law of an isolator stand in the model and act neither in modes nor under gravity.
+        base_held: whether an isolated base is held horizontally, in place of its isolators.
 
     Raises:
         InputError, CoreError: as `make_structure`.
     """
     laws = device_laws(project) if dampers else {}
-    isolation = project.isolation if dampers else None
+    isolation = project.isolation if dampers and not base_held else None
     base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
     kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
     weights = None if isolation is None else weights_on_isolators(project, kept)
-    return make_structure(project, build_frame(project, laws=kept or None, weights=weights))
+    return make_structure(project, build_frame(project, laws=kept if base_held else kept or None, weights=weights))
 
 
 def tolerance(project: Project) -> float:

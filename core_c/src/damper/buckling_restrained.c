@@ -191,6 +191,8 @@ static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
     const double elastic = row[OMEGA] * row[BETA] * p[F_YSC] / p[E_SC];
     if (i > 0 && !(row[STRAIN] > from))
       return ed_refuse_parameter(message, of, row[STRAIN], "greater than the one before: strains ascend");
+    if (!(row[STRAIN] < 1.0)) /* a core that is shortened by its length is gone */
+      return ed_refuse_parameter(message, of, row[STRAIN], "less than 1 (100 %)");
     for (int side = 0; side < SIDES; side++) {
       snprintf(of, sizeof of, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
       if (!(row[OMEGA + side] >= 1.0))
@@ -204,6 +206,13 @@ static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
     for (int side = 0; side < SIDES; side++) {
       const double there = row[OMEGA] * (side == COMPRESSION ? row[BETA] : 1.0);
       snprintf(of, sizeof of, "%s%d", side == TENSION ? "omega" : "beta", i + 1);
+      if (there < before[side]) { /* R_T and R_C only grow */
+        if (side == TENSION)
+          snprintf(allowed, sizeof allowed, "at least omega%d = %g: omega does not fall with the strain", i, before[side]);
+        else
+          snprintf(allowed, sizeof allowed, "at least %g: beta omega does not fall with the strain", before[side] / row[OMEGA]);
+        return ed_refuse_parameter(message, of, row[OMEGA + side], allowed);
+      }
       if (!((there - before[side]) * p[F_YSC] / p[E_SC] < row[STRAIN] - from))
         return ed_refuse_parameter(message, of, row[OMEGA + side],
                                    "from the point before, the force would rise faster with the strain than an elastic core");
@@ -238,8 +247,8 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
       if (isotropic < before - 1e-12 * of.yield) { /* beyond the rounding of who computed the largest alpha */
         const double most = (force - force_before) / (plastic - plastic_before);
         char allowed[ED_DAMPER_MESSAGE / 2];
-        snprintf(allowed, sizeof allowed, "at most %.4g, or kinematic hardening alone exceeds %s at a strain of %g",
-                 fmax(0.0, most / (of.stiffness + most)), side == TENSION ? "omega" : "beta omega", strain);
+        snprintf(allowed, sizeof allowed, "at most %.4g, or kinematic hardening alone exceeds %s at a strain of %g %%",
+                 fmax(0.0, most / (of.stiffness + most)), side == TENSION ? "omega" : "beta omega", 100.0 * strain);
         return ed_refuse_parameter(message, "alpha", p[ALPHA], allowed);
       }
       of.side[side].force[i] = before = fmax(before, isotropic);

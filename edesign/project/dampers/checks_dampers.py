@@ -99,10 +99,13 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
 def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, laws: Mapping[str, DamperLaw]) -> None:
     """Check that a damper gives the size of layers where its law has some, and a scale where it has none."""
     law = laws[device.law]
-    if law.prototype is None and law.file is None:
+    restrained = law.type == "buckling_restrained"  # a prototype of it is refused itself
+    if restrained or (law.prototype is None and law.file is None):
+        message = f"the law `{device.law}` has no `prototype` whose size could be changed"
+        if restrained:
+            message = f"the law `{device.law}` is of a buckling-restrained brace without layers; `scale` is its size"
         for key in ("layers", "layer_area", "layer_thickness"):
             if getattr(device, key) is not None:
-                message = f"the law `{device.law}` has no `prototype` whose size could be changed"
                 problems.at_key((*keys, key), message)
         if getattr(device, "strain_limit", None) is not None:  # an item of a catalogue has none
             message = f"the law `{device.law}` has no `prototype`, and so no layers that could strain"

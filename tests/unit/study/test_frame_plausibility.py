@@ -10,6 +10,7 @@ from unit.study.frames import project
 
 from edesign import check_project
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.study.advice import frame_warnings
 from edesign.study.modal import fundamental_period
 from edesign.study.plausibility import implausible
 
@@ -115,3 +116,26 @@ def test_check_tells(tmp_path: Path) -> None:
         FRAME.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 100, Q: 30}"), tmp_path / "project.yaml"
     )
     assert "is implausible" in check_project(made)["warnings"]
+
+
+def test_an_isolated_frame_is_judged_with_its_base_held() -> None:
+    """Feet that cannot turn on a base that is held are feet on fixed supports."""
+    isolators = """\
+dampers:
+  laws:
+    pendulum: {type: friction_pendulum, parameters: {W: 300 kN, R: 3 m, f_slow: 4 %, f_fast: 4 %, a: 30 s/m, Y: 1 mm}}
+  isolation:
+    isolators: [{lines: all, law: pendulum}]
+    base: {G: 20 kN/m, rotation: fixed}
+    design_displacement: 150 mm
+analyses:
+"""
+    low = FRAME.replace("[4 m, 3.5 m, 3.5 m]", "[3 m]")
+    on_supports, isolated = project(low), project(low.replace("analyses:\n", isolators))
+    held = fundamental_period(isolated, base_held=True)
+    assert held == pytest.approx(fundamental_period(on_supports), rel=1e-9)
+    period = fundamental_period(isolated)
+    assert period is not None and period > 2.0 * math.sqrt(0.3 * 3.0 / 1.5)  # which would be refused of a frame
+    assert not any(" T1 " in f" {line}" for line in frame_warnings(isolated, {}))
+    heavy = low.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 300.0, Q: 90.0}").replace("analyses:\n", isolators)
+    assert any("s without its isolators is implausible for a frame 3 m high" in w for w in frame_warnings(project(heavy), {}))

@@ -19,6 +19,7 @@ from edesign.project import Project, parse_project
 from edesign.project.criteria.checks_quantities import names_of_dampers
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.report.restrained_braces import restrained_tables
+from edesign.study.advice import frame_warnings
 from edesign.study.history import run_history
 from edesign.study.lateral_patterns import floor_masses
 from edesign.study.modal import fundamental_period
@@ -47,6 +48,10 @@ def changed(*changes: tuple[str, str]) -> Project:
         ("[1.12, 1.28, 1.46]", "[1.12, 1.28]", "[0.5", ["parameters.strain", "3 of `strain`, 2 of `omega`"]),
         ("[1.12, 1.28, 1.46]", "[1.12, 0.9, 1.46]", "[1.12, 0.9", ["parameters.omega", "`0.9`", "at least 1"]),
         ("beta: [", "beta1: 1.1, beta: [", "1.1, beta", ["parameters.beta1", "`beta` gives this too"]),
+        ("[1.12, 1.28, 1.46]", "[1.12, 1.5, 1.3]", "[1.12, 1.5", ["parameters.omega", "omega3 = 1.3", "omega2 = 1.5"]),
+        ("[0.5 %, 1 %, 2 %]", "[0.5 %, 1 %, 2]", "[0.5", ["parameters.strain", "`2` is out of range", "less than 1"]),
+        ("    brb:\n", "    brb:\n      effects: [{name: ageing, form: linear, parameters: {rate: 0, n: 1}}]\n",
+         "[{name", ["laws.brb.effects", "takes no effects"]),
         ("KF: 1.35", "KF: 1.6", "1.6", ["parameters.KF", "KF = 1.6", "L_wp / L_y = 1.47"]),
     ],
 )  # fmt: skip
@@ -81,6 +86,32 @@ def test_periods_count_the_braces_and_rayleigh_damping_is_warned_of() -> None:
     assert "warnings" not in check_project(changed())
     told = check_project(changed(("kind: modal, ratio: 2 %, modes: 3", "kind: rayleigh, ratio: 2 %")))["warnings"]
     assert told.startswith("damping: the stiffness that `rayleigh` is proportional to")
+
+
+def test_a_law_that_no_device_has_says_nothing_of_the_frame() -> None:
+    """Laws of buckling-restrained braces stand in a project for its designs, too."""
+    rayleigh = ("kind: modal, ratio: 2 %, modes: 3", "kind: rayleigh, ratio: 2 %")
+    pads = "    pad: {type: friction, parameters: {mu: 1, N: 100 kN, k: 200 kN/mm}}\n  devices:\n"
+    unused = changed(
+        rayleigh,
+        ("  devices:\n", f"{pads}    - {{kind: storey, bays: 1, storeys: all, law: pad}}\n"),
+        (f"    - {RISING}\n", ""),
+        ("    - {kind: chevron_braces, bays: 3, storeys: all, law: brb, scale: [1.0, 0.8, 0.5]}\n", ""),
+        ("outputs:", "# outputs:"),
+    )
+    told = check_project(unused)
+    assert told["period"].endswith(" s under gravity")
+    assert "buckling-restrained" not in told.get("warnings", "")
+    assert frame_warnings(unused, {}, ["brb"])[-1].startswith("damping: the stiffness")  # a design adds them
+
+
+def test_neither_layers_nor_their_size() -> None:
+    """Who gives a prototype and a scale is told of the prototype, which the brace cannot have."""
+    prototype = "    brb:\n      prototype: {layers: 2, layer_area: 100 cm^2, layer_thickness: 10 mm}\n"
+    with pytest.raises(InputError, match=r"laws\.brb\.prototype: a buckling-restrained brace has no layers; leave this"):
+        make_frame(changed(("    brb:\n", prototype)), dampers=True)
+    with pytest.raises(InputError, match=r"devices\[0\]\.layers: .*brace without layers; `scale` is its size"):
+        changed((RISING, RISING.replace("scale: [1.7, 1.4, 0.8]", "layers: 2")))
 
 
 @pytest.fixture(scope="module")
