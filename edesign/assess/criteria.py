@@ -80,8 +80,11 @@ class Verdict:
     def ratio(self) -> float | None:
         """Demand over capacity, met up to 1: value over limit, of a limit from below the inverse; None without.
 
-        It is infinite where failed histories decide, whatever the value of the others, and of a limit of zero.
+        It is infinite where failed histories decide, whatever the value of the others, and of a limit of zero. A share
+        of 0 has none: how far histories are beyond a limit does not show in how many are.
         """
+        if self.statistic == "share" and not self.value:
+            return None
         demand, capacity = (self.limit, self.value) if self.from_below else (self.value, self.limit)
         found = None if demand is None or not capacity else demand / capacity
         return math.inf if self.met is False and (found is None or found <= 1.0) else found

@@ -176,6 +176,8 @@ def test_a_share_of_the_motions() -> None:
     (found,) = verdicts(text % "60 %", failed)
     assert (found.met, found.value, found.missing) == (False, 0.5, ("damped.DBE.x",))
     to_come = five | {"damped.DBE.y": history("damped", "DBE", status="not run")}
+    (none_met,) = verdicts("criteria: [{name: one, measure: interstorey_drift, most: 0.001 %, share: 50 %}]", five)
+    assert (none_met.met, none_met.value, none_met.ratio) == (False, 0.0, None)
     for share, met in (("50 %", True), ("60 %", None), ("70 %", False)):  # 3 or 4 of 6
         (found,) = verdicts(text % share, to_come)
         assert (found.met, found.answer) == (met, {True: "met", None: "open", False: "not met"}[met])
