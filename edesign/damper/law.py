@@ -64,6 +64,7 @@ class Law:
         equation: in plain text.
         source: thesis equation and paper.
         rate_dependent: whether the force depends on the speed of the deformation.
+        speed: parameters without which, all being zero, a force that may depend on the speed does not; (): it does.
         kind: what messages call it.
     """
 
@@ -76,6 +77,7 @@ class Law:
     rate_dependent: bool
     branch: tuple[Parameter, ...] = ()
     most_branches: int = 16
+    speed: tuple[str, ...] = ()
 
     def with_branches(self, count: int) -> tuple[Parameter, ...]:
         """All parameters in the order of the core, with those of `count` branches."""
@@ -92,6 +94,10 @@ class Law:
         while self.branch and count < self.most_branches and f"{self.branch[0].name}{count + 1}" in values:
             count += 1
         return self.with_branches(max(count, 1) if self.branch else 0)
+
+    def depends_on_speed(self, values: Mapping[str, float]) -> bool:
+        """Whether the force depends on the speed of the deformation with these parameters, by name."""
+        return self.rate_dependent and (not self.speed or any(values[name] != 0.0 for name in self.speed))
 
     def complete(self, values: Mapping[str, float]) -> dict[str, float]:
         """Check values and add defaults.

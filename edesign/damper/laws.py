@@ -40,6 +40,7 @@ _ALL = (
         "F = k u + c v",
         "thesis Eq. 2.49",
         True,
+        speed=("c",),
     ),
     Law(
         "zener",
@@ -214,6 +215,7 @@ _ALL = (
         "F = W/R u + Q, |Q| <= mu W, mu = f_fast - (f_fast - f_slow) exp(-a |v|)",
         "Zayas, Low & Mahin (1990); Constantinou, Mokha & Reinhorn (1990)",
         True,
+        speed=("a",),
     ),
     Law(
         "self_centring",
@@ -293,6 +295,7 @@ _ALL = (
         "F = k x (1 + d x') side, x = side u - gap, where both factors are above zero",
         "Hunt & Crossley (1975)",
         True,
+        speed=("d",),
     ),
     Law(
         "ramberg_osgood",
@@ -330,6 +333,7 @@ _ALL = (
         "F = k (alpha u + (1 - alpha) Y z) + C |v|^alpha_d sgn v, k = k1 exp(-u_max/u_ref) + k2",
         "thesis Eqs. 2.69-2.71; Karavasilis, Blakeborough & Williams (2011)",
         True,
+        speed=("C",),
     ),
     Law(
         "asymptote",
@@ -346,6 +350,7 @@ _ALL = (
         "F = Fa - e0 (1 + kappa (n - 1) (Fa - Fa0) / e0)^(-1/(n-1)) + c v",
         "thesis Eqs. 2.65-2.66; Sause et al. (2009), Lee et al. (2009)",
         True,
+        speed=("c",),
     ),
     Law(
         "linearised",
@@ -358,6 +363,7 @@ _ALL = (
         "F = k_eff u + 2 zeta_eff k_eff / omega v",
         "thesis Eqs. 2.63-2.64; FEMA 356, 9.3.3.1",
         True,
+        speed=("zeta_eff",),
     ),
     Law(
         "mgmm",

@@ -11,6 +11,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.devices import Attached, Device, DeviceLaw
 from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
+from edesign.damper.laws import law
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription, TunedMass
@@ -41,6 +42,19 @@ def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
     """Return whether one of some laws of a project is of a buckling-restrained brace; errors as `device_laws`."""
     laws = device_laws(project)
     return any(laws[name].restrained is not None for name in names)
+
+
+VISCOUS_EFFECTS = ("relaxation_branch", "velocity_exponent")
+"""Effects that add a force of their own which goes with the speed; others change or add what is there at rest."""
+
+
+def goes_with_speed(device: Device) -> bool:
+    """Return whether a damper is velocity-dependent (FEMA 356, 9.3.3): a slow push does not show all of its work."""
+    chosen = law(device.values.law)
+    values = dict(zip((p.name for p in chosen.parameters), device.values.values, strict=False))
+    return chosen.depends_on_speed(values) or any(
+        effect.kind.partition(".")[0] in VISCOUS_EFFECTS for effect in device.values.amendments
+    )
 
 
 def law_warnings(project: Project) -> list[str]:

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.codes.ec8.target_displacement import RANGE
+from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.analyses import TargetAnalysis
+from edesign.project.analysis.damping import first_ratio
 from edesign.project.analysis.pushover import METHODS
 from edesign.project.project import Project
 from edesign.study.capacity import Capacity, Target, capacity, level_spectrum
+from edesign.study.dampers import goes_with_speed
 from edesign.study.push import Progress, Stop, push
 from edesign.study.recording import coordinate
 from edesign.study.warnings import AnalysisWarning, store_warnings
@@ -67,10 +72,37 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
             "does not permit the nonlinear static procedure; histories are needed"
         )
         warnings.append(AnalysisWarning("target_strength", text, target.mu[0] / target.mu[1]))
-    if found.push.frame.devices and spec.damping is None:
-        text = "the spectrum does not have the damping of the dampers; `damping` states that of frame and dampers"
-        warnings.append(AnalysisWarning("target_damping", text, 1.0))
-    return warnings
+    return [*warnings, *_damping_warnings(project, spec, found, target)]
+
+
+def _damping_warnings(
+    project: Project, spec: TargetAnalysis, found: Capacity, target: Target
+) -> list[AnalysisWarning]:
+    """The damping of velocity-dependent dampers is for the spectrum, the work of others is in the capacity curve.
+
+    Source: FEMA 356, 9.3.5.1.
+    """
+    devices = found.push.frame.devices
+    fast = [device for device in devices if goes_with_speed(device)]
+    if fast and spec.damping is None:
+        of = "" if len(fast) == len(devices) else f", {len(fast)} of {len(devices)}"
+        text = (
+            f"the spectrum does not have the damping of the velocity-dependent dampers{of}; `damping` states that of "
+            "frame and such dampers"
+        )
+        return [AnalysisWarning("target_damping", text, 1.0)]
+    if not devices or fast or spec.damping is None:
+        return []
+    inherent = max(elastic_spectrum(checked_hazard(project), spec.level).damping, first_ratio(project.damping))
+    if spec.damping <= inherent * (1.0 + ROUNDING):
+        return []
+    without = replace(found, spec=spec.model_copy(update={"damping": None})).target(spec.method, spec.level).d_t
+    text = (
+        f"`damping` of {100.0 * spec.damping:g} % is more than the inherent {100.0 * inherent:g} %, and no damper is "
+        "velocity-dependent: the capacity curve has the work of all, which FEMA 356, 9.3.5.1, counts nowhere else "
+        f"({1e3 * target.d_t:.4g} mm in place of {1e3 * without:.4g} mm without `damping`)"
+    )
+    return [AnalysisWarning("target_damping_twice", text, spec.damping / inherent)]
 
 
 def _store(group: Group, spec: TargetAnalysis, found: Capacity, target: Target) -> None:

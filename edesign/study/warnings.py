@@ -28,6 +28,7 @@ Kind = Literal[
     "target_range",
     "target_strength",
     "target_damping",
+    "target_damping_twice",
     "feet_apart",
 ]
 
@@ -40,13 +41,14 @@ ALIKE: Mapping[Kind, str] = {
     "brace_buckling": "braces carry more compression than their buckling resistance",
     "brace_fracture": "fibres of braces have broken",
     "column_buckling": "columns carry more compression than their buckling resistance",
-    "isolator_foot_moments": "isolators may be pulled by moments of feet that go into the ground",
+    "isolator_foot_moments": "axial forces of isolators leave out moments of feet that go into the ground",
     "isolator_tension": "isolators that are held down are pulled",
     "isolator_uplift": "friction pendulums lose contact",
     "isolator_weight": "friction pendulums slide as under the weight of gravity alone",
     "target_range": "capacity curves end before 150 % of the target displacement",
     "target_strength": "the frame is too weak for the nonlinear static procedure of ASCE/SEI 41",
     "target_damping": "target displacements do not count the damping of the dampers",
+    "target_damping_twice": "target displacements count the work of dampers twice",
     "feet_apart": "feet stay apart after the wave has passed",
 }
 """What analyses with a warning of one kind have in common."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +18,7 @@ from edesign.project.analysis.pushover import GivenPattern
 from edesign.study.analyses import run_analysis
 from edesign.study.lateral_patterns import lateral_loads
 from edesign.study.plan import make_plan
+from edesign.study.warnings import warnings_of
 
 CASES = Path(__file__).parents[2] / "cases"
 HAZARD = """\
@@ -242,3 +244,42 @@ def test_the_near_fault_factor_of_a_table(last: str, factor: float) -> None:
     found = results(project(f"{head}{table}analyses:{rest.partition('analyses:')[2]}"))["push.asce41.MCE"]
     assert found.variables["asce41_lambda"].values == factor
     assert math.isnan(found.variables["asce41_alpha_e"].values)  # an elastoplastic portal has no descent
+
+
+DEVICES = {
+    "metal": "{type: elastic_plastic, parameters: {k: 2 kN/mm, Fy: 10 kN, b: 1 %}}",
+    "stop": "{type: gap, parameters: {k: 1 kN/mm, gap: 30 mm}}",
+    "rubber": "{type: kelvin_voigt, parameters: {k: 1 kN/mm, c: 100 kN*s/m}}",
+}
+
+
+@pytest.mark.parametrize(
+    ("laws", "damping", "said"),
+    [
+        ("metal", "", ""),
+        ("metal stop", "", ""),  # contact without loss goes with the deformation alone
+        ("metal", ", damping: 3 %", ""),
+        ("metal stop", ", damping: 20 %", "`damping` of 20 % is more than the inherent 5 %"),
+        ("rubber", "", "the spectrum does not have the damping of the velocity-dependent dampers; `damping`"),
+        ("metal rubber", "", "the velocity-dependent dampers, 1 of 2; `damping`"),
+        ("metal rubber", ", damping: 20 %", ""),
+    ],
+)
+def test_work_of_dampers_counts_once(laws: str, damping: str, said: str) -> None:
+    """FEMA 356, 9.3.5.1: of displacement-dependent dampers in the capacity curve, of others in the spectrum."""
+    push = f"{{name: push, kind: pushover, pattern: uniform, targets: n2, levels: DBE{damping}}}"
+    text = PORTAL.partition("analyses:")[0].replace("mass: 1 t", "mass: 10 t")
+    dampers = "dampers:\n  laws:\n" + "".join(f"    {name}: {DEVICES[name]}\n" for name in laws.split())
+    dampers += "  devices:\n" + "".join(
+        f"    - {{kind: storey, bays: 1, storeys: 1, law: {name}}}\n" for name in laws.split()
+    )
+    group = results(project(f"{text}{HAZARD.replace('@a@', '0.3 g')}{dampers}analyses:\n  - {push}\n"))["push.n2.DBE"]
+    told = [warning for warning in warnings_of(group) if warning.kind.startswith("target_damping")]
+    assert len(told) == (said != "")
+    assert not told or said in told[0].text
+    if "20 %" in said:  # sqrt(10 / 25) of the elastic displacement, and the frame of this period moves as far
+        first, second = map(float, re.findall(r"([\d.]+) mm", told[0].text))
+        assert first == pytest.approx(1e3 * float(group.variables["n2_d_t"].values), rel=1e-3)
+        alone = results(project(f"{text}{HAZARD.replace('@a@', '0.3 g')}{dampers}analyses:\n  - {push.replace(damping, '')}\n"))
+        assert second == pytest.approx(1e3 * float(alone["push.n2.DBE"].variables["n2_d_t"].values), rel=1e-3)
+        assert first < second
