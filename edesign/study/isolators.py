@@ -35,7 +35,7 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
     pressed = float(np.abs(least).max())
     return [
         *_held_down(project.frame, isolation, isolated, most_of, pressed),
-        *_moments_in_the_ground(project.frame, isolation, group, most_of),
+        *_moments_in_the_ground(project.frame, isolation, group, isolated, most_of, pressed),
         *_weights(group, isolated, most_of, pressed),
     ]
 
@@ -63,33 +63,51 @@ def _held_down(
 
 
 def _moments_in_the_ground(
-    frame: Frame, isolation: Isolation, group: Group, most_of: dict[str, float]
+    frame: Frame, isolation: Isolation, group: Group, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float
 ) -> list[AnalysisWarning]:
-    """Isolators that are pressed, and could be pulled if the base brought the moments of the feet to them.
-
-    Moments of the feet that are held by `rotation` go into the ground. Beams would carry them as shear to the
-    isolators: no span has more of it than the sum of all moments over its length.
-    """
+    """What the axial forces of isolators leave out, where the moments of the feet go into the ground by `rotation`."""
     if isolation.base.beams is not None or isolation.base.rotation == "free":
         return []
-    extremes = [np.asarray(group.variables[f"member_bending_moment_{which}"].values) for which in ("max", "min")]
+    most, least = (np.asarray(group.variables[f"member_bending_moment_{which}"].values)[:, 0] for which in ("max", "min"))
     members = [str(name) for name in group.coords["member"].values]
-    feet = [line for line in frame.lines if names.column_name(line, 1) in members]
-    if len(feet) < 2:
+    columns = {line: names.column_name(line, 1) for line in frame.lines}
+    rows = {line: members.index(column) for line, column in columns.items() if column in members}
+    if len(rows) < 2:
         return []
-    total = sum(max(float(abs(one[members.index(names.column_name(line, 1))][0])) for one in extremes) for line in feet)
-    places = [x for line, x in zip(frame.lines, frame.x, strict=True) if line in feet]
-    change = total / float(np.diff(places).min())
-    near = [name for name, force in most_of.items() if -change < force <= 0.0]
-    if not near:
+    moments = np.array([0.5 * (most[row] - least[row]) for row in rows.values()])  # without what gravity has
+    places = np.array([x for line, x in zip(frame.lines, frame.x, strict=True) if line in rows])
+    forces = dict(zip((names.node_name(line, 0) for line in rows), _couples(moments, places), strict=True))
+    change = {isolator.name: float(forces.get(isolator.foot, 0.0)) for isolator in isolated.isolators}
+    worst = max(change, key=lambda name: change[name])
+    if change[worst] <= _ROUNDING * pressed:
         return []
-    worst = max(near, key=lambda name: most_of[name])
     text = (
-        f"{worst} is pressed by {max(0.0, -most_of[worst]) / 1e3:.4g} kN at least, without the moments of the columns' "
-        f"feet, up to {total / 1e3:.4g} kNm in all, which `rotation` lets into the ground; `base.beams` brings them to "
-        "the isolators, and may show that they are pulled"
+        "the axial forces of the isolators leave out the moments of the columns' feet, which `rotation` lets into the "
+        f"ground: {moments.sum() / 1e3:.4g} kNm in all, about {change[worst] / 1e3:.4g} kN more and less at {worst}"
     )
-    return [AnalysisWarning("isolator_foot_moments", text, 1.0)]
+    near = [name for name, force in most_of.items() if -change[name] < force <= 0.0]
+    if near:
+        first = max(near, key=lambda name: most_of[name] + change[name])
+        text += f"; they may pull at {first}, which is pressed by {max(0.0, -most_of[first]) / 1e3:.4g} kN at least"
+    text += "; `base.beams` brings them to the isolators"
+    return [AnalysisWarning("isolator_foot_moments", text, change[worst] / pressed)]
+
+
+def _couples(moments: np.ndarray, places: np.ndarray) -> np.ndarray:
+    """What moments of one sense at the supports of a beam change the reactions by, (n,) N.
+
+    Each goes into the spans beside it in proportion to their stiffness, 1/L of one section, and a span balances what
+    it has by the shear of its ends. For two supports that is the couple of equilibrium.
+
+    Args:
+        moments: (n,) N m.
+        places: (n,) of the supports, ascending, m.
+    """
+    stiffness = 1.0 / np.diff(places)
+    beside = np.concatenate(([0.0], stiffness, [0.0]))
+    share = moments / (beside[:-1] + beside[1:])  # per stiffness of a span
+    shear = np.concatenate(([0.0], (share[:-1] + share[1:]) * stiffness * stiffness, [0.0]))
+    return np.abs(np.diff(shear))
 
 
 def _weights(group: Group, isolated: IsolatedFeet, most_of: dict[str, float], pressed: float) -> list[AnalysisWarning]:
