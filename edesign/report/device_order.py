@@ -40,20 +40,25 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
     found = [demand for demand in demands if demand is not None]
     values = _VALUES[_kind(group)]
     spread = [f"{which} {header}" for header, _, _ in values for which in ("mean", "max")]
-    headers, sizes = _sizes(group)
+    headers, nominal = _sizes(group)
+    bounded = [_sizes(group, factors[demand.variant])[1] for demand in found]
     table.columns = ["", "storey", "number", *headers, *spread]
     for i, storey in enumerate(group.coords["storey"].values):
-        sized = [str(storey), str(int(group.variables["device_count"].values[i])), *sizes[i]]
+        counted = [str(storey), str(int(group.variables["device_count"].values[i]))]
         if "estimated_device_force" in group.variables:
-            table.rows.append(["estimate", *sized, *_estimated(group, i, values)])
-        for demand in found:
+            table.rows.append(["estimate", *counted, *nominal[i], *_estimated(group, i, values)])
+        for demand, sizes in zip(found, bounded, strict=True):
             cells = [number(float(of), scale=unit) for _, name, unit in values for of in demand.values[name][:, i]]
-            table.rows.append([f"{demand.variant}, {demand.level}".rstrip(", "), *sized, *cells])
+            table.rows.append([f"{demand.variant}, {demand.level}".rstrip(", "), *counted, *sizes[i], *cells])
     if table.rows:
         table.notes += _notes(group, found)
+        if any(factors[demand.variant] != 1.0 for demand in found):
+            own = "T_adj and C_adj have" if _kind(group) == "buckling_restrained" else "forces alone have"
+            table.notes.append(f"{own} the bound of a variant; what is ordered is without")
     return table
 
 
+_STRENGTHS = ("adjusted_tension", "adjusted_compression")  # go with the bound of a variant; sizes to order do not
 _SIZES = {  # header, name, unit shown in SI
     "hysteretic": (("F_y [kN]", "yield_force", 1e3), ("k [kN/mm]", "stiffness", 1e6)),
     "buckling_restrained": (
@@ -68,11 +73,15 @@ def _kind(group: Group) -> str:
     return "buckling_restrained" if "device_core_area" in group.variables else str(group.attributes["method"])
 
 
-def _sizes(group: Group) -> tuple[list[str], list[list[str]]]:
-    """Headers and cells of each storey of what one damper is."""
+def _sizes(group: Group, property_factor: float = 1.0) -> tuple[list[str], list[list[str]]]:
+    """Headers and cells of each storey of what one damper is, its strengths with the property factor of a variant."""
     if (sizes := _SIZES.get(_kind(group))) is not None:
         columns = [
-            [number(float(of), scale=unit) for of in group.variables[f"device_{key}"].values] for _, key, unit in sizes
+            [
+                number(float(of) * (property_factor if key in _STRENGTHS else 1.0), scale=unit)
+                for of in group.variables[f"device_{key}"].values
+            ]
+            for _, key, unit in sizes
         ]
         return [header for header, _, _ in sizes], [list(row) for row in zip(*columns, strict=True)]
     coefficient = group.variables["device_coefficient"]

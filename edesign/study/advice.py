@@ -77,7 +77,9 @@ def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
     Args:
         laws: of the dampers that stand in the frame, or will by a design.
     """
-    if not with_restrained_braces(project, laws) or not isinstance(project.damping, (RayleighDamping, StiffnessDamping)):
+    if not with_restrained_braces(project, laws) or not isinstance(
+        project.damping, (RayleighDamping, StiffnessDamping)
+    ):
         return []
     return [
         f"damping: the stiffness that `{project.damping.kind}` is proportional to is that of the members, without "
@@ -96,7 +98,9 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
         period = fundamental_period(project)
     except AnalysisError:
         period = None  # the analyses will say why
-    found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(project, make_frame(project, dampers=True))
+    found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(
+        project, make_frame(project, dampers=True)
+    )
     found += _damping_warnings(project, laws)
     staying = [
         name

@@ -68,7 +68,9 @@ def _moments_in_the_ground(
     """What the axial forces of isolators leave out, where the moments of the feet go into the ground by `rotation`."""
     if isolation.base.beams is not None or isolation.base.rotation == "free":
         return []
-    most, least = (np.asarray(group.variables[f"member_bending_moment_{which}"].values)[:, 0] for which in ("max", "min"))
+    most, least = (
+        np.asarray(group.variables[f"member_bending_moment_{which}"].values)[:, 0] for which in ("max", "min")
+    )
     members = [str(name) for name in group.coords["member"].values]
     columns = {line: names.column_name(line, 1) for line in frame.lines}
     rows = {line: members.index(column) for line, column in columns.items() if column in members}

@@ -75,9 +75,7 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
     return [*warnings, *_damping_warnings(project, spec, found, target)]
 
 
-def _damping_warnings(
-    project: Project, spec: TargetAnalysis, found: Capacity, target: Target
-) -> list[AnalysisWarning]:
+def _damping_warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: Target) -> list[AnalysisWarning]:
     """The damping of velocity-dependent dampers is for the spectrum, the work of others is in the capacity curve.
 
     Source: FEMA 356, 9.3.5.1.

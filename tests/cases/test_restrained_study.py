@@ -80,6 +80,21 @@ def test_devices_to_order(archive: Path) -> None:
     assert estimate == printed(100.0 * design.variables["estimated_device_core_strain"].values, rel=1e-3)
 
 
+@pytest.mark.parametrize(("bound", "factor"), [("lower", 0.9), ("upper", 1.2)])
+def test_strengths_of_a_bound(archive: Path, bound: str, factor: float) -> None:
+    """All forces have the factor of a bound, the adjusted strengths too; the core that is ordered stays."""
+    design, history = read(archive, "designs/diagonals", f"analyses/diagonals_{bound}.DBE.motion")
+    table = orders(archive)[0]
+    rows = [row for row in table.rows if row[0] == f"diagonals_{bound}, DBE"]
+    printed = {header: np.array([float(row[i]) for row in rows]) for i, header in enumerate(table.columns) if i > 0}
+    assert printed["A_sc [mm2]"] == pytest.approx(1e6 * design.variables["device_core_area"].values, rel=1e-3)
+    for column, side in (("T_adj [kN]", "tension"), ("C_adj [kN]", "compression")):
+        of_model = history.variables[f"damper_adjusted_{side}"].values
+        assert printed[column] == pytest.approx(1e-3 * of_model, rel=1e-3)  # four digits
+        assert of_model == pytest.approx(factor * design.variables[f"device_adjusted_{side}"].values, rel=1e-9)
+    assert "T_adj and C_adj have the bound of a variant; what is ordered is without" in table.notes
+
+
 def test_report(archive: Path) -> None:
     text = page_text(archive)
     assert "Devices to order" in text and "AISC 341-16, F4.2a" in text

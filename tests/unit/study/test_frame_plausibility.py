@@ -137,5 +137,9 @@ analyses:
     period = fundamental_period(isolated)
     assert period is not None and period > 2.0 * math.sqrt(0.3 * 3.0 / 1.5)  # which would be refused of a frame
     assert not any(" T1 " in f" {line}" for line in frame_warnings(isolated, {}))
-    heavy = low.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 300.0, Q: 90.0}").replace("analyses:\n", isolators)
-    assert any("s without its isolators is implausible for a frame 3 m high" in w for w in frame_warnings(project(heavy), {}))
+    heavy = low.replace("from_loads: {G: 1.0, Q: 0.3}", "from_loads: {G: 300.0, Q: 90.0}").replace(
+        "analyses:\n", isolators
+    )
+    assert any(
+        "s without its isolators is implausible for a frame 3 m high" in w for w in frame_warnings(project(heavy), {})
+    )

@@ -280,6 +280,8 @@ def test_work_of_dampers_counts_once(laws: str, damping: str, said: str) -> None
     if "20 %" in said:  # sqrt(10 / 25) of the elastic displacement, and the frame of this period moves as far
         first, second = map(float, re.findall(r"([\d.]+) mm", told[0].text))
         assert first == pytest.approx(1e3 * float(group.variables["n2_d_t"].values), rel=1e-3)
-        alone = results(project(f"{text}{HAZARD.replace('@a@', '0.3 g')}{dampers}analyses:\n  - {push.replace(damping, '')}\n"))
+        alone = results(
+            project(f"{text}{HAZARD.replace('@a@', '0.3 g')}{dampers}analyses:\n  - {push.replace(damping, '')}\n")
+        )
         assert second == pytest.approx(1e3 * float(alone["push.n2.DBE"].variables["n2_d_t"].values), rel=1e-3)
         assert first < second
