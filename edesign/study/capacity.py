@@ -22,9 +22,11 @@ from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import METHODS, Method
 from edesign.project.project import Project
+from edesign.study.damper_stiffness import small_amplitude
+from edesign.study.dampers import goes_with_speed
 from edesign.study.lateral_patterns import by_floor, floor_masses, lateral_loads
 from edesign.study.push import Progress, Push, Stop, push
-from edesign.study.structure import frame_alone, make_frame
+from edesign.study.structure import device_stiffness, elastic_frame, make_frame
 
 PASSES = 8
 """Pushes until one reaches far enough; each goes as far as the last one asked, which two or three do."""
@@ -65,11 +67,20 @@ class Basis:
 
     @cached_property
     def first_mode(self) -> tuple[float, float]:
-        """Period under gravity, s, and participation factor of the control node, of the frame with no dampers but its
-        buckling-restrained braces."""
-        structure = frame_alone(self._project, self._dampers)
+        """Period under gravity, s, and participation factor of the control node, of the frame with the stiffness that
+        displacement-dependent dampers have before they yield.
+
+        Their stiffness is in K_i, to which the period belongs (FEMA 356, 9.3.5.1).
+        """
+        structure = elastic_frame(self._project, self._dampers)
         structure.apply_gravity()
-        modes = structure.modes(1)
+        stiffness = structure.frame.brace_stiffness
+        for device in structure.frame.devices:
+            if device.restrained is None and not goes_with_speed(device):
+                if stiffness is None:
+                    stiffness = np.zeros(len(structure.frame.model.damper_names))
+                stiffness[device.number] = device_stiffness(device, small_amplitude(device), 1.0).real  # at any speed
+        modes = structure.modes(1, stiffness)
         node = structure.frame.nodes[structure.frame.leading_nodes[-1]]
         return float(modes.period[0]), float(modes.participation_x[0] * modes.shapes[0, node, 0])
 
@@ -279,7 +290,7 @@ def _coefficients(
 ) -> tuple[tuple[str, float, str, str], ...]:
     lines = found.idealisation
     return (
-        ("T_i", period, "s", "elastic fundamental period under gravity, without dampers"),
+        ("T_i", period, "s", "elastic fundamental period under gravity, without velocity-dependent dampers"),
         ("K_i", lines.K_i, "N/m", "initial stiffness of the capacity curve"),
         ("K_e", lines.K_e, "N/m", "effective stiffness: the secant at 60 % of the yield strength"),
         ("T_e", found.T_e, "s", "effective fundamental period"),

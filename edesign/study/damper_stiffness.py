@@ -55,7 +55,7 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
     given = [_amplitude(project, spec, device) for device in devices]
     unknown = [device for device, amplitude in zip(devices, given, strict=True) if amplitude is None]
     left_out = tuple(device for device in unknown if _sprung(device) and locks_when_small(device.values))
-    amplitude = np.array([_small(d) if a is None else a for d, a in zip(devices, given, strict=True)])
+    amplitude = np.array([small_amplitude(d) if a is None else a for d, a in zip(devices, given, strict=True)])
     counted = np.array([device not in left_out for device in devices])
     stiffness = np.zeros(len(devices), dtype=complex)
     taking_part = [device for device in devices if device not in left_out]
@@ -118,7 +118,7 @@ def _sprung(device: Device) -> bool:
     return device.brace > 0.0 or device.values.law == "maxwell_power"
 
 
-def _small(device: Device) -> float:
+def small_amplitude(device: Device) -> float:
     return _SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else _SMALL_DEFORMATION
 
 

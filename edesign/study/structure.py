@@ -129,6 +129,11 @@ def frame_alone(project: Project, dampers: bool = True, base_held: bool = False)
     return make_structure(project, build_frame(project, laws=kept if base_held else kept or None, weights=weights))
 
 
+def elastic_frame(project: Project, dampers: bool = True) -> Structure:
+    """Build the frame and all dampers, without tuned masses; arguments and errors as `frame_alone`."""
+    return make_structure(project, build_frame(project, laws=device_laws(project) if dampers else None))
+
+
 def tolerance(project: Project) -> float:
     """The dimensionless tolerance of equilibrium."""
     return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE

@@ -95,10 +95,12 @@ def _damping_warnings(project: Project, spec: TargetAnalysis, found: Capacity, t
     if spec.damping <= inherent * (1.0 + ROUNDING):
         return []
     without = replace(found, spec=spec.model_copy(update={"damping": None})).target(spec.method, spec.level).d_t
+    # a curve that was pushed for the smaller target may end before the other
+    place = f"{1e3 * without:.4g} mm without `damping`" if without <= found.curve.end else "more without `damping`"
     text = (
         f"`damping` of {100.0 * spec.damping:g} % is more than the inherent {100.0 * inherent:g} %, and no damper is "
         "velocity-dependent: the capacity curve has the work of all, which FEMA 356, 9.3.5.1, counts nowhere else "
-        f"({1e3 * target.d_t:.4g} mm in place of {1e3 * without:.4g} mm without `damping`)"
+        f"({1e3 * target.d_t:.4g} mm in place of {place})"
     )
     return [AnalysisWarning("target_damping_twice", text, spec.damping / inherent)]
 
