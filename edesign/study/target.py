@@ -8,6 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.codes.ec8.target_displacement import RANGE
+from edesign.codes.fema356.target_displacement import unlimited_inelastic_factor
+from edesign.codes.spectrum import characteristic_period
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.analyses import TargetAnalysis
 from edesign.project.analysis.damping import first_ratio
@@ -72,6 +74,16 @@ def _warnings(project: Project, spec: TargetAnalysis, found: Capacity, target: T
             "does not permit the nonlinear static procedure; histories are needed"
         )
         warnings.append(AnalysisWarning("target_strength", text, target.mu[0] / target.mu[1]))
+    if spec.method == "fema356":
+        given = {name: value for name, value, _, _ in target.values}
+        corner = characteristic_period(level_spectrum(project, spec, spec.level))
+        free = unlimited_inelastic_factor(given["R"], given["T_e"], corner) if corner is not None else 1.0
+        if free > given["C_1"] * (1.0 + ROUNDING):
+            text = (
+                f"C_1 is {given['C_1']:.3g} by the limit of FEMA 356, 3.3.1.3.1, for short periods, and {free:.3g} "
+                "without it; FEMA 440 advises against the limit, with which displacements come out too small"
+            )
+            warnings.append(AnalysisWarning("target_limit", text, free / given["C_1"]))
     return [*warnings, *_damping_warnings(project, spec, found, target)]
 
 

@@ -154,6 +154,8 @@ def test_factors_by_hand() -> None:
     assert fema356.inelastic_factor(4.0, 0.7, 0.6) == 1.0
     assert fema356.inelastic_factor(2.0, 0.5, 0.6) == pytest.approx(min(1.1, 1 + 0.5 * 0.1 / 0.5))
     assert fema356.inelastic_factor(9.0, 0.05, 0.6) == pytest.approx(1.5)
+    assert fema356.unlimited_inelastic_factor(9.0, 0.05, 0.6) == pytest.approx((1 + 8 * 12) / 9)
+    assert fema356.unlimited_inelastic_factor(0.9, 0.05, 0.6) == 1.0
     assert fema356.second_order_factor(5.0, 2.0, -0.05) == pytest.approx(1 + 0.05 * 8 / 2)
     assert fema356.second_order_factor(5.0, 2.0, 0.05) == 1.0
     assert [fema356.effective_mass_factor(n, T) for n, T in ((2, 0.5), (3, 0.5), (10, 1.1))] == [1.0, 0.9, 1.0]

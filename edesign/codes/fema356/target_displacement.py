@@ -69,7 +69,15 @@ def inelastic_factor(R: float, T_e: float, T_S: float) -> float:
         return 1.0
     share = min(max((T_S - T_e) / (T_S - SHORTEST), 0.0), 1.0) if T_S > SHORTEST else 1.0
     most = 1.0 + (LARGEST_C_1 - 1.0) * share
-    return min((1.0 + (R - 1.0) * T_S / T_e) / R, most)
+    return min(unlimited_inelastic_factor(R, T_e, T_S), most)
+
+
+def unlimited_inelastic_factor(R: float, T_e: float, T_S: float) -> float:
+    """Return C_1 of Eq. 3-15 without the limit of 3.3.1.3.1, from 1; arguments as `inelastic_factor`.
+
+    Source: FEMA 440, chapter 5, which advises against the limit.
+    """
+    return 1.0 if T_e >= T_S or R <= 1.0 else (1.0 + (R - 1.0) * T_S / T_e) / R
 
 
 def second_order_factor(R: float, T_e: float, alpha: float) -> float:

@@ -308,3 +308,18 @@ def test_the_period_has_the_stiffness_of_the_curve(method: str) -> None:
     assert found[f"{method}_T_i"] == pytest.approx(period, rel=1e-5)
     assert found[f"{method}_K_i"] == pytest.approx(K + k, rel=1e-5)
     assert found[f"{method}_d_t"] == pytest.approx(found[f"{method}_S_a"] * (period / (2.0 * math.pi)) ** 2, rel=1e-5)
+
+
+@pytest.mark.parametrize(("acceleration", "told"), [("1 g", True), ("0.02 g", False)])
+def test_a_limit_of_C_1_is_told(acceleration: str, told: bool) -> None:
+    """FEMA 440 advises against it: C_1 = (1 + (R - 1) T_S / T_e) / R of a short period; of an elastic frame 1."""
+    made = portal(acceleration, "{name: push, kind: pushover, pattern: uniform, targets: fema356, levels: DBE}")
+    group = results(made)["push.fema356.DBE"]
+    warnings = [warning.text for warning in warnings_of(group) if warning.kind == "target_limit"]
+    assert len(warnings) == told
+    if told:
+        R, T_e, C_1 = (float(group.variables[f"fema356_{name}"].values) for name in ("R", "T_e", "C_1"))
+        free = (1.0 + (R - 1.0) * 0.6 / T_e) / R
+        assert (
+            free > C_1 and f"C_1 is {C_1:.3g} by the limit" in warnings[0] and f"and {free:.3g} without" in warnings[0]
+        )
