@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
@@ -37,7 +38,7 @@ def damping_correction(damping: float) -> float:
 
 
 @dataclass(frozen=True)
-class ComponentSpectrum:
+class ComponentSpectrum(ABC):
     """Elastic response spectrum of one component of the ground motion, horizontal or vertical.
 
     EN 1998-1 states it up to 4 s. Here its last branch, 1/T2, that is constant displacement, goes on without an end.
@@ -65,9 +66,9 @@ class ComponentSpectrum:
         damping_correction(self.damping)
 
     @property
+    @abstractmethod
     def peak_factor(self) -> float:
         """Peak acceleration of the component over that of the horizontal one on ground A."""
-        raise NotImplementedError
 
     @property
     def eta(self) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Self
@@ -19,7 +20,7 @@ from edesign.codes.quantities import STANDARD_GRAVITY, check_positive
 
 
 @dataclass(frozen=True)
-class _Spectrum:
+class _Spectrum(ABC):
     """What the horizontal and the vertical spectrum have in common.
 
     Attributes:
@@ -64,14 +65,14 @@ class _Spectrum:
         return replace(self, damping=damping)
 
     @property
+    @abstractmethod
     def corners(self) -> Mapping[str, float]:
         """T_B, T_C and T_D, s."""
-        raise NotImplementedError
 
     @property
+    @abstractmethod
     def zero_period(self) -> float:
         """The ordinate at period zero, m/s2."""
-        raise NotImplementedError
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_e(T) (Eq. 3.2.2) or S_ve(T) (Eq. 3.2.8), m/s2, in the shape of `period` (s)."""

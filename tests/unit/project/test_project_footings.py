@@ -27,12 +27,12 @@ FOOTINGS = {
         "{soil: clay, length: 2 m, width: 2 m, embedment: 1 m, wall_contact: «1.5 m}",
         "wall_contact",
         "less than 1.5 m",
-    ),  # fmt: skip # noqa: E501
+    ),
     "bearing without uplift": (
         "{soil: clay, length: 2 m, width: 2 m, «bearing_resistance: 300 kPa}",
         "bearing_resistance",
         "`uplift: true`",
-    ),  # fmt: skip # noqa: E501
+    ),
     "density of nothing": ("{soil: clay, length: 2 m, width: 2 m, «density: 2.4 t/m^3}", "density", "has no mass"),
     "sides below zero": ("{soil: clay, length: «-2 m, width: 2 m}", "length", "greater than zero"),
 }
@@ -42,23 +42,23 @@ SOILS = {
         "«{density: 1900 kg/m^3, poisson: 0.4, damping: 3 %, shear_modulus: 60 MPa, shear_wave_velocity: 200 m/s}",
         "",
         "one of them",
-    ),  # fmt: skip # noqa: E501
+    ),
     "no damping": ("«{density: 1900 kg/m^3, poisson: 0.4, shear_modulus: 60 MPa}", "", "`damping` is missing"),
     "poisson": (
         "{density: 1900 kg/m^3, poisson: «0.6, shear_modulus: 60 MPa, damping: 3 %}",
         "poisson",
         "at most 0.5",
-    ),  # fmt: skip # noqa: E501
+    ),
     "code": (
         "{density: 1900 kg/m^3, poisson: 0.4, shear_modulus: 60 MPa, strain: {code: «ec8}}",
         "strain.code",
         "`en1998_5`",
-    ),  # fmt: skip # noqa: E501
+    ),
     "critical": (
         "{density: 1900 kg/m^3, poisson: 0.4, shear_modulus: 60 MPa, damping: «100 %}",
         "damping",
         "less than 1",
-    ),  # fmt: skip # noqa: E501
+    ),
 }
 
 
