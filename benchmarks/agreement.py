@@ -1,4 +1,4 @@
-"""How far edesign and OpenSeesPy differ on the thesis frame; prints the tables of docs/verification.md.
+"""How far edesign and OpenSeesPy differ on the thesis frame; prints the tables of docs/verification/overview.md.
 
 Usage: python -m benchmarks.agreement
 """

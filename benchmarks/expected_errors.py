@@ -1,6 +1,6 @@
 """Expected response errors of `edesign rts check` beside those of `edesign rts run`: laws that are far from linear.
 
-Run by `python -m benchmarks.expected_errors`; it prints the table of docs/rts.md. The storey is that of thesis 6.2.5.
+Run by `python -m benchmarks.expected_errors`; it prints the table of docs/how_to/rts.md. The storey: thesis 6.2.5.
 """
 
 from __future__ import annotations

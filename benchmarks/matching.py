@@ -167,7 +167,7 @@ def ratios(theirs: list[Run], ours: list[Run]) -> str:
 
 
 def changes(chosen: list[Record], options: MatchOptions) -> None:
-    """Print what a method changes in each record, as the tables of docs/matching.md."""
+    """Print what a method changes in each record, as the tables of docs/how_to/matching.md."""
     matches = [match_record(record, TARGET, options) for record in chosen]
     print(f"| {' | '.join(COLUMNS)} |\n|---|{'---:|' * (len(COLUMNS) - 1)}")
     for m in matches:

@@ -44,13 +44,13 @@ _PLACES = {
     "load_building": "edesign.building.building_file",
     "load_study": "edesign.building.project_file",
     "new_project": "edesign.project.template",
-    "check_project": "edesign.study.check_summary",
+    "check_project": "edesign.study.check.summary",
     "check_building": "edesign.space.check",
-    "check_study": "edesign.study.check_summary",
+    "check_study": "edesign.study.check.summary",
     "open_archive": "edesign.archive.reader",
     "run_building": "edesign.study.building",
-    "run_project": "edesign.study.run",
-    "run_study": "edesign.study.run",
+    "run_project": "edesign.study.run.run",
+    "run_study": "edesign.study.run.run",
     "summarise": "edesign.report.summary",
 }
 

@@ -1,4 +1,4 @@
-"""Amendments of damper laws by their definitions (docs/laws/effects.md), in numpy on the samples, and examples."""
+"""Amendments of damper laws by their definitions (docs/reference/laws/effects.md), in numpy on samples; examples."""
 
 from __future__ import annotations
 

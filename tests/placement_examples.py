@@ -15,7 +15,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
-from edesign.study.history import run_history
+from edesign.study.analysis.history import run_history
 
 Place = tuple[int, int]
 Equipped = tuple[tuple[Place, int], ...]

@@ -1,8 +1,8 @@
-"""Draw docs/figures/compensators.svg: amplitude and phase that each compensator leaves of a pure delay of 10 ms.
+"""Draw docs/results/figures/compensators.svg: amplitude and phase that each compensator leaves of a delay of 10 ms.
 
     python tools/compensator_figure.py [FILE.svg]
 
-Prints the errors at some frequencies too, as docs/compensators.md quotes them.
+Prints the errors at some frequencies too, as docs/theory/compensators.md quotes them.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ import numpy as np
 from edesign.core.compensator import AdaptiveTimeSeries, Compensator, DifferenceEquation, LiveDelay, Term
 from edesign.core.damper import LawValues
 from edesign.core.substructure import SubstructureLoop
-from edesign.report.figures import new_figure, save, styled
+from edesign.report.drawing.style import new_figure, save, styled
 from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs
 
@@ -135,4 +135,4 @@ def main(path: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/figures/compensators.svg"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/results/figures/compensators.svg"))

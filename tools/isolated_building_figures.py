@@ -1,6 +1,6 @@
-"""Calibrate a campaign of a structure and write the figures of docs/structures.md.
+"""Calibrate a campaign of a structure and write the figures of docs/how_to/structures.md.
 
-    python tools/isolated_building_figures.py FOLDER/building/campaign.yaml docs/figures
+    python tools/isolated_building_figures.py FOLDER/building/campaign.yaml docs/results/figures
 
 The campaign: see campaign_of_isolated_building.py.
 """
@@ -12,7 +12,7 @@ from pathlib import Path
 
 from edesign.calibrate.structure.campaign import load_structure_campaign
 from edesign.calibrate.structure.run import calibrate_structure
-from edesign.report.calibration_figures import calibration_figures
+from edesign.report.calibration.figures import calibration_figures
 
 WANTED = {"peaks": "peaks", "history-ICA50": "history"}
 

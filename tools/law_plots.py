@@ -1,4 +1,4 @@
-"""Draw docs/laws/figures/LAW.svg: steady loops of every damper law at three amplitudes and 1 Hz.
+"""Draw docs/reference/laws/figures/LAW.svg: steady loops of every damper law at three amplitudes and 1 Hz.
 
     python tools/law_plots.py [FOLDER]
 
@@ -17,7 +17,7 @@ import numpy as np
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import write_parameters
-from edesign.report.figures import new_figure, save, styled
+from edesign.report.drawing.style import new_figure, save, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -61,4 +61,4 @@ def main(folder: Path) -> None:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/laws/figures"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/reference/laws/figures"))

@@ -1,9 +1,9 @@
-"""Renew projects/office_6_storeys: the commands of docs/tutorial_building.md in turn, and the results for regression.
+"""Renew projects/office_6_storeys: the commands of docs/tutorials/building.md in turn, and the results for regression.
 
 Usage: renew_office.py [--keep-sections]
 
 With --keep-sections designed.yaml stays as it is, and no sections are searched. What the commands print is to be quoted
-in docs/tutorial_building.md. reference.yaml and reference_study.yaml are written anew from the archives.
+in docs/tutorials/building.md. reference.yaml and reference_study.yaml are written anew from the archives.
 """
 
 from __future__ import annotations

@@ -1,8 +1,8 @@
-"""Write docs/figures/thesis_damper_*: Tables A.1-A.4 of the thesis against its law, as printed and refitted.
+"""Write docs/results/figures/thesis_damper_*: Tables A.1-A.4 of the thesis against its law, as printed and refitted.
 
     python tools/thesis_damper_tables.py [FOLDER]
 
-Takes some seconds. Prints the figures that docs/thesis_damper_tables.md quotes.
+Takes some seconds. Prints the figures that docs/results/thesis_damper_tables.md quotes.
 """
 
 from __future__ import annotations
@@ -28,8 +28,8 @@ from edesign.damper.thesis_tables import (
     residual_csv,
     residuals,
 )
-from edesign.report.figures import save
-from edesign.report.property_figures import property_figure, residual_figure
+from edesign.report.damper.property_figures import property_figure, residual_figure
+from edesign.report.drawing.style import save
 
 NAMES = [p.name for p in law("mgmm").parameters if p.fitted]
 TEMPERATURES = (20.0, 25.0, 30.0, 35.0)
@@ -140,4 +140,4 @@ def _of(rows: PropertyRows, chosen: np.ndarray) -> PropertyRows:
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/figures"))
+    main(Path(sys.argv[1] if len(sys.argv) > 1 else "docs/results/figures"))

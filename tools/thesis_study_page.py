@@ -1,4 +1,4 @@
-"""Writes the tables of docs/thesis_study.md from the archive of the thesis study, so that no figure in it is typed.
+"""Writes the tables of docs/results/thesis_study.md from the archive of the thesis study: no figure in it is typed.
 
 What stands between `<!-- begin NAME -->` and `<!-- end -->` is replaced: NAME is `archive` (what was run, and with
 which records) or the beginning of the title of a table of the reference file.
@@ -24,15 +24,15 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.assess.measures import response_measures
 from edesign.errors import EdesignError, InputError
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.compared import Comparison
-from edesign.report.comparison import compare
-from edesign.report.comparison_variants import variant_tables
-from edesign.report.comparison_wide import wide_tables
-from edesign.report.measure_columns import MEASURE_ROWS
-from edesign.report.study_tables import study_tables
+from edesign.report.assessment.measure_columns import MEASURE_ROWS
+from edesign.report.assessment.study_tables import study_tables
+from edesign.report.comparison.cells import Comparison
+from edesign.report.comparison.compare import compare
+from edesign.report.comparison.variants import variant_tables
+from edesign.report.comparison.wide_tables import wide_tables
 from edesign.report.summary import all_results, planned, record_entries
-from edesign.report.table import Table, number
-from edesign.study.kinds import ANALYSES, RECORDS
+from edesign.report.tables.table import Table, number
+from edesign.study.results.kinds import ANALYSES, RECORDS
 
 ROOT = Path(__file__).resolve().parents[1]
 BLOCK = re.compile(r"(<!-- begin (?P<name>.+?) -->\n).*?(<!-- end -->)", re.DOTALL)
@@ -45,7 +45,7 @@ def main() -> None:
     parser.add_argument("--causes", type=Path)
     parser.add_argument("--redesign", type=Path)
     parser.add_argument("--reference", type=Path, default=ROOT / "projects" / "thesis_10_storey" / "reference.yaml")
-    parser.add_argument("--page", type=Path, default=ROOT / "docs" / "thesis_study.md")
+    parser.add_argument("--page", type=Path, default=ROOT / "docs" / "results" / "thesis_study.md")
     options = parser.parse_args()
     try:
         reference = load_reference(options.reference)

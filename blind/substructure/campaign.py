@@ -31,7 +31,7 @@ STRAINS = (0.15, 0.5)
 COMMANDS = ("sine_at_once", "random", "chirp", "staircase")
 USES = ("fit", "validate")
 FEWEST = 3
-"""Tests to fit to of an effect or a rig that changes between tests: docs/calibration.md asks for so many."""
+"""Tests to fit to of an effect or a rig that changes between tests: docs/how_to/calibration.md asks for so many."""
 MEMORIES = tuple(float(memory) for memory in np.geomspace(0.05, 50.0, 13))
 """s: for which amplitudes are remembered."""
 

@@ -10,7 +10,7 @@
  * specimen at t. u: the command that the actuator shall reach at t + step, in a ramp. SI units.
  *
  * Sources: Horiuchi et al. (1999); Wallace, Wagg & Neild (2005); Chen & Ricles (2009); Darby, Williams & Blakeborough (2002); Chae,
- * Kazemibidokhti & Ricles (2013); Malloy & Blakeborough in the thesis, 6.2.3. docs/compensators.md has the equations. */
+ * Kazemibidokhti & Ricles (2013); Malloy & Blakeborough in the thesis, 6.2.3. docs/theory/compensators.md has the equations. */
 #ifndef ED_COMPENSATOR_H
 #define ED_COMPENSATOR_H
 

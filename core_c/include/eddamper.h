@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* Laws of dampers; parameters in this order (docs/laws explains them). Any consistent units. */
+/* Laws of dampers; parameters in this order (docs/reference/laws explains them). Any consistent units. */
 enum {
   ED_LAW_KELVIN_VOIGT = 0,       /* k c */
   ED_LAW_ZENER = 1,              /* k0 k1 c1 */

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 if TYPE_CHECKING:
-    from edesign.report.table import Table
+    from edesign.report.tables.table import Table
 
 
 def calibrate(
@@ -48,7 +48,7 @@ def calibrate(
     from edesign.archive.files import check_folder
     from edesign.errors import Interrupted
     from edesign.one_thread import one_thread
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
 
     folder = campaign.parent if output is None else output
     check_folder(folder)  # rather than after the search
@@ -125,7 +125,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.structure.run import calibrate_structure
     from edesign.calibrate.write import calibration_json
     from edesign.damper.campaign import Campaign, load_campaign
-    from edesign.report.calibration_tables import tables_of, verdict_text
+    from edesign.report.calibration.tables import tables_of, verdict_text
     from edesign.report.page.calibration import write_calibration_page
 
     loaded: Campaign | StructureCampaign
@@ -153,8 +153,8 @@ def _properties(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.properties.campaign import load_property_campaign
     from edesign.calibrate.properties.run import calibrate_properties
     from edesign.calibrate.properties.write import property_calibration_json, write_property_files
+    from edesign.report.calibration.properties import property_tables, property_verdict
     from edesign.report.page.property_calibration import write_property_calibration_page
-    from edesign.report.property_calibration import property_tables, property_verdict
 
     loaded = load_property_campaign(campaign)
     search.check(campaign, loaded.title or loaded.specimen.name)

@@ -15,7 +15,7 @@ def check(
 ) -> None:
     """Check a project, study, building or substructure test file, its records and its frame; print a summary."""
     from edesign.file_kinds import BUILDING, STUDY, SUBSTRUCTURE_TESTS, kind_of
-    from edesign.report.visible import visible_line
+    from edesign.report.tables.visible import visible_line
 
     kind = kind_of(project)  # what is needed for one kind alone is loaded for it alone
     if kind == SUBSTRUCTURE_TESTS:
@@ -36,7 +36,7 @@ def check(
         found = check_building(load_building(project))
     else:
         from edesign.building.project_file import load_project, load_study
-        from edesign.study.check_summary import check_project, check_study
+        from edesign.study.check.summary import check_project, check_study
 
         found = check_study(load_study(project)) if kind == STUDY else check_project(load_project(project))
     for label, text in found.items():

@@ -32,11 +32,11 @@ def compare(
     from edesign.archive.reader import DamagedArchive, read_archive
     from edesign.errors import AnalysisError
     from edesign.project.study.reference_loader import load_reference
-    from edesign.report.comparison import compare as compare_archive
-    from edesign.report.comparison_files import comparison_data, write_comparison
-    from edesign.report.comparison_tables import block_tables
-    from edesign.report.comparison_variants import variant_tables
-    from edesign.report.text import print_tables
+    from edesign.report.comparison.compare import compare as compare_archive
+    from edesign.report.comparison.files import comparison_data, write_comparison
+    from edesign.report.comparison.tables import block_tables
+    from edesign.report.comparison.variants import variant_tables
+    from edesign.report.tables.text import print_tables
 
     _check_kinds(archive, reference)
     if csv is not None:
@@ -77,5 +77,6 @@ def _check_kinds(archive: Path, reference: Path) -> None:
     if second == ARCHIVE:
         raise InputError(
             f"{reference}: this is {ARCHIVE.described}, and two archives are not compared; the second file is a "
-            "reference file of printed values, which begins with `edesign_reference: 1` (docs/reference_files.md)"
+            "reference file of printed values, which begins with `edesign_reference: 1` "
+            "(docs/reference/reference_files.md)"
         )

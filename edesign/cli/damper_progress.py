@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable
 
-from edesign.study.progress import Listener, Progress
+from edesign.study.run.progress import Listener, Progress
 
 
 def reporter(listen: Listener, name: str) -> Callable[[int, int, str], None]:

@@ -32,9 +32,9 @@ def design(
     from edesign.archive.files import check_own_yaml, write_yaml
     from edesign.building.building_file import load_building
     from edesign.cli.stages import in_stages
-    from edesign.report.selection_tables import selection_tables
-    from edesign.report.text import print_tables
-    from edesign.report.visible import visible_line
+    from edesign.report.building.selection_tables import selection_tables
+    from edesign.report.tables.text import print_tables
+    from edesign.report.tables.visible import visible_line
     from edesign.space.selection.archived import selection_group
     from edesign.space.selection.select import select_sections
     from edesign.study.building import check_building_archive, write_building

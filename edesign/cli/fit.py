@@ -76,10 +76,10 @@ def fit(
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
-    from edesign.report.figures import check_format
-    from edesign.report.fit_figures import draw_fits
-    from edesign.report.fit_tables import tables_of
-    from edesign.report.text import print_tables
+    from edesign.report.damper.fit_figures import draw_fits
+    from edesign.report.damper.fit_tables import tables_of
+    from edesign.report.drawing.style import check_format
+    from edesign.report.tables.text import print_tables
 
     check_format(figure_format)
     if folds is not None and not cross_validate:

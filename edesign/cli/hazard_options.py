@@ -44,7 +44,7 @@ def load(path: Path | None) -> Project | None:
 def fundamental_period(project: Project | None, text: str | None) -> float | None:
     """Return T1 (s) as given, else that of the project's frame under gravity, else None."""
     from edesign.project.notation.units import TIME
-    from edesign.study import modal
+    from edesign.study.analysis import modal
 
     if text is not None:
         period = quantity(text, TIME, "--t1")

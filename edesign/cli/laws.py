@@ -14,7 +14,7 @@ def laws(
 ) -> None:
     """Print the damper laws, or one law's parameters with unit, bounds and default."""
     from edesign.damper.laws import law
-    from edesign.report.law_table import law_table, laws_table
-    from edesign.report.text import print_tables
+    from edesign.report.damper.law_table import law_table, laws_table
+    from edesign.report.tables.text import print_tables
 
     print_tables([laws_table() if name is None else law_table(law(name))])

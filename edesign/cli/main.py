@@ -1,4 +1,4 @@
-"""The command `edesign` and its parts. Exit codes are listed in docs/command_line.md."""
+"""The command `edesign` and its parts. Exit codes are listed in docs/reference/command_line.md."""
 
 from __future__ import annotations
 

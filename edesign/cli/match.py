@@ -75,10 +75,10 @@ def match(
     from edesign.input_files import spare_inputs
     from edesign.project.notation.units import TIME
     from edesign.report.archive_figures import draw_figures
-    from edesign.report.figures import check_format
-    from edesign.report.record_tables import choice_table, record_tables
-    from edesign.report.text import print_tables
-    from edesign.study.match import choose_recordings, match_recordings
+    from edesign.report.drawing.style import check_format
+    from edesign.report.ground_motion.record_tables import choice_table, record_tables
+    from edesign.report.tables.text import print_tables
+    from edesign.study.motions.match import choose_recordings, match_recordings
 
     check_format(figure_format)
     if max_per_event is not None and select is None:

@@ -8,8 +8,8 @@ import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 
-from edesign.report.visible import visible, visible_line
-from edesign.study.progress import Listener, Progress, Tally, silent
+from edesign.report.tables.visible import visible, visible_line
+from edesign.study.run.progress import Listener, Progress, Tally, silent
 
 LINE_EVERY = 0.1  # of an analysis, where no bar can be shown
 LINE_AFTER = 2.0  # s: quicker analyses have lines at their start and end only

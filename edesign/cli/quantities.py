@@ -5,7 +5,7 @@ from __future__ import annotations
 
 def quantities() -> None:
     """Print the quantities and measures that criteria of a study may limit, with their units and keys."""
-    from edesign.report.quantity_table import measures_table, quantities_table
-    from edesign.report.text import print_tables
+    from edesign.report.assessment.quantity_table import measures_table, quantities_table
+    from edesign.report.tables.text import print_tables
 
     print_tables([quantities_table(), measures_table()])

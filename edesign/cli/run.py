@@ -61,8 +61,8 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool
     from edesign.archive.reader import open_archive
     from edesign.building.building_file import load_building
     from edesign.cli.stages import Tell, in_stages
-    from edesign.report.building_tables import building_tables
-    from edesign.report.text import print_tables
+    from edesign.report.building.tables import building_tables
+    from edesign.report.tables.text import print_tables
     from edesign.space.elastic_design import ElasticDesign
     from edesign.study.building import run_building
 
@@ -95,9 +95,9 @@ def _run_analyses(
     from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
     from edesign.ground_motion.project_records import with_folders
-    from edesign.report.tables import overview
-    from edesign.report.text import print_tables
-    from edesign.study.run import run_project, run_study
+    from edesign.report.archive_tables import overview
+    from edesign.report.tables.text import print_tables
+    from edesign.study.run.run import run_project, run_study
 
     backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:

@@ -22,8 +22,8 @@ def sections(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
 ) -> None:
     """Print the rolled sections that a project may name, with their properties."""
-    from edesign.report.section_table import chosen_sections, section_data, section_table, write_sections
-    from edesign.report.text import print_tables
+    from edesign.report.building.section_table import chosen_sections, section_data, section_table, write_sections
+    from edesign.report.tables.text import print_tables
 
     names = chosen_sections(what)
     if as_json:

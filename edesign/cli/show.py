@@ -33,15 +33,15 @@ def show(
     """Print the records and analyses of an archive, response measures and statistics."""
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive
-    from edesign.report.figures import check_format
+    from edesign.report.archive_tables import details, overview
+    from edesign.report.drawing.style import check_format
     from edesign.report.summary import summarise
-    from edesign.report.tables import details, overview
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
         if member is not None:
-            from edesign.report.building_checks import member_data, member_tables
-            from edesign.report.building_results import building_results
+            from edesign.report.building.checks import member_data, member_tables
+            from edesign.report.building.results import building_results
 
             of_building = building_results(opened)
         if as_json:
@@ -56,7 +56,7 @@ def show(
 
     check_format(figure_format)
     if csv is not None:
-        from edesign.report.verdict_data import write_verdicts
+        from edesign.report.assessment.verdict_data import write_verdicts
 
         read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:

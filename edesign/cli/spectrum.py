@@ -59,15 +59,15 @@ def spectrum(
     from edesign.errors import InputError
     from edesign.ground_motion.hazard import code_spectra
     from edesign.project.notation.units import TIME
-    from edesign.report.figures import check_figure_name
-    from edesign.report.spectrum_table import (
+    from edesign.report.drawing.style import check_figure_name
+    from edesign.report.ground_motion.spectrum_table import (
         draw_spectra,
         record_notes,
         spectrum_columns,
         spectrum_table,
         write_columns,
     )
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
 
     if figure is not None:
         check_figure_name(figure)

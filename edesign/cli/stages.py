@@ -10,7 +10,7 @@ from collections.abc import Callable
 from contextlib import suppress
 from typing import Any, TypeVar
 
-from edesign.report.visible import visible_line
+from edesign.report.tables.visible import visible_line
 from edesign.stopping import Stopped
 
 R = TypeVar("R")

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any, TextIO
 
-from edesign.report.visible import visible
+from edesign.report.tables.visible import visible
 
 
 class VisibleStream:

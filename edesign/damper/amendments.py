@@ -1,7 +1,7 @@
 """Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
 
 The force is phi F_law + parallel forces, phi the product of the factors, + what acts inside the law
-(docs/laws/effects.md)."""
+(docs/reference/laws/effects.md)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The damper laws and their parameters; docs/laws has a page on each."""
+"""The damper laws and their parameters; docs/reference/laws has a page on each."""
 
 from __future__ import annotations
 

@@ -49,7 +49,9 @@ def checked_hazard(project: Project | Building) -> Hazard:
     """
     hazard = project.hazard
     if hazard is None:
-        raise InputError(f"{project.where('hazard')}: hazard: this block is missing; docs/project_file.md explains it")
+        raise InputError(
+            f"{project.where('hazard')}: hazard: this block is missing; docs/reference/project_file.md explains it"
+        )
     for place, check in action_of(hazard).checks():
         try:
             check()

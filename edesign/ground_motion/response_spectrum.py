@@ -61,7 +61,7 @@ def response_spectra(
         InputError: fewer than two samples, one that is not finite, a time step that is not positive, a negative period,
             or a damping ratio out of range.
 
-    Source: Nigam & Jennings (1969); docs/response_spectra.md for what is done between samples.
+    Source: Nigam & Jennings (1969); docs/theory/response_spectra.md for what is done between samples.
     """
     motion, step = checked_motion(acceleration, time_step)
     period, ratio = checked_periods(periods), checked_dampings(dampings)

@@ -44,7 +44,7 @@ def new_project(folder: Path | str, name: str | None = None) -> Path:
 
 _TEXT = """\
 # A steel moment frame of 2 bays and 3 storeys under the El Centro record of 1940.
-# Every value with a dimension carries its unit; docs/project_file.md explains every key.
+# Every value with a dimension carries its unit; docs/reference/project_file.md explains every key.
 
 edesign: 1
 title: @title@

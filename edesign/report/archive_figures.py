@@ -11,27 +11,27 @@ from typing import TYPE_CHECKING
 from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
 from edesign.report.archived import is_building_archive, is_substructure_archive
-from edesign.report.axial_figures import axial_figures
-from edesign.report.brace_figures import brace_figures
-from edesign.report.building_curves import mode_shapes, spectra, storey_curves
-from edesign.report.building_figures import elevations
-from edesign.report.building_plans import plans
-from edesign.report.captions import UniqueNames
-from edesign.report.damper_loops import damper_figures
-from edesign.report.design_figures import design_figures
-from edesign.report.energy_figures import energy_figures
-from edesign.report.figures import check_format, garbage_between_figures, save
-from edesign.report.frame_figures import frame_figures
-from edesign.report.hazard_figures import hazard_figures
-from edesign.report.incremental_figures import incremental_figures
-from edesign.report.mode_figures import mode_figures
-from edesign.report.moment_rotation_figures import moment_rotation_figures
-from edesign.report.profile_figures import profile_figures
-from edesign.report.pushover_figures import hinge_figures, pushover_figures
-from edesign.report.record_figures import record_figures
-from edesign.report.response_figures import response_figures
-from edesign.report.temperature_figures import temperature_figures
-from edesign.report.vary_figures import vary_figures
+from edesign.report.assessment.vary_figures import vary_figures
+from edesign.report.building.curves import mode_shapes, spectra, storey_curves
+from edesign.report.building.elevations import elevations
+from edesign.report.building.plans import plans
+from edesign.report.capacity.incremental_figures import incremental_figures
+from edesign.report.capacity.pushover_figures import hinge_figures, pushover_figures
+from edesign.report.design.figures import design_figures
+from edesign.report.drawing.captions import UniqueNames
+from edesign.report.drawing.style import check_format, garbage_between_figures, save
+from edesign.report.ground_motion.hazard_figures import hazard_figures
+from edesign.report.ground_motion.record_figures import record_figures
+from edesign.report.response.axial_figures import axial_figures
+from edesign.report.response.brace_figures import brace_figures
+from edesign.report.response.damper_loops import damper_figures
+from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.frame_figures import frame_figures
+from edesign.report.response.mode_figures import mode_figures
+from edesign.report.response.moment_rotation_figures import moment_rotation_figures
+from edesign.report.response.profile_figures import profile_figures
+from edesign.report.response.response_figures import response_figures
+from edesign.report.response.temperature_figures import temperature_figures
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -16,7 +16,7 @@ from edesign.project.project import Project
 from edesign.project.reading.file_model import FileModel
 from edesign.project.study.study import Study
 from edesign.project.study.study_loader import parse_study
-from edesign.study.kinds import BUILDING, STUDY, SUBSTRUCTURE
+from edesign.study.results.kinds import BUILDING, STUDY, SUBSTRUCTURE
 
 if TYPE_CHECKING:
     from edesign.project.building import Building

@@ -14,9 +14,9 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import EdesignError, InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
-from edesign.study.kinds import ANALYSES, DESIGNS, RECORDS
-from edesign.study.record_results import failed_criteria
-from edesign.study.warnings import ATTRIBUTE, warnings_of
+from edesign.study.check.warnings import ATTRIBUTE, warnings_of
+from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
+from edesign.study.results.records import failed_criteria
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
 ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
@@ -49,7 +49,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
     about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive)]
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
     if is_building_archive(archive):
-        from edesign.report.building_summary import building_summary
+        from edesign.report.building.summary import building_summary
 
         return {"archive": finite(about | damage), "building": building_summary(archive)}
     if is_substructure_archive(archive):
@@ -69,7 +69,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
 
 def _criteria(archive: Archive) -> tuple[list[dict[str, Any]], str]:
     """The verdicts on the criteria of a study, and why there are none if it is damaged or of another version."""
-    from edesign.report.verdict_data import study_verdicts, verdict_entry
+    from edesign.report.assessment.verdict_data import study_verdicts, verdict_entry
 
     try:
         return finite([verdict_entry(verdict) for verdict in study_verdicts(archive)]), ""

@@ -180,8 +180,8 @@ class ElasticAnalysis:
         self.frame = space_frame(building)
         if not self.frame.node_mass.any():
             raise InputError(
-                f"{building.where('masses')}: masses: the seismic action needs masses; docs/building_file.md explains "
-                "them"
+                f"{building.where('masses')}: masses: the seismic action needs masses; "
+                "docs/reference/building_file.md explains them"
             )
         tell(f"stiffness of {len(self.frame.members)} members")
         with telling_member(self.building):
@@ -448,7 +448,7 @@ def _first(modes: SpaceModes, count: int, building: Building) -> SpaceModes:
 def _hazard(building: Building) -> EC8Hazard:
     if building.hazard is None:
         raise InputError(
-            f"{building.where('hazard')}: hazard: this block is missing; docs/building_file.md explains it"
+            f"{building.where('hazard')}: hazard: this block is missing; docs/reference/building_file.md explains it"
         )
     return checked_hazard(building)
 

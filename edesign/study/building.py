@@ -15,8 +15,8 @@ from edesign.errors import ArchiveError
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.elastic_design import ElasticDesign, elastic_design
-from edesign.study.kinds import BUILDING
-from edesign.study.provenance import add_hazard_files, circumstances, versions
+from edesign.study.results.kinds import BUILDING
+from edesign.study.run.provenance import add_hazard_files, circumstances, versions
 
 
 def run_building(

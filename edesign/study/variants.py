@@ -10,10 +10,10 @@ from edesign.project.dampers.designs import Design, ElastomerDesign
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
-from edesign.study.dampers import law_warnings
+from edesign.study.analysis.dampers import law_warnings
 from edesign.study.design.bounds import property_factors
 from edesign.study.design.building import with_temperature
-from edesign.study.plan import Task
+from edesign.study.run.plan import Task
 
 
 def variant_project(

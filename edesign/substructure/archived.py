@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.core.substructure import SATURATED
-from edesign.study.kinds import ANALYSES, DIRECT
-from edesign.study.outcome import FAILED
+from edesign.study.results.kinds import ANALYSES, DIRECT
+from edesign.study.run.outcome import FAILED
 from edesign.substructure.indicators import definitions
 from edesign.substructure.indicators.interface_energy import work_along
 from edesign.substructure.methods import PseudoDynamicRecord

@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.building_sections import BuildingSections
 from edesign.project import load_project
-from edesign.study.run import run_project
+from edesign.study.run.run import run_project
 
 HERE = Path(__file__).parent
 CASES = sorted(path.parent.name for path in HERE.glob("*/project.yaml"))

@@ -17,11 +17,11 @@ from edesign.archive.reader import open_archive
 from edesign.assess.criteria import Verdict
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
+from edesign.report.assessment.study_tables import study_tables
+from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.page.document import write_page
-from edesign.report.study_tables import study_tables
-from edesign.report.text import print_tables
-from edesign.report.verdict_data import study_verdicts
-from edesign.study.run import run_study
+from edesign.report.tables.text import print_tables
+from edesign.study.run.run import run_study
 
 Answers = dict[tuple[str, str], Verdict]
 SINGLE = 2e-7  # relative: histories are kept in single precision

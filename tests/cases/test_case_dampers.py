@@ -20,8 +20,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_project
 from edesign.errors import Interrupted
-from edesign.study.progress import Progress
-from edesign.study.run import run_project
+from edesign.study.run.progress import Progress
+from edesign.study.run.run import run_project
 
 Results = Callable[[str, str], Group]
 G = 9.80665  # m/s2
@@ -184,7 +184,7 @@ def test_a_pushover_holds_what_is_left_after_a_long_time(results_of: Results) ->
 
 
 def test_each_device_of_practice_follows_its_law(results_of: Results) -> None:
-    """Force against the deformation in the archive, by the equation of its page in docs/laws."""
+    """Force against the deformation in the archive, by the equation of its page in docs/reference/laws."""
     group = results_of("devices_of_practice", "shake")
     names = list(group.coords["damper"].values)
     force = dict(zip(names, value(group, "damper_force").T, strict=True))

@@ -12,14 +12,14 @@ from cases.conftest import copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
+from edesign.report.assessment.study_tables import study_tables
+from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.page.section import Picture
 from edesign.report.page.sections.derived import derived
 from edesign.report.page.source import Source
-from edesign.report.study_tables import study_tables
-from edesign.report.table import Table
-from edesign.report.text import print_tables
-from edesign.report.verdict_data import study_verdicts
-from edesign.study.run import run_study
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import print_tables
+from edesign.study.run.run import run_study
 
 RECORDS, EXTREMES = ("whole", "slow"), ("max", "min")
 # the factor of ASCE/SEI 7-16, 18.2.4.5: (1 - 0.75 (1 - ageing)) test specification

@@ -18,7 +18,7 @@ from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.cli.main import main
 from edesign.project.notation.units import STANDARD_GRAVITY as G
-from edesign.study.run import run_study
+from edesign.study.run.run import run_study
 
 CASE = HERE / "user_spectrum"
 

@@ -14,9 +14,9 @@ from cases.conftest import HERE, copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_project, load_study
+from edesign.report.assessment.study_tables import study_tables
 from edesign.report.page.document import page_text
-from edesign.report.study_tables import study_tables
-from edesign.study.run import run_study
+from edesign.study.run.run import run_study
 
 CASE = HERE / "placement"
 PLACE, COST = 0.5, {1: 1.0, 2: 1.6}  # of study.yaml

@@ -18,8 +18,8 @@ from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
 from edesign.project import load_project
 from edesign.project.loader import parse_project
-from edesign.study.history import run_history
-from edesign.study.modal import run_modal
+from edesign.study.analysis.history import run_history
+from edesign.study.analysis.modal import run_modal
 
 Results = Callable[[str, str], Group]
 HEIGHTS = np.array([4.0, 3.5, 3.5])

@@ -13,7 +13,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
 from edesign.ground_motion.delayed import motion_at
-from edesign.study.run import run_study
+from edesign.study.run.run import run_study
 
 Results = Callable[[str, str], Group]
 CASE = "wave_passage"

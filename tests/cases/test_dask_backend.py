@@ -23,10 +23,10 @@ from unit.study.toy_works import WAIT, Listener, await_file, check_mixed, mixed_
 import edesign
 from edesign.building.project_file import load_project
 from edesign.errors import AnalysisError, InputError
-from edesign.study.backends import Backend, Result, Work, make_backend
-from edesign.study.check import check_inputs
-from edesign.study.motions import project_motions
-from edesign.study.plan import make_plan
+from edesign.study.check.check import check_inputs
+from edesign.study.motions.motions import project_motions
+from edesign.study.run.backends import Backend, Result, Work, make_backend
+from edesign.study.run.plan import make_plan
 
 distributed = pytest.importorskip("distributed")
 pytest.importorskip("cryptography")  # a cluster of this machine has certificates of its own
@@ -164,7 +164,7 @@ def test_a_scheduler_elsewhere(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
 ) -> None:
     """Without workers, with one that dies, with a stranger among them, and at last without itself."""
-    from edesign.study.backends import dask_cluster, dask_session
+    from edesign.study.run.backends import dask_cluster, dask_session
 
     place = tmp_path / "scheduler.json"
     waits = Work("never", toy_works.until_stopped, (tmp_path, "never"))
@@ -211,7 +211,7 @@ def _refused(backend: Backend, folder: Path) -> None:
 
 
 def test_there_is_no_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
-    from edesign.study.backends import dask_cluster
+    from edesign.study.run.backends import dask_cluster
 
     monkeypatch.setattr(dask_cluster, "CONNECT", 0.5)
     for address in ("tcp://127.0.0.1:9", "nonsense://x"):
@@ -226,8 +226,8 @@ INTERRUPTED = """\
 import sys
 from pathlib import Path
 from unit.study.toy_works import Listener, after, until_stopped
-from edesign.study.backends import Work, make_backend
-from edesign.study.interrupt import stop_on_signals
+from edesign.study.run.backends import Work, make_backend
+from edesign.study.run.interrupt import stop_on_signals
 
 if __name__ == "__main__":
     folder, listener = Path(sys.argv[1]), Listener()

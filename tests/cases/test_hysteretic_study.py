@@ -16,12 +16,12 @@ from edesign.building.project_file import load_study
 from edesign.ground_motion.project_records import find_recordings
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.designs import HystereticDesign
+from edesign.report.assessment.study_tables import study_tables
 from edesign.report.page.document import page_text
-from edesign.report.study_tables import study_tables
-from edesign.study.analyses import run_analysis
 from edesign.study.design.hysteretic.designer import HystereticDesigner
-from edesign.study.motions import Motion
-from edesign.study.run import run_study
+from edesign.study.motions.motions import Motion
+from edesign.study.run.analyses import run_analysis
+from edesign.study.run.run import run_study
 
 CASE = HERE / "hysteretic_dampers"
 SLIP = np.array([3.345, 2.563, 1.323]) * 30e3  # N, of project.yaml

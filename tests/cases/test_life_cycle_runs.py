@@ -10,10 +10,10 @@ from cases.incremental_portal import write
 
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
-from edesign.report.incremental_results import read_incremental
-from edesign.report.incremental_tables import incremental_tables
-from edesign.report.text import plain
-from edesign.study.run import run_study
+from edesign.report.capacity.incremental_results import read_incremental
+from edesign.report.capacity.incremental_tables import incremental_tables
+from edesign.report.tables.text import plain
+from edesign.study.run.run import run_study
 
 ABOUT = """records: [shake, fast, slow], intensity: spectral_acceleration, period: 0.8 s, level: MCE,
     levels: [0.05 g, 0.2 g, 0.5 g, 1 g, 1.5 g, 2 g, 3 g, 4 g, 6 g, 8 g], collapse_drift: 8 %, free_vibration: 2 s,

@@ -20,7 +20,7 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.project import load_project
 from edesign.report.page.document import page_text
-from edesign.study.run import run_project
+from edesign.study.run.run import run_project
 
 BROWSERS = ("chromium", "google-chrome", "chromium-browser")
 FRAMED = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {width}px; height: 800px; border: 0">

@@ -12,10 +12,10 @@ from cases.conftest import HERE
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
+from edesign.report.assessment.study_tables import study_tables
 from edesign.report.page.document import page_text
-from edesign.report.study_tables import study_tables
-from edesign.report.table import Table
-from edesign.study.run import run_study
+from edesign.report.tables.table import Table
+from edesign.study.run.run import run_study
 
 SHEAR = np.array([444e3, 355e3, 200e3])
 HEIGHTS = np.array([4.0, 3.5, 3.5])

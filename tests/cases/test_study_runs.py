@@ -26,12 +26,12 @@ from edesign.errors import AnalysisError, InputError, Interrupted
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.ground_motion.response_spectrum import psa
 from edesign.report.summary import summarise
-from edesign.study import run as runs
-from edesign.study import study_designs
-from edesign.study.backends.serial import SerialBackend
-from edesign.study.backends.work import Control, Result, Results, Work
-from edesign.study.progress import Progress
-from edesign.study.run import run_study
+from edesign.study.design import study_designs
+from edesign.study.run import run as runs
+from edesign.study.run.backends.serial import SerialBackend
+from edesign.study.run.backends.work import Control, Result, Results, Work
+from edesign.study.run.progress import Progress
+from edesign.study.run.run import run_study
 
 UNREACHABLE = ("damping: 4 %", "damping: 30 %")
 HOPELESS = ("levels: DBE, most: 2 %", "levels: DBE, most: 0.1 %")
@@ -251,7 +251,7 @@ def test_a_part_of_the_plan_goes_into_its_own_archive(
 KILLED = """\
 import os, signal, sys
 from edesign.building.project_file import load_study
-from edesign.study.run import run_study
+from edesign.study.run.run import run_study
 
 event, words = sys.argv[2], sys.argv[3]
 

@@ -17,8 +17,8 @@ from edesign.cli.main import main
 from edesign.errors import Interrupted
 from edesign.ground_motion.intensity import displacement, velocity
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.study.progress import Progress
-from edesign.study.run import run_project
+from edesign.study.run.progress import Progress
+from edesign.study.run.run import run_project
 
 A_G_S = 0.2 * STANDARD_GRAVITY * 1.2  # type 1, ground B, Table 3.2
 GAMMA_MCE = (0.02 / 0.10) ** (-1 / 3)  # thesis Eq. 5.5

@@ -21,7 +21,7 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import partial_path
 from edesign.building.project_file import load_project
 from edesign.cli.main import main
-from edesign.study.run import run_project
+from edesign.study.run.run import run_project
 
 pytestmark = pytest.mark.study
 

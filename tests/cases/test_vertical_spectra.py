@@ -15,7 +15,7 @@ from edesign.building.project_file import load_project, load_study
 from edesign.errors import InputError
 from edesign.project.reading.problems import ProjectError
 from edesign.project.study.study_loader import StudyError
-from edesign.study.run import run_project, run_study
+from edesign.study.run.run import run_project, run_study
 
 MASS, STIFFNESS = 50e3, 210e9 * 1e-3 / 4.0  # kg on a post (the mass of each node), N/m
 HAZARD = """\

@@ -13,9 +13,9 @@ from cases.conftest import HERE, copied_study
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.building.project_file import load_study
+from edesign.report.assessment.study_tables import property_factors_of, study_tables
 from edesign.report.page.document import page_text
-from edesign.report.study_tables import property_factors_of, study_tables
-from edesign.study.run import run_study
+from edesign.study.run.run import run_study
 
 CASE = HERE / "viscous_dampers"
 C, ALPHA = (90.5e3, 69.4e3, 32.3e3), 0.35  # of project.yaml

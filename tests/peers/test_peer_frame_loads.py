@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edesign import load_project
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")
 

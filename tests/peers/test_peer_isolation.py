@@ -15,7 +15,7 @@ import pytest
 
 from edesign.core import Channel
 from edesign.project.loader import parse_project
-from edesign.study.structure import make_structure
+from edesign.study.analysis.structure import make_structure
 
 ops = pytest.importorskip("openseespy.opensees", reason="OpenSeesPy (extra 'peers') is not installed")
 

@@ -15,8 +15,8 @@ from edesign.building.footing_impedance import Block, static_stiffness
 from edesign.codes.asce7.soil_strain import damping_ratio, modulus_ratio
 from edesign.codes.ec8.soil_strain import soil_strain
 from edesign.errors import InputError
-from edesign.study.footings import interaction
-from edesign.study.structure import make_structure
+from edesign.study.analysis.footings import interaction
+from edesign.study.analysis.structure import make_structure
 
 
 def test_example_8_4_of_kramer_and_stewart() -> None:

@@ -1,4 +1,4 @@
-"""The project of docs/tutorial_building.md: its files follow from each other, and the design meets all checks.
+"""The project of docs/tutorials/building.md: its files follow from each other, and the design meets all checks.
 
 Where a rule or a search changes, `python tools/renew_office.py` makes the files anew.
 """
@@ -18,7 +18,7 @@ from edesign.cli.main import app
 
 ROOT = Path(__file__).parents[2]
 PROJECT = ROOT / "projects" / "office_6_storeys"
-TUTORIAL = ROOT / "docs" / "tutorial_building.md"
+TUTORIAL = ROOT / "docs" / "tutorials" / "building.md"
 CHAIN = [
     "edesign design building.yaml --output designed.yaml",
     "edesign run designed.yaml",

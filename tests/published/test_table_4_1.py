@@ -79,7 +79,7 @@ def mean_nrms(
 @pytest.mark.slow
 def test_more_branches_make_no_difference(sweeps: list[DamperTest]) -> None:
     errors = []
-    for count in (1, 4):  # docs/damper_fits.md has 2 and 3
+    for count in (1, 4):  # docs/how_to/damper_fits.md has 2 and 3
         begin = start(count)
         fit = fit_forces(more_branches(count), sweeps, begin, fixed=SHAPE, starts=1, predict=predict)
         errors.append(mean_nrms(fit, sweeps, predict))

@@ -1,8 +1,8 @@
 """The thesis study (projects/thesis_10_storey/study.yaml) against Tables 5.7 and 5.8, and against its own means.
 
 References: thesis Tables 5.7 and 5.8 with the bars of projects/thesis_10_storey/reference.yaml; where a cell is beyond
-its bar, docs/thesis_study.md says what the runs of causes.yaml show. The means in thesis_study_means.csv are those of
-this program with simulated stand-ins for the recordings that cannot be shipped; EDESIGN_REWRITE_CASES=1 renews them.
+its bar, docs/results/thesis_study.md says what the runs of causes.yaml show. The means in thesis_study_means.csv are
+those of this program with simulated stand-ins for recordings that cannot ship; EDESIGN_REWRITE_CASES=1 renews them.
 The whole study is for `make pytest ARGS="-m study"`; `make slow` runs three of its twenty records.
 """
 
@@ -17,8 +17,8 @@ import pytest
 
 from edesign import load_study, open_archive, run_study
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.compared import ComparedCell, Comparison
-from edesign.report.comparison import compare
+from edesign.report.comparison.cells import ComparedCell, Comparison
+from edesign.report.comparison.compare import compare
 
 THESIS = Path(__file__).resolve().parents[2] / "projects" / "thesis_10_storey"
 MEANS = Path(__file__).with_name("thesis_study_means.csv")
@@ -26,7 +26,7 @@ MEANS_OF_THREE = Path(__file__).with_name("thesis_study_means_of_three.csv")
 THREE = ("ImperialValley1940_I-ELC180", "Tabas1978_FER-L1", "BorregoMtn1968_A-ELC180")
 MEAN = "Table 5.8, mean response"
 
-BEYOND = {  # cells of Table 5.8 beyond their bars, with stand-ins; docs/thesis_study.md
+BEYOND = {  # cells of Table 5.8 beyond their bars, with stand-ins; docs/results/thesis_study.md
     ("bare", "DBE"): {
         "residual roof displacement",
         "residual interstorey drift",

@@ -77,7 +77,7 @@ def test_gamma_once_and_not_twice_at_k_mod() -> None:
 
 
 def test_pattern_of_what_the_law_misses() -> None:
-    """As docs/thesis_damper_tables.md says: n far too high at 10 % strain and 0.5-3 Hz, G_eq low in the mean."""
+    """As docs/results/thesis_damper_tables.md says: n far too high at 10 % strain and 0.5-3 Hz, G_eq low in mean."""
     rows, r = measured(), residuals(predicted(), measured())
     small = (rows.strain == 0.1) & (rows.frequency >= 0.5) & (rows.frequency <= 3.0)
     assert 0.4 < np.mean(r.loss_factor[small]) < 0.8

@@ -17,8 +17,8 @@ from shear_frames import MASS, STIFFNESS, shear_frame_text
 from edesign.building.profiles import profile_names
 from edesign.core import Channel, Newmark
 from edesign.project import parse_project
-from edesign.study.history import load_and_damp
-from edesign.study.structure import Structure, make_structure
+from edesign.study.analysis.history import load_and_damp
+from edesign.study.analysis.structure import Structure, make_structure
 
 G = 9.80665
 

@@ -18,9 +18,9 @@ from edesign.archive.dataset import Group
 from edesign.building.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
-from edesign.report.damper_results import dampers_table
-from edesign.study.analyses import run_analysis
-from edesign.study.check import check_inputs
+from edesign.report.response.damper_results import dampers_table
+from edesign.study.check.check import check_inputs
+from edesign.study.run.analyses import run_analysis
 
 AREA, KF, L_WP = 2400.0, 1.35, 6.5  # mm2, -, m
 LAW = f"""\

@@ -17,8 +17,8 @@ from edesign.ground_motion.record import Record
 from edesign.ground_motion.response_spectrum import psa
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.records.records import CombinedSpectrum
-from edesign.report.record_figures import record_figures
-from edesign.report.record_tables import tables_of
+from edesign.report.ground_motion.record_figures import record_figures
+from edesign.report.ground_motion.record_tables import tables_of
 
 STEP = 0.01
 T = np.geomspace(0.1, 1.5, 20)

@@ -22,6 +22,7 @@ from edesign.core import Channel, Newmark
 from edesign.damper import sizing as s
 from edesign.errors import InputError
 from edesign.project.loader import parse_project
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import make_building
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.design import DesignResult, run_design
@@ -30,7 +31,6 @@ from edesign.study.design.elastomer.material import Moduli
 from edesign.study.design.elastomer.simplified import static_response
 from edesign.study.design.elastomer.sizing import place_stiffness
 from edesign.study.design.estimate import Action, cqc, estimate, make_action
-from edesign.study.structure import make_structure
 
 N = 0.35
 COMMON = "law: rubber, kind: storey, bays: 1, strain: 20 %, layer_thickness: 20 mm, state: initial"

@@ -15,8 +15,8 @@ from edesign.core import Analysis, Channel, CoreDamper, Elastic, Model
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
 from edesign.project import Project, parse_project
-from edesign.study.dampers import device_laws
-from edesign.study.structure import device_stiffness, make_frame
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.structure import device_stiffness, make_frame
 
 E, AREA = 210e9, 2.6e-3  # Pa, m2 of the braces
 BAY, HEIGHTS = 6.0, (4.0, 3.0)  # m

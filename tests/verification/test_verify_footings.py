@@ -19,8 +19,8 @@ from edesign.building.footing_impedance import (
     static_stiffness,
 )
 from edesign.building.footings import footing_springs
-from edesign.study.footings import interaction
-from edesign.study.structure import make_structure
+from edesign.study.analysis.footings import interaction
+from edesign.study.analysis.structure import make_structure
 
 G, NU = 30e6, 0.3
 

@@ -9,8 +9,8 @@ from scipy.optimize import brentq
 from edesign.core import LawValues
 from edesign.damper.harmonic import complex_stiffness
 from edesign.project.loader import parse_project
-from edesign.study.damper_stiffness import damped_modes
-from edesign.study.structure import make_structure
+from edesign.study.analysis.damper_stiffness import damped_modes
+from edesign.study.analysis.structure import make_structure
 
 K0, K1, C1 = 2e6, 5e6, 1e5
 

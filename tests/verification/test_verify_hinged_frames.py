@@ -8,7 +8,7 @@ import pytest
 from edesign.archive.dataset import Group
 from edesign.building.profiles import profile_names
 from edesign.project import parse_project
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 E, HEIGHT, SPAN = 210e9, 4.0, 8.0  # Pa, m
 COLUMN, BEAM = 1e-4, 3e-4  # m4

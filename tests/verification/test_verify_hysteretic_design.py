@@ -22,10 +22,10 @@ from edesign.one_thread import one_thread
 from edesign.project.dampers.designs import HYSTERETIC_LAWS, HystereticDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.hysteretic.designer import HystereticDesigner
 from edesign.study.design.hysteretic.sizing import HystereticSizing, largest_hysteretic_damping, unit_forces
-from edesign.study.structure import make_structure
 
 ROOT = THESIS.parents[2]
 PLACES = "kind: storey, bays: 1, state: initial"

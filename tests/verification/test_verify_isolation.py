@@ -17,9 +17,9 @@ from edesign.core import Analysis, Channel, LawValues, Model
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
-from edesign.study.analyses import run_analysis
-from edesign.study.isolation_estimate import system_loop
-from edesign.study.structure import make_structure
+from edesign.study.analysis.isolation_estimate import system_loop
+from edesign.study.analysis.structure import make_structure
+from edesign.study.run.analyses import run_analysis
 
 G = 9.80665  # m/s2
 BASE = 30e3  # kg

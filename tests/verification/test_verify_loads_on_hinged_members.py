@@ -11,7 +11,7 @@ import scipy.signal
 from edesign.archive.dataset import Group
 from edesign.building.profiles import profile_names
 from edesign.project import parse_project
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 CASES = Path(__file__).parents[1] / "cases"
 SPAN, HEIGHT = 8.0, 4.0  # m

@@ -11,7 +11,7 @@ from edesign.building.panel_zones import ARM_STIFFNESS, Panel, PanelBuilder, pan
 from edesign.building.profiles import profile_names
 from edesign.core import Analysis, Model
 from edesign.project import parse_project
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 H, L = 3.6, 7.0  # m, between the middles of columns, of beams
 D_B, D_C = 0.6, 0.4

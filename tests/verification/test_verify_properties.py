@@ -170,7 +170,7 @@ def test_noise_of_one_per_cent_does_not_bias(frequency: float, rate: float, scat
 @pytest.mark.parametrize(("rate", "largest_bias"), [(1000.0, 3e-3), (100.0, 2e-2)])
 def test_noise_on_a_nonlinear_loop(rate: float, largest_bias: float) -> None:
     """The largest force of a sharp loop is where the fit gives way to the noise: G_eq is 1.3 % high at 100 samples a
-    cycle (docs/damper_tests.md, `python -m benchmarks.property_accuracy`)."""
+    cycle (docs/how_to/damper_tests.md, `python -m benchmarks.property_accuracy`)."""
     alpha, w = 0.374, 2.0 * np.pi
     c = 0.3 * K * AMPLITUDE / (w * AMPLITUDE) ** alpha
     phase = np.linspace(0.0, 2.0 * np.pi, 400_001)

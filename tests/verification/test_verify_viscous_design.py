@@ -23,12 +23,12 @@ from edesign.one_thread import one_thread
 from edesign.project.dampers.designs import ViscousDesign
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.estimate import make_action
 from edesign.study.design.viscous.designer import ViscousDesigner
 from edesign.study.design.viscous.estimate import viscous_drift
 from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping
-from edesign.study.structure import make_structure
 
 ROOT = THESIS.parents[2]
 OMEGA = math.sqrt(STIFFNESS / MASS)  # of one storey

@@ -53,7 +53,7 @@ class Consistent(Arrangement):
 
     form: ClassVar[str] = "consistent"
     title: ClassVar[str] = "the softened spring beside the Maxwell branch"
-    source: ClassVar[str] = "thesis Eqs. 4.19 and 4.24, carried to the end (docs/laws/mgmm.md)"
+    source: ClassVar[str] = "thesis Eqs. 4.19 and 4.24, carried to the end (docs/reference/laws/mgmm.md)"
 
     def arranged(self, values: Mapping[str, float]) -> dict[str, float]:
         return {**values, "consistent": 1.0}

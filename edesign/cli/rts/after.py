@@ -37,7 +37,7 @@ def identify(
     from edesign.archive.files import check_own_yaml, write_yaml
     from edesign.one_thread import one_thread
     from edesign.report.substructure.identified_rig_tables import identified_rig_tables
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
     from edesign.substructure.rig.identified import rig_data, rig_file_text
     from edesign.substructure.rig.identify import identify as find
 
@@ -78,7 +78,7 @@ def judge(
     """Judge measured substructure tests: tracking, error of the response, force against the law."""
     from edesign.one_thread import one_thread
     from edesign.report.substructure.judgement_tables import judgement_data, judgement_tables
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
     from edesign.substructure.judgement.judge import judge as judged
 
     chosen, file = _displacement(displacement), _read(rts, test, campaign)

@@ -23,9 +23,9 @@ def check(
 ) -> None:
     """Say, without running the loop, whether it is stable, how wrong it will be, and which compensator suits."""
     from edesign.archive.files import check_file
-    from edesign.report.figures import check_figure_name
+    from edesign.report.drawing.style import check_figure_name
     from edesign.report.substructure.advice_tables import advice_tables
-    from edesign.report.text import print_tables
+    from edesign.report.tables.text import print_tables
     from edesign.substructure.advice.advice import advise
     from edesign.substructure.virtual_tests import VirtualLaboratory
 

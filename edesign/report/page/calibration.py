@@ -9,7 +9,7 @@ from edesign._version import __version__
 from edesign.archive.files import check_file, write_text
 from edesign.calibrate.result import Calibration
 from edesign.errors import ArchiveError, InputError
-from edesign.report.calibration_view import View
+from edesign.report.calibration.view import View
 from edesign.report.page.document import PAGE_SUFFIXES
 from edesign.report.page.render import Cover, render
 from edesign.report.page.sections.calibration import SECTIONS

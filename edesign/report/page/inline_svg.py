@@ -15,9 +15,9 @@ from matplotlib.colors import rgb2hex
 from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
-from edesign.report.figures import in_style_of_figures
-from edesign.report.thin_out import thin_out_all
-from edesign.report.visible import visible_line
+from edesign.report.drawing.style import in_style_of_figures
+from edesign.report.drawing.thin_out import thin_out_all
+from edesign.report.tables.visible import visible_line
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

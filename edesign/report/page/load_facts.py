@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.project.actions.loads import BeamLoad, ColumnLoad, FloorLoad
 from edesign.project.frame.leaning_column import LeaningColumn
 from edesign.project.project import Project
-from edesign.report.captions import plain
+from edesign.report.drawing.captions import plain
 
 Rows = list[tuple[str, str]]
 

@@ -19,7 +19,7 @@ from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.supports import support_name
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
-from edesign.report.captions import plain
+from edesign.report.drawing.captions import plain
 from edesign.report.page.load_facts import load_rows
 
 Rows = list[tuple[str, str]]

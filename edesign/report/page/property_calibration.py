@@ -8,17 +8,17 @@ from pathlib import Path
 from edesign._version import __version__
 from edesign.archive.files import check_file, write_text
 from edesign.calibrate.properties.result import PropertyCalibration
-from edesign.report.calibration_effect_tables import effect_tables
-from edesign.report.calibration_tables import law_parameters_table
-from edesign.report.page.render import Cover, render
-from edesign.report.page.section import Picture, Section
-from edesign.report.page.source import picture_of
-from edesign.report.property_calibration import (
+from edesign.report.calibration.effect_tables import effect_tables
+from edesign.report.calibration.properties import (
     each_group_table,
     property_calibration_figures,
     property_errors_table,
     property_verdict,
 )
+from edesign.report.calibration.tables import law_parameters_table
+from edesign.report.page.render import Cover, render
+from edesign.report.page.section import Picture, Section
+from edesign.report.page.source import picture_of
 
 
 def write_property_calibration_page(calibration: PropertyCalibration, path: Path) -> Path:

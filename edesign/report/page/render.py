@@ -13,8 +13,8 @@ from markupsafe import Markup, escape
 from edesign._version import __version__
 from edesign.report.page.section import Part, Section
 from edesign.report.page.shared_styles import share_styles
-from edesign.report.table import Table
-from edesign.report.visible import visible
+from edesign.report.tables.table import Table
+from edesign.report.tables.visible import visible
 
 GOOD = {"met", "passed", "satisfied", "completed", "achieved", "yes"}
 BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "no"}

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
-from edesign.report.table import Table
+from edesign.report.tables.table import Table
 
 
 @dataclass(frozen=True)

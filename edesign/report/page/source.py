@@ -17,9 +17,9 @@ from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_building, archived_project, archived_study
-from edesign.report.assessment_tables import read_histories
-from edesign.report.captions import UniqueNames, file_name
-from edesign.report.incremental_results import IncrementalResults, read_incremental
+from edesign.report.assessment.tables import read_histories
+from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
+from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.page.section import Heading, Part, Picture
 from edesign.report.summary import entry, planned, results
 
@@ -135,7 +135,7 @@ class Source:
 
         One that cannot be drawn is named in `left_out`.
         """
-        from edesign.report.figures import garbage_between_figures
+        from edesign.report.drawing.style import garbage_between_figures
 
         found = []
         with garbage_between_figures() as collect:

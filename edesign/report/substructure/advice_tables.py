@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from edesign.report.table import Table, number
-from edesign.report.text import wrapped
+from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import wrapped
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
 from edesign.substructure.advice.transfers import EXACTLY

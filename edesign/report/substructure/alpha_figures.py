@@ -13,8 +13,8 @@ from edesign.project.substructure.compensators import (
     LiveDelayCompensator,
     ModifiedAtsCompensator,
 )
-from edesign.report.captions import file_name, plain
-from edesign.report.figures import TARGET, VARIANTS, align_ordinates, new_figure, styled
+from edesign.report.drawing.captions import file_name, plain
+from edesign.report.drawing.style import TARGET, VARIANTS, align_ordinates, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, curve, legend_below
 from edesign.report.substructure.results import BEST, Series, SubstructureResults
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.report.figures import MEAN, align_ordinates, logarithmic, new_figure, styled
+from edesign.report.drawing.style import MEAN, align_ordinates, logarithmic, new_figure, styled
 from edesign.report.substructure.curves import legend_below
 from edesign.report.substructure.results import BEST, FIRST
 from edesign.substructure.stability.loop import Transfer

@@ -15,11 +15,11 @@ from edesign.assess.profile import storey_profile
 from edesign.assess.sets import HistorySet
 from edesign.errors import EdesignError
 from edesign.report.archived import archived_project
-from edesign.report.table import Table, number
-from edesign.report.text import wrapped
-from edesign.report.verdict_tables import performance_tables
-from edesign.study.kinds import ANALYSES, DIRECT
-from edesign.study.warnings import warning_lines
+from edesign.report.assessment.verdict_tables import performance_tables
+from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import wrapped
+from edesign.study.check.warnings import warning_lines
+from edesign.study.results.kinds import ANALYSES, DIRECT
 from edesign.substructure.archived import building_name
 
 Measure = Callable[[Group], float | None]

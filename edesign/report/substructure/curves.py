@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.report.figures import MEAN, legend_label
-from edesign.report.thin_out import thin_out
+from edesign.report.drawing.style import MEAN, legend_label
+from edesign.report.drawing.thin_out import thin_out
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

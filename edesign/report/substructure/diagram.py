@@ -12,8 +12,8 @@ import numpy as np
 from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ShearBuilding
-from edesign.report.captions import plain
-from edesign.report.figures import MEAN, new_figure, styled
+from edesign.report.drawing.captions import plain
+from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.substructure.advice_tables import specimen_in_words
 from edesign.report.substructure.file import ArchivedTests
 from edesign.report.substructure.linearised import LinearisedTests

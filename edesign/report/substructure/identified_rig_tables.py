@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from edesign.report.table import Table, number
-from edesign.report.text import wrapped
+from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import wrapped
 from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered
 from edesign.substructure.rig.identify import IdentifiedRig
 from edesign.substructure.rig.rig_fit import RigFit, RigParameter

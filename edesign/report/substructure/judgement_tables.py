@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from edesign.report.table import Table, number
-from edesign.report.text import wrapped
+from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import wrapped
 from edesign.substructure.indicators import Tracking, definitions
 from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.report.captions import plain
+from edesign.report.drawing.captions import plain
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import HELD_THERE, limit_cells
-from edesign.report.table import Table
-from edesign.report.text import wrapped
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import wrapped
 from edesign.substructure.advice.recommendation import ADAPTIVE
 
 NONE_MET = "No limit of the rig or of coefficients was met, as far as that was kept."

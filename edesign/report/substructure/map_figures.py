@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.report.captions import plain
-from edesign.report.figures import MEAN, logarithmic, new_figure, save, styled
+from edesign.report.drawing.captions import plain
+from edesign.report.drawing.style import MEAN, logarithmic, new_figure, save, styled
 from edesign.report.substructure.curves import legend_below
 from edesign.report.substructure.results import BEST, FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.stability_map import StabilityMap, governing_map

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.project.substructure.programme import EffectiveForceTest, ShakingTableTest
-from edesign.report.captions import file_name, plain
+from edesign.report.drawing.captions import file_name, plain
 from edesign.report.substructure.bode import Path, bode_figure
 from edesign.report.substructure.curves import largest
 from edesign.report.substructure.response_figures import (
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
 Drawn = tuple[str, str, "Figure"]
 LABELS = ("amplitude (–)", "phase (degrees)")
 PART = 0.95
-"""Of the velocity fed back: a good one that is not complete, as in docs/test_methods.md."""
+"""Of the velocity fed back: a good one that is not complete, as in docs/how_to/test_methods.md."""
 LEAST = 0.01  # amplitude that is drawn
 DECADE, BELOW = 10.0, 4.0
 """From the first natural frequency to the ends of a figure; of a table, below it: there it does as it is told."""

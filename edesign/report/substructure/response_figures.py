@@ -10,8 +10,8 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.errors import EdesignError
-from edesign.report.captions import file_name, plain
-from edesign.report.figures import MEAN, align_ordinates, legend_label, new_figure, styled
+from edesign.report.drawing.captions import file_name, plain
+from edesign.report.drawing.style import MEAN, align_ordinates, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults, times
 from edesign.substructure.sized_damper import SizedDamper

@@ -12,12 +12,12 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, DamagedArchive
 from edesign.errors import ArchiveError
-from edesign.report.captions import plain
-from edesign.report.figures import AFTER, VARIANTS
+from edesign.report.drawing.captions import plain
+from edesign.report.drawing.style import AFTER, VARIANTS
 from edesign.report.substructure.file import ArchivedTests, archived_tests
 from edesign.report.substructure.linearised import LinearisedTests, linearised
 from edesign.report.substructure.tables import Run, runs
-from edesign.study.kinds import ANALYSES
+from edesign.study.results.kinds import ANALYSES
 from edesign.substructure.archived import PLACE, building_name
 
 NONE = "none"

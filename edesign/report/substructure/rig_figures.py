@@ -10,7 +10,7 @@ import numpy as np
 from edesign.errors import EdesignError
 from edesign.project.substructure.compensators import AtsCompensator, LiveDelayCompensator, ModifiedAtsCompensator
 from edesign.project.substructure.rig import RigFile
-from edesign.report.captions import plain
+from edesign.report.drawing.captions import plain
 from edesign.report.substructure.bode import SIGMAS, Deviations, Path, bode_figure
 from edesign.report.substructure.results import FIRST, NONE, WITHOUT, SubstructureResults, looks
 from edesign.substructure.advice.transfers import (

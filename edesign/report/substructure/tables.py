@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
-from edesign.report.table import Table, number
-from edesign.report.text import wrapped
+from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import wrapped
 from edesign.substructure.archived import INDICATORS, PLACE
 from edesign.substructure.met_limits import MetLimit, in_words
 

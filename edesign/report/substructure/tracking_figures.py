@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.errors import EdesignError
-from edesign.report.captions import file_name, plain
-from edesign.report.figures import MEAN, align_ordinates, legend_label, new_figure, styled
+from edesign.report.drawing.captions import file_name, plain
+from edesign.report.drawing.style import MEAN, align_ordinates, legend_label, new_figure, styled
 from edesign.report.substructure.curves import WIDTH, around_zero, curve, largest, legend_below, window, within
 from edesign.report.substructure.results import Series, SubstructureResults
 from edesign.substructure.indicators.crossing_delay import CrossingDelay, crossing_delay

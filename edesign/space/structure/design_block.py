@@ -40,7 +40,7 @@ def design_of(building: Building) -> Design:
     design, hazard = building.design, building.hazard
     if design is None:
         raise InputError(
-            f"{building.where('design')}: design: this block is missing; docs/building_file.md explains it"
+            f"{building.where('design')}: design: this block is missing; docs/reference/building_file.md explains it"
         )
     if hazard is None:
         return design

@@ -13,9 +13,9 @@ from edesign.errors import AnalysisError, InputError
 from edesign.project.dampers.dampers import BraceStiffness, DamperRun, Dampers
 from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
-from edesign.study.dampers import device_laws
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.condensed import CondensedFrame, LinearModes, condense
-from edesign.study.structure import make_structure
 
 
 @dataclass(frozen=True)

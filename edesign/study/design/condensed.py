@@ -9,7 +9,7 @@ import scipy
 
 from edesign.core.modes import UNSTABLE
 from edesign.errors import AnalysisError
-from edesign.study.structure import Structure
+from edesign.study.analysis.structure import Structure
 
 
 @dataclass(frozen=True)

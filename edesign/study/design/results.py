@@ -15,7 +15,7 @@ from edesign.study.design.condensed import LinearModes
 from edesign.study.design.estimate import FrameEstimate
 from edesign.study.design.loop import Round
 from edesign.study.design.verification import store_outcomes
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 MODES = 3
 

@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.criteria import Verdict
 from edesign.project.dampers.dampers import Dampers
 from edesign.study.design.loop import RoundOutcome, RoundVerdict
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 Respond = Callable[[Dampers, int], Mapping[str, Group]]
 """Runs the histories of a round (from 1) with these dampers."""

@@ -15,10 +15,10 @@ from edesign.project.dampers.dampers import BraceSection, BraceStiffness, Damper
 from edesign.project.dampers.placement import CatalogueItem, Kind, PlacementDesign
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.building import with_temperature
 from edesign.study.design.condensed import CondensedFrame, condense
 from edesign.study.placement.space import Layout, LayoutSpace, Place, make_positions, make_prices
-from edesign.study.structure import make_structure
 
 _MIRROR: Mapping[Kind, Kind] = {"rising": "falling", "falling": "rising"}
 

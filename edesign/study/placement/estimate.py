@@ -6,13 +6,13 @@ import numpy as np
 
 from edesign.building.devices import Device
 from edesign.errors import AnalysisError
+from edesign.study.analysis.structure import device_stiffness
 from edesign.study.design.building import mode_shears
 from edesign.study.design.condensed import CondensedFrame, LinearModes
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.estimate import Action, SpectralPeaks, spectral_peaks
 from edesign.study.placement.candidates import Candidates
 from edesign.study.placement.space import Layout, Place
-from edesign.study.structure import device_stiffness
 
 RESPONSES = ("storey drift", "floor acceleration", "base shear")
 _AGREEMENT = 0.02

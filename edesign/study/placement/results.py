@@ -15,7 +15,7 @@ from edesign.study.placement.certificate import Certificate
 from edesign.study.placement.knowledge import Analysed, Knowledge
 from edesign.study.placement.search import chosen_of
 from edesign.study.placement.space import Layout
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 _LARGEST_WHOLE = 2**63 - 1
 _COUNTS = (

@@ -1,6 +1,6 @@
 """Delay compensators by their formulas, as difference equations or adaptive laws that the core runs.
 
-Each function gives a compensator for a main step. docs/compensators.md has a page for each, with its source.
+Each function gives a compensator for a main step. docs/theory/compensators.md has a page for each, with its source.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ from edesign.archive.files import check_csv_name, check_file
 from edesign.core.damper import CoreDamper
 from edesign.errors import AnalysisError
 from edesign.stopping import Stopped, Wish, stoppable, wished
-from edesign.study.interrupt import stop_on_signals
+from edesign.study.run.interrupt import stop_on_signals
 from edesign.substructure.server import protocol
 from edesign.substructure.server.connection import Connection, address, listen, wait_for_client
 from edesign.substructure.server.mounted_specimen import MountedSpecimen, RefusedMotion

@@ -10,9 +10,9 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame import FrameModel
 from edesign.core import Response
-from edesign.study import quantities as q
-from edesign.study.history_results import store_residuals
-from edesign.study.recording import SINGLE, Quantity, Terms, coordinate, store, store_run
+from edesign.study.results import quantities as q
+from edesign.study.results.history import store_residuals
+from edesign.study.results.recording import SINGLE, Quantity, Terms, coordinate, store, store_run
 
 ACROSS = 0
 

@@ -16,10 +16,10 @@ from edesign.core.response import EnergyBalance
 from edesign.errors import AnalysisError, InputError
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
-from edesign.study.history import integrator, load_and_damp
-from edesign.study.history_results import HistoryResults
-from edesign.study.residual import period_steps
-from edesign.study.structure import Structure, make_frame, make_structure
+from edesign.study.analysis.history import integrator, load_and_damp
+from edesign.study.analysis.residual import period_steps
+from edesign.study.analysis.structure import Structure, make_frame, make_structure
+from edesign.study.results.history import HistoryResults
 from edesign.substructure.structure.numerical import LinearPart
 
 GROWTH = 1e-9

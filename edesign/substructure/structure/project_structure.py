@@ -14,8 +14,8 @@ from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalD
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.project.reading.problems import unknown_name
-from edesign.study.dampers import attachments
-from edesign.study.structure import Structure, device_stiffness, frame_alone, make_structure
+from edesign.study.analysis.dampers import attachments
+from edesign.study.analysis.structure import Structure, device_stiffness, frame_alone, make_structure
 from edesign.substructure.structure.linear_building import LinearBuilding, building_of_frame
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix
 

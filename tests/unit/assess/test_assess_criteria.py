@@ -16,8 +16,8 @@ from edesign.assess.performance import BEYOND, drift_performance, member_perform
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.project.reading.yaml_file import check_model
 from edesign.project.study.study import Study
-from edesign.report.text import print_tables
-from edesign.report.verdict_tables import performance_tables
+from edesign.report.assessment.verdict_tables import performance_tables
+from edesign.report.tables.text import print_tables
 
 DRIFT = "criteria: [{name: drift, measure: interstorey_drift, variants: damped, levels: DBE, %s}]"
 

@@ -75,7 +75,7 @@ def test_a_storey_without_damper_swings_at_its_frequency() -> None:
 
 
 def test_a_loop_that_is_too_late_runs_away() -> None:
-    """The critical delay of the thesis' storey is 32 to 40 ms (docs/rts.md); 20 ms stay, 60 ms go."""
+    """The critical delay of the thesis' storey is 32 to 40 ms (docs/how_to/rts.md); 20 ms stay, 60 ms go."""
     ground = np.zeros(8001)
     ground[:200] = 300.0
     kept = run(STIFF, law.TABLE_4_2, Follower(Rig(delay=0.020), STEP, 0.0), ground, STEP, 10.0)

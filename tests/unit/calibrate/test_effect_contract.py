@@ -21,7 +21,7 @@ from edesign.calibrate.problem import Candidate
 from edesign.damper.amendments import AMENDMENTS
 from edesign.damper.laws import law
 
-PAGES = Path(__file__).parents[3] / "docs" / "effects"
+PAGES = Path(__file__).parents[3] / "docs" / "reference" / "effects"
 ZERO = 5e-4  # m, where the records begin: a campaign that can show the zero of its displacement channel
 LAW = {"k": 1e6, "c": 5e4}  # its springs and dashpots can be told apart
 TONE = 40.0  # Hz, above the seventh harmonic of all motions

@@ -23,7 +23,7 @@ from edesign.calibrate.search.selection import Selection
 from edesign.calibrate.write import calibration_json, law_text
 from edesign.cli.main import main
 from edesign.damper.campaign import load_campaign
-from edesign.report.calibration_tables import verdict_text
+from edesign.report.calibration.tables import verdict_text
 
 
 def _out_of_time(*_: object) -> list[object]:

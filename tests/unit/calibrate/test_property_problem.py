@@ -49,7 +49,7 @@ def test_groups_and_uses(problem: PropertyProblem) -> None:
 
 
 def test_predicts_what_the_declared_law_predicts(problem: PropertyProblem) -> None:
-    """The 17.4 % of docs/thesis_damper_tables.md, by its own route with 15 cycles of 200 samples."""
+    """The 17.4 % of docs/results/thesis_damper_tables.md, by its own route with 15 cycles of 200 samples."""
     rows = problem.rows(problem.declared, ())
     expected = predicted()
     # 60 samples a cycle miss a largest stress by (pi/60)^2/2 = 1.4e-3 at most

@@ -24,7 +24,7 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.start import StartKind
 from edesign.damper.test_files import LawChoice
 from edesign.damper.test_record import DamperTest
-from edesign.report.calibration_tables import starts_table, verdict_text
+from edesign.report.calibration.tables import starts_table, verdict_text
 
 MGMM = law("mgmm")
 TABLE_4_2 = read_parameters(MGMM, "thesis_table_4_2")

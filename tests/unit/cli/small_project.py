@@ -13,7 +13,7 @@ from edesign.errors import AnalysisError
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import Outputs
 from edesign.project.project import Project
-from edesign.study.motions import Motion
+from edesign.study.motions.motions import Motion
 
 STEPS = 20
 

@@ -21,7 +21,7 @@ from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli import progress
 from edesign.cli.main import main
 from edesign.project import loader
-from edesign.study import analyses, run
+from edesign.study.run import analyses, run
 
 
 @pytest.fixture

@@ -17,7 +17,7 @@ from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
 from edesign.project import loader
 from edesign.project.reading.file_bytes import read_file
-from edesign.study import analyses, run
+from edesign.study.run import analyses, run
 
 LONG = "n" * 253  # and .h5 is 256; a file system takes 255
 FITS = "n" * 252  # with .h5 it is a name, and with .h5.partial none

@@ -27,8 +27,8 @@ from edesign.damper.test_record import DamperTest
 from edesign.errors import ArchiveError, InputError, Interrupted
 from edesign.input_files import note_input, noting_inputs, spare_inputs
 from edesign.project import Project
-from edesign.study import analyses, run
-from edesign.study.run import run_project
+from edesign.study.run import analyses, run
+from edesign.study.run.run import run_project
 
 RUNNING = SMALL.replace("girder, material", "IPE400, material").partition("damping:")[0] + (
     "analyses:\n  - {name: modes, kind: modal, modes: 3}\n"

@@ -9,7 +9,7 @@ import pytest
 
 from edesign.cli import progress, report
 from edesign.cli.progress import PlainLines, duration, listener, remaining
-from edesign.study.progress import Progress
+from edesign.study.run.progress import Progress
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""`edesign quantities`, and the same table in docs/assessment.md."""
+"""`edesign quantities`, and the same table in docs/reference/assessment.md."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from edesign.cli.main import main
 from edesign.project.criteria.criterion_quantities import QUANTITIES, keys_of
 from edesign.project.criteria.measures import SHORT_NAMES
 
-PAGE = Path(__file__).parents[3] / "docs" / "assessment.md"
+PAGE = Path(__file__).parents[3] / "docs" / "reference" / "assessment.md"
 
 
 def test_what_is_printed_and_written_is_what_there_is(capsys: pytest.CaptureFixture[str]) -> None:

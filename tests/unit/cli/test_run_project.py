@@ -15,9 +15,9 @@ from unit.cli.small_project import STEPS, Core, fail, project
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import partial_path
 from edesign.errors import ArchiveError, InputError, Interrupted
-from edesign.study import analyses, run
-from edesign.study.progress import Progress
-from edesign.study.run import run_project
+from edesign.study.run import analyses, run
+from edesign.study.run.progress import Progress
+from edesign.study.run.run import run_project
 
 
 def use(monkeypatch: pytest.MonkeyPatch, core: Core) -> Core:

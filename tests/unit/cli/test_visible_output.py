@@ -17,10 +17,10 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.cli.progress import listener
 from edesign.cli.streams import visible_streams
-from edesign.report.table import Table
-from edesign.report.text import print_tables
-from edesign.report.visible import visible, visible_line
-from edesign.study.progress import Progress
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import print_tables
+from edesign.report.tables.visible import visible, visible_line
+from edesign.study.run.progress import Progress
 
 HOSTILE = "a\x1b]0;owned\x07 \x9b31m \x7f \u202etxt\u2066 [red]b[/red] [link=http://x]c[/link] :warning: \\"
 SHOWN = r"a\u001b]0;owned\u0007 \u009b31m \u007f \u202etxt\u2066 [red]b[/red] [link=http://x]c[/link] :warning: " + "\\"

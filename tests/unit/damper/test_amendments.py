@@ -24,8 +24,8 @@ from edesign.damper.steady_state import predict
 from edesign.damper.thesis_tables import PROTOTYPE
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect
-from edesign.study.dampers import device_laws
-from edesign.study.structure import make_frame
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.structure import make_frame
 
 ROOT = Path(__file__).parents[3]
 THESIS = (ROOT / "projects" / "thesis_one_storey" / "project.yaml").read_text(encoding="utf-8")
@@ -313,7 +313,7 @@ def test_the_virtual_specimen_has_effects_that_its_campaign_does_not_name(tmp_pa
 
 
 def test_the_page_has_every_effect_with_its_parameters():
-    text = (ROOT / "docs" / "laws" / "effects.md").read_text(encoding="utf-8")
+    text = (ROOT / "docs" / "reference" / "laws" / "effects.md").read_text(encoding="utf-8")
     rows = set(re.findall(r"^\| `([\w.]+)` \| `(\w+)` \| (\S+) \| .+ \|$", text, re.M))
     beside = [kind for kind in AMENDMENTS.values() if not kind.inside]
     assert rows == {(k.name, p.name, practical_unit(p) or "-") for k in beside for p in k.parameters}

@@ -20,8 +20,8 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaT, at
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
-from edesign.report.damper_figures import test_figure as draw_test
-from edesign.report.fit_figures import fit_figure
+from edesign.report.damper.fit_figures import fit_figure
+from edesign.report.damper.test_figures import test_figure as draw_test
 from edesign.stopping import in_threads
 
 MGMM = LAWS["mgmm"]

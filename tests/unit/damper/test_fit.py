@@ -18,7 +18,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
-from edesign.report.fit_tables import comparison_table
+from edesign.report.damper.fit_tables import comparison_table
 
 KELVIN, POWER = LAWS["kelvin_voigt"], LAWS["viscous_power"]
 K, C = 8e6, 0.4e6

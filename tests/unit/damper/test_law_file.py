@@ -11,8 +11,8 @@ from edesign.damper.law_file import read_law_file, resolve, strain_of_tests
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription
 from edesign.project.loader import parse_project
-from edesign.study.dampers import device_laws, law_warnings, strain_warnings
-from edesign.study.structure import make_frame
+from edesign.study.analysis.dampers import device_laws, law_warnings, strain_warnings
+from edesign.study.analysis.structure import make_frame
 
 LAW = """# a law file
 type: zener

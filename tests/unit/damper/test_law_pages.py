@@ -1,4 +1,4 @@
-"""Every law has a page in docs/laws that names its parameters as they are, and a figure."""
+"""Every law has a page in docs/reference/laws that names its parameters as they are, and a figure."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import practical_unit
 
-PAGES = Path(__file__).parents[3] / "docs" / "laws"
+PAGES = Path(__file__).parents[3] / "docs" / "reference" / "laws"
 
 
 @pytest.mark.parametrize("name", LAWS)

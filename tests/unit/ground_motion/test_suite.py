@@ -132,6 +132,6 @@ def test_files_that_are_no_suites(tmp_path: Path) -> None:
 
 
 def test_every_key_is_documented() -> None:
-    text = (Path(__file__).parents[3] / "docs" / "suites.md").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[3] / "docs" / "how_to" / "suites.md").read_text(encoding="utf-8")
     keys = set(SuiteEntry.model_fields) | set(StandIn.model_fields)
     assert not [key for key in sorted(keys) if f"`{key}`" not in text]

@@ -10,8 +10,8 @@ from edesign.building.building_sections import BuildingSections
 from edesign.building.struts import equivalent_camber
 from edesign.project import ProjectError, parse_project
 from edesign.project.project import Project
-from edesign.study.buckling import slender_braces
-from edesign.study.structure import make_frame
+from edesign.study.analysis.buckling import slender_braces
+from edesign.study.analysis.structure import make_frame
 
 TEXT = """
 edesign: 1

@@ -122,6 +122,6 @@ def test_refusals(text: str, said: str) -> None:
 
 @pytest.mark.parametrize("model", [StrainEnergyDesign, SimplifiedDesign, Bounds, Extremes, Verify, BraceRatio])
 def test_every_key_is_documented(model: type[Model]) -> None:
-    text = (THESIS.parents[2] / "docs" / "damper_design.md").read_text(encoding="utf-8")
+    text = (THESIS.parents[2] / "docs" / "how_to" / "damper_design.md").read_text(encoding="utf-8")
     missing = [name for name in model.model_fields if not re.search(rf"[`{{ ]{name}[`,:}}]", text)]
     assert missing == []

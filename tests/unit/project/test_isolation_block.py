@@ -11,7 +11,7 @@ from edesign.errors import InputError
 from edesign.project.loader import parse_project
 from edesign.project.project import Project
 from edesign.project.reading.problems import ProjectError
-from edesign.study.check_summary import check_project
+from edesign.study.check.summary import check_project
 
 CASE = Path(__file__).parents[2] / "cases" / "isolated_frame" / "project.yaml"
 ISOLATOR = "- {lines: all, law: pendulum, vertical: {stiffness: 1500 kN/mm, uplift: true}}"

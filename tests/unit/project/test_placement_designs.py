@@ -112,6 +112,6 @@ def test_mirrored_in_a_frame_that_is_not_symmetric_is_told(bays: str, told: list
 
 @pytest.mark.parametrize("model", [PlacementDesign, CatalogueItem, Costs, LayoutLimits, PlacementVerify])
 def test_every_key_is_documented(model: type[Model]) -> None:
-    text = (THESIS.parents[2] / "docs" / "damper_placement.md").read_text(encoding="utf-8")
+    text = (THESIS.parents[2] / "docs" / "how_to" / "damper_placement.md").read_text(encoding="utf-8")
     missing = [name for name in model.model_fields if not re.search(rf"[`{{ ]{name}[`,:}}]", text)]
     assert missing == []

@@ -12,8 +12,8 @@ from cases.small_frame import RECORD, TEXT
 
 from edesign.building.project_file import load_project
 from edesign.cli.main import main
-from edesign.study.dampers import law_warnings
-from edesign.study.structure import make_frame
+from edesign.study.analysis.dampers import law_warnings
+from edesign.study.analysis.structure import make_frame
 
 Capture = pytest.CaptureFixture[str]
 

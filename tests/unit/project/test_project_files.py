@@ -113,7 +113,8 @@ def test_every_key_is_documented() -> None:
         "section_selection",
         "rts_file",
     )
-    text = "".join((THESIS.parents[2] / "docs" / f"{page}.md").read_text(encoding="utf-8") for page in pages)
+    docs = THESIS.parents[2] / "docs"
+    text = "".join(next(docs.rglob(f"{page}.md")).read_text(encoding="utf-8") for page in pages)
     waiting, keys = [Model], set()
     while waiting:
         model = waiting.pop()

@@ -11,7 +11,7 @@ from edesign.building.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Problem, parse_project
 from edesign.project.frame.foundations import FootingSupport
-from edesign.study.check import check_inputs
+from edesign.study.check.check import check_inputs
 
 Broken = Callable[..., list[Problem]]
 

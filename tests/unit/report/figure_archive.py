@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 TEXT = """\
 edesign: 1

@@ -11,11 +11,11 @@ from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import Verdict
 from edesign.assess.sets import history_sets
-from edesign.report.assessment_tables import assessment_tables, tables_of_histories
-from edesign.report.measure_tables import record_measures_table, statistics_tables
-from edesign.report.table import Table
-from edesign.report.text import plain
-from edesign.report.verdict_tables import verdicts_tables
+from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
+from edesign.report.assessment.tables import assessment_tables, tables_of_histories
+from edesign.report.assessment.verdict_tables import verdicts_tables
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import plain
 
 STUDY = part(
     "criteria:\n"

@@ -15,10 +15,10 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.building.building_file import load_building
 from edesign.cli.main import main
 from edesign.errors import ArchiveError, InputError
-from edesign.report.building_results import BuildingResults
-from edesign.report.building_tables import building_tables
-from edesign.report.table import Table
-from edesign.report.text import broken, plain, print_tables
+from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables import building_tables
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import broken, plain, print_tables
 from edesign.study.building import run_building
 
 

@@ -18,16 +18,16 @@ from unit.report import calibration_example as example
 from edesign.calibrate.result import Calibration, CarriedLaw, Coverage, Estimate, Hypothesis
 from edesign.damper.amendments import Amendment
 from edesign.errors import ArchiveError, InputError
-from edesign.report.calibration_effect_figures import effect_figures
-from edesign.report.calibration_effect_tables import effect_parameters_table, effects_table, hypotheses_table
-from edesign.report.calibration_figures import calibration_figures
-from edesign.report.calibration_residual_figures import harmonic_figures, telling_dependences
-from edesign.report.calibration_tables import errors_table, law_parameters_table, tables_of, verdict_text
-from edesign.report.calibration_units import interval_text, percent, plus_minus, practical, value_text
-from edesign.report.calibration_view import View, outline
+from edesign.report.calibration.effect_figures import effect_figures
+from edesign.report.calibration.effect_tables import effect_parameters_table, effects_table, hypotheses_table
+from edesign.report.calibration.figures import calibration_figures
+from edesign.report.calibration.residual_figures import harmonic_figures, telling_dependences
+from edesign.report.calibration.tables import errors_table, law_parameters_table, tables_of, verdict_text
+from edesign.report.calibration.units import interval_text, percent, plus_minus, practical, value_text
+from edesign.report.calibration.view import View, outline
 from edesign.report.page.calibration import calibration_page_text, write_calibration_page
-from edesign.report.table import Table
-from edesign.report.text import plain
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import plain
 
 SHOWN = 5e-3  # relative: three digits are shown
 

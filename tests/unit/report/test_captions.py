@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edesign.report.captions import file_name, plain, record_label
+from edesign.report.drawing.captions import file_name, plain, record_label
 
 
 @pytest.mark.parametrize(

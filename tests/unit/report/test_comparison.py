@@ -14,12 +14,12 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.compared import ComparedCell, Comparison
-from edesign.report.comparison import compare
-from edesign.report.comparison_files import comparison_data, write_comparison
-from edesign.report.comparison_tables import block_tables
-from edesign.report.comparison_wide import wide_tables
-from edesign.report.text import plain
+from edesign.report.comparison.cells import ComparedCell, Comparison
+from edesign.report.comparison.compare import compare
+from edesign.report.comparison.files import comparison_data, write_comparison
+from edesign.report.comparison.tables import block_tables
+from edesign.report.comparison.wide_tables import wide_tables
+from edesign.report.tables.text import plain
 
 DRIFTS = {"r1": [0.010, 0.030], "r2": [0.020, 0.010], "r3": [0.030, 0.014]}  # of the two storeys
 REFERENCE = """

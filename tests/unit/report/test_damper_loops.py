@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group
-from edesign.report.damper_loops import MOST, Loops, loops_figure
-from edesign.report.figures import AFTER, TARGET
-from edesign.study.recording import coordinate
+from edesign.report.drawing.style import AFTER, TARGET
+from edesign.report.response.damper_loops import MOST, Loops, loops_figure
+from edesign.study.results.recording import coordinate
 
 
 def history(dampers: int, storeys: int, size: float = 1.0) -> Group:

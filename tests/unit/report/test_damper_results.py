@@ -7,7 +7,12 @@ import pytest
 
 from edesign.archive.dataset import Group, Variable
 from edesign.assess.measures import response_measures
-from edesign.report.damper_results import amplitude_notes, damper_stiffness_table, dampers_table, each_damper_table
+from edesign.report.response.damper_results import (
+    amplitude_notes,
+    damper_stiffness_table,
+    dampers_table,
+    each_damper_table,
+)
 
 
 @pytest.fixture

@@ -13,9 +13,9 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.report.archive_figures import all_figures, draw_figures
-from edesign.report.design_figures import design_figures
-from edesign.report.figures import svg_text
-from edesign.study.recording import coordinate
+from edesign.report.design.figures import design_figures
+from edesign.report.drawing.style import svg_text
+from edesign.study.results.recording import coordinate
 
 AREAS = np.array([[0.4, 0.2], [0.8, 0.4], [0.6, 0.3]])
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.report.design_tables import bounds_table, design_tables, rounds_table
+from edesign.report.design.tables import bounds_table, design_tables, rounds_table
 
 
 def design() -> Group:

@@ -13,8 +13,8 @@ from unit.report.figure_archive import TEXT, history, small_archive
 from edesign.archive.reader import open_archive
 from edesign.building.profiles import profile_names
 from edesign.project import parse_project
-from edesign.report.frame_drawing import damper_drawing, member_lines
-from edesign.report.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
+from edesign.report.drawing.frame_drawing import damper_drawing, member_lines
+from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, Hinges, acceptance, frame_figures, hinge_figure
 
 PROJECT = parse_project(TEXT, "project.yaml", profile_names())
 FRAME = PROJECT.frame  # one bay of 6 m, storeys of 4 and 3 m

@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group, Variable
 from edesign.building.footings import DIRECTIONS
-from edesign.report.ground_tables import SHOWN, ground_tables
+from edesign.report.response.ground_tables import SHOWN, ground_tables
 
 
 def on_footings(modulus: float, work: dict[str, float]) -> Group:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.report.hinge_tables import hinge_tables
+from edesign.report.response.hinge_tables import hinge_tables
 
 
 def hinged(rotation: float, left: float, sway: float) -> Group:

@@ -10,10 +10,10 @@ import pytest
 from unit.report.figure_archive import RECORDS, TIME, history, small_archive
 
 from edesign.archive.reader import open_archive
-from edesign.report.energy_figures import energy_figures
-from edesign.report.histories import histories, variant_colors
-from edesign.report.response_figures import response_figures
-from edesign.report.temperature_figures import temperature_figures
+from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.histories import histories, variant_colors
+from edesign.report.response.response_figures import response_figures
+from edesign.report.response.temperature_figures import temperature_figures
 
 TABAS = RECORDS[0]
 

@@ -7,9 +7,9 @@ import pytest
 
 from edesign.assess.incremental import COLLAPSE, Stripes
 from edesign.assess.limit_fragility import LimitFragility, limit_fragility
-from edesign.report.incremental_figures import fragility_figure, ida_figure
-from edesign.report.incremental_results import IncrementalResults
-from edesign.report.incremental_tables import fractile_table, fragility_table
+from edesign.report.capacity.incremental_figures import fragility_figure, ida_figure
+from edesign.report.capacity.incremental_results import IncrementalResults
+from edesign.report.capacity.incremental_tables import fractile_table, fragility_table
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 
 G = 9.80665

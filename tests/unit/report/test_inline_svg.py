@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 from matplotlib.figure import Figure
 
-from edesign.report.figures import new_figure, styled, svg_text
-from edesign.report.light_axes import LightAxes
+from edesign.report.drawing.light_axes import LightAxes
+from edesign.report.drawing.style import new_figure, styled, svg_text
 from edesign.report.page.inline_svg import TOLERANCE, UNITS, inline_svg
 from edesign.report.page.shared_styles import share_styles
 

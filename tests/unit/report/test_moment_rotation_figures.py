@@ -10,10 +10,10 @@ from unit.report.figure_archive import RECORDS, TIME, history, small_archive
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
-from edesign.report.axial_figures import axial_figures
-from edesign.report.mode_figures import mode_figures
-from edesign.report.moment_rotation_figures import moment_rotation_figures
-from edesign.study.recording import coordinate
+from edesign.report.response.axial_figures import axial_figures
+from edesign.report.response.mode_figures import mode_figures
+from edesign.report.response.moment_rotation_figures import moment_rotation_figures
+from edesign.study.results.recording import coordinate
 
 
 def with_member(variant: str, order: int, size: float, plastic: bool) -> tuple[str, Group]:

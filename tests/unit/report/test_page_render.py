@@ -8,7 +8,7 @@ import pytest
 
 from edesign.report.page.render import Cover, alignments, render, state, typeset
 from edesign.report.page.section import Section
-from edesign.report.table import Table
+from edesign.report.tables.table import Table
 
 HOSTILE = "<img src=x onerror=alert(1)> & \"quotes\" 'too' -> T_B"
 

@@ -10,7 +10,7 @@ import pytest
 from unit.report.figure_archive import RECORDS, history, small_archive
 
 from edesign.archive.reader import open_archive
-from edesign.report.profile_figures import profile_figures
+from edesign.report.response.profile_figures import profile_figures
 
 
 @pytest.fixture(scope="module")

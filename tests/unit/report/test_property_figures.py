@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.damper.steady_state import PropertyRows
 from edesign.damper.thesis_tables import measured
-from edesign.report.figures import save
-from edesign.report.property_figures import property_figure, residual_figure
+from edesign.report.damper.property_figures import property_figure, residual_figure
+from edesign.report.drawing.style import save
 
 
 def test_points_and_lines_are_the_rows() -> None:

@@ -9,9 +9,9 @@ import pytest
 from edesign import load_study, run_study
 from edesign.archive.reader import open_archive
 from edesign.report.archive_figures import all_figures
+from edesign.report.archive_tables import details, overview
 from edesign.report.page.document import page_text
 from edesign.report.summary import summarise
-from edesign.report.tables import details, overview
 
 PROJECT = """\
 edesign: 1

@@ -18,16 +18,16 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.project.substructure import load_rts_file
 from edesign.report.archive_figures import all_figures, draw_figures
-from edesign.report.captions import plain
+from edesign.report.archive_tables import overview
+from edesign.report.drawing.captions import plain
 from edesign.report.page.document import page_text
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.curves import TOLERANCE, _fewer, window
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import other_methods
-from edesign.report.table import number
-from edesign.report.tables import overview
-from edesign.report.text import print_tables
+from edesign.report.tables.table import number
+from edesign.report.tables.text import print_tables
 from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
 from edesign.substructure.stability.loop import phase_delay

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from edesign.archive.dataset import Group, Variable
-from edesign.report.brace_table import brace_table
-from edesign.report.table import Table, number, seconds
-from edesign.report.tables import fallbacks_table
-from edesign.report.text import folded, print_tables
+from edesign.report.archive_tables import fallbacks_table
+from edesign.report.response.brace_table import brace_table
+from edesign.report.tables.table import Table, number, seconds
+from edesign.report.tables.text import folded, print_tables
 
 
 @pytest.mark.parametrize(

@@ -1,4 +1,4 @@
-"""The tool that writes the tables of docs/thesis_study.md: blocks are replaced, text stays."""
+"""The tool that writes the tables of docs/results/thesis_study.md: blocks are replaced, text stays."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import pytest
 
 from edesign.errors import InputError
 from edesign.project.study.reference_loader import load_reference
-from edesign.report.table import Table
+from edesign.report.tables.table import Table
 from tools.thesis_study_page import BLOCK, markdown, replaced
 
 ROOT = Path(__file__).parents[3]
@@ -31,7 +31,7 @@ def test_a_table_in_markdown() -> None:
 
 
 def test_the_page_has_a_place_for_every_table_of_the_reference() -> None:
-    page = (ROOT / "docs" / "thesis_study.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "results" / "thesis_study.md").read_text(encoding="utf-8")
     names = [match["name"] for match in BLOCK.finditer(page)]
     titles = [table.title for table in load_reference(ROOT / "projects/thesis_10_storey/reference.yaml").tables]
     assert [sum(title.startswith(name) for name in names) for title in titles] == [1] * len(titles)

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.report.thin_out import thin_out, thin_out_all
+from edesign.report.drawing.thin_out import thin_out, thin_out_all
 
 STEPS = 4000
 

@@ -20,7 +20,7 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.space.extract import frame_row, project_text
 from edesign.space.extract.selections import runs
 from edesign.space.structure.geometry import space_frame
-from edesign.study.modal import fundamental_period
+from edesign.study.analysis.modal import fundamental_period
 
 THESIS = Path(__file__).parents[3] / "projects" / "thesis_building"
 DIGITS = 1e-5  # of values that are written with six digits

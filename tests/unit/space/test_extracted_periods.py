@@ -27,9 +27,9 @@ from edesign.space.extract import frame_row, project_text
 from edesign.space.structure import model
 from edesign.space.structure.geometry import space_frame
 from edesign.space.structure.model import space_model
-from edesign.study.gravity import run_gravity
-from edesign.study.pushover import run_pushover
-from edesign.study.structure import make_frame, make_structure
+from edesign.study.analysis.gravity import run_gravity
+from edesign.study.analysis.pushover import run_pushover
+from edesign.study.analysis.structure import make_frame, make_structure
 
 CUT = 0.5 / 256
 """Relative: 16 layers over a wall in place of the whole lower its own moment of inertia by 1/256, and a period by half

@@ -12,8 +12,8 @@ from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec8.capacity import foundation_factor
-from edesign.report.foundation_table import foundation_summary, foundation_table
-from edesign.report.table import number
+from edesign.report.building.foundation_table import foundation_summary, foundation_table
+from edesign.report.tables.table import number
 from edesign.space.analysis.bracing import bracing
 from edesign.space.checks.foundations import supports
 from edesign.space.elastic_design import ElasticDesign

@@ -18,8 +18,8 @@ from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
 from edesign.project.reading.problems import FileProblems
-from edesign.report.building_basis_tables import selection_table
-from edesign.report.building_results import BuildingResults
+from edesign.report.building.basis_tables import selection_table
+from edesign.report.building.results import BuildingResults
 from edesign.space.checks.criteria import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations

@@ -18,8 +18,8 @@ from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
 from edesign.core.member_checks import Check, MemberTable, mask, member_checks
-from edesign.report.building_checks import written
-from edesign.report.building_results import BuildingResults
+from edesign.report.building.checks import written
+from edesign.report.building.results import BuildingResults
 from edesign.space.checks.buckling_moments import quarter_moments
 from edesign.space.checks.written_checks import written_check
 from edesign.space.checks.written_steps import ForcesAlong, FreeBeam

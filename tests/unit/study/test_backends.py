@@ -17,11 +17,11 @@ from unit.study.toy_works import Listener, check_mixed, mixed_works, run_all
 
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
-from edesign.study.backends import Backend, Work, make_backend
-from edesign.study.backends.state import refusal
-from edesign.study.check import check_inputs
-from edesign.study.motions import project_motions
-from edesign.study.plan import make_plan
+from edesign.study.check.check import check_inputs
+from edesign.study.motions.motions import project_motions
+from edesign.study.run.backends import Backend, Work, make_backend
+from edesign.study.run.backends.state import refusal
+from edesign.study.run.plan import make_plan
 
 PROJECTS = Path(__file__).parents[3] / "projects"
 
@@ -128,7 +128,7 @@ def test_what_cannot_be_chosen(arguments: tuple[Any, ...], words: str) -> None:
 
 
 def test_dask_that_is_not_installed(monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in [name for name in sys.modules if name.startswith("edesign.study.backends.dask")]:
+    for name in [name for name in sys.modules if name.startswith("edesign.study.run.backends.dask")]:
         monkeypatch.delitem(sys.modules, name)
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(InputError, match=r"needs the package distributed: pip install 'edesign\[cluster\]'"):

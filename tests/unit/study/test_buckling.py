@@ -14,10 +14,10 @@ from edesign.building.project_file import load_project
 from edesign.building.struts import frame_bars
 from edesign.cli.main import main
 from edesign.project import ProjectError
-from edesign.study.analyses import run_analysis
-from edesign.study.buckling import slender_braces
-from edesign.study.structure import make_frame
-from edesign.study.warnings import warnings_of
+from edesign.study.analysis.buckling import slender_braces
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.warnings import warnings_of
+from edesign.study.run.analyses import run_analysis
 
 BRACED = """\
 edesign: 1

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from edesign.project import parse_project
-from edesign.study.analyses import run_analysis
-from edesign.study.capacity_events import _limit_point
+from edesign.study.analysis.capacity_events import _limit_point
+from edesign.study.run.analyses import run_analysis
 
 TRUSS = """\
 edesign: 1

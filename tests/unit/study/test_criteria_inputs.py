@@ -11,10 +11,10 @@ from edesign.errors import InputError
 from edesign.project.criteria.checks_quantities import names_of_dampers
 from edesign.project.dampers.verification import Verify
 from edesign.project.study.study_loader import parse_study
-from edesign.study.check import check_study_inputs
-from edesign.study.criteria import kept_for_verification, too_few_motions
-from edesign.study.structure import make_frame
-from edesign.study.study_plan import make_study_plan
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.check import check_study_inputs
+from edesign.study.check.criteria import kept_for_verification, too_few_motions
+from edesign.study.run.study_plan import make_study_plan
 
 CASES = Path(__file__).parents[2] / "cases"
 PATH = CASES / "any_quantity" / "study.yaml"

@@ -10,9 +10,9 @@ from unit.study.frames import project
 
 from edesign import check_project
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.study.advice import frame_warnings
-from edesign.study.modal import fundamental_period
-from edesign.study.plausibility import implausible
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.check.advice import frame_warnings
+from edesign.study.check.plausibility import implausible
 
 FRAME = """\
 edesign: 1

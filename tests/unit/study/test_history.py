@@ -12,8 +12,8 @@ from unit.study.frames import NODE_MASS, PULSE, project, shear_frame
 from edesign.archive.dataset import Group
 from edesign.errors import InputError
 from edesign.project.project import Project
-from edesign.study.analyses import run_analysis
-from edesign.study.residual import residual
+from edesign.study.analysis.residual import residual
+from edesign.study.run.analyses import run_analysis
 
 DT, M = 0.01, 2 * NODE_MASS
 HISTORY = "{name: h, kind: history, record: pulse, scale: 2.0, free_vibration: 1.5 s, level: DBE, variant: bare}"

@@ -11,7 +11,7 @@ from unit.study.frames import project
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 SETBACK = """\
 edesign: 1

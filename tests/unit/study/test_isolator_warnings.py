@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.study.isolators import _couples
+from edesign.study.analysis.isolators import _couples
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ import pytest
 from shear_frames import AREA, HEIGHT, MASS, STIFFNESS, E
 from unit.study.frames import NODE_MASS, THESIS_4_BAYS, project, shear_frame
 
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 
 
 def test_period_of_one_storey() -> None:

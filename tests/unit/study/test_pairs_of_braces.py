@@ -9,7 +9,7 @@ from edesign.building.building_sections import BuildingSections
 from edesign.building.steel_section import steel_section
 from edesign.project import parse_project
 from edesign.project.analysis.analyses import PushoverAnalysis
-from edesign.study.pushover import run_pushover
+from edesign.study.analysis.pushover import run_pushover
 
 TEXT = """\
 edesign: 1

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from edesign.study.progress import Progress, Tally
+from edesign.study.run.progress import Progress, Tally
 
 
 class Run:

@@ -20,14 +20,14 @@ from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
 from edesign.project.project import Project
-from edesign.study import provenance
-from edesign.study.check import check_study_inputs
-from edesign.study.check_summary import check_project
-from edesign.study.dampers import device_laws
-from edesign.study.progress import Progress
-from edesign.study.provenance import IDENTITY, root_group, study_root_group
-from edesign.study.run import run_project, run_study
-from edesign.study.study_plan import make_study_plan
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.check.check import check_study_inputs
+from edesign.study.check.summary import check_project
+from edesign.study.run import provenance
+from edesign.study.run.progress import Progress
+from edesign.study.run.provenance import IDENTITY, root_group, study_root_group
+from edesign.study.run.run import run_project, run_study
+from edesign.study.run.study_plan import make_study_plan
 
 PROJECT = """\
 edesign: 1
@@ -144,7 +144,7 @@ CHANGES = (
     change_records,
     change_numpy,
     change_processor,
-    change_package("study/run.py"),
+    change_package("study/run/run.py"),
     change_package("building/data/profiles.csv"),
     change_package("damper/data/parameter_sets.yaml"),
     change_package("codes/ec8/data/*.yaml"),  # national parameters

@@ -9,8 +9,8 @@ from unit.study.frames import PORTAL, project, shear_frame
 from edesign.archive.dataset import Group
 from edesign.building.frame import build_frame
 from edesign.errors import InputError
-from edesign.study.analyses import run_analysis
-from edesign.study.lateral_patterns import lateral_loads
+from edesign.study.analysis.lateral_patterns import lateral_loads
+from edesign.study.run.analyses import run_analysis
 
 B, D, H, E, FY = 0.1, 0.2, 4.0, 210e9, 250e6
 MP = FY * B * D**2 / 4  # plastic moment of a rectangle; exact with an even number of layers

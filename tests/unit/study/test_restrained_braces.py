@@ -18,13 +18,13 @@ from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.criteria.checks_quantities import names_of_dampers
 from edesign.project.criteria.criteria import QuantityCriterion
-from edesign.report.restrained_braces import restrained_tables
-from edesign.study.advice import frame_warnings
-from edesign.study.history import run_history
-from edesign.study.lateral_patterns import floor_masses
-from edesign.study.modal import fundamental_period
-from edesign.study.structure import make_frame
-from edesign.study.warnings import warnings_of
+from edesign.report.response.restrained_braces import restrained_tables
+from edesign.study.analysis.history import run_history
+from edesign.study.analysis.lateral_patterns import floor_masses
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.advice import frame_warnings
+from edesign.study.check.warnings import warnings_of
 
 TEXT = (HERE / "brb_frame" / "project.yaml").read_text(encoding="utf-8").replace("../records", str(HERE / "records"))
 RISING = "{kind: rising, bays: 1, storeys: all, law: brb, scale: [1.7, 1.4, 0.8]}"

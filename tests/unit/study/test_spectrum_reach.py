@@ -8,7 +8,7 @@ import pytest
 
 from edesign import load_project, load_study
 from edesign.errors import InputError
-from edesign.study.check_summary import check_project, check_study
+from edesign.study.check.summary import check_project, check_study
 
 PROJECT = """\
 edesign: 1

@@ -12,10 +12,10 @@ from edesign import load_project
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.project import Project
-from edesign.study.check_summary import check_project
-from edesign.study.motions import Motion
-from edesign.study.plan import Stripe, Task, make_plan
-from edesign.study.suitability import scale_warnings
+from edesign.study.check.suitability import scale_warnings
+from edesign.study.check.summary import check_project
+from edesign.study.motions.motions import Motion
+from edesign.study.run.plan import Stripe, Task, make_plan
 
 
 @pytest.fixture

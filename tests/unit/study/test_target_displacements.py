@@ -15,10 +15,10 @@ from edesign.building.frame import build_frame
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.project import Project
 from edesign.project.analysis.pushover import GivenPattern
-from edesign.study.analyses import run_analysis
-from edesign.study.lateral_patterns import lateral_loads
-from edesign.study.plan import make_plan
-from edesign.study.warnings import warnings_of
+from edesign.study.analysis.lateral_patterns import lateral_loads
+from edesign.study.check.warnings import warnings_of
+from edesign.study.run.analyses import run_analysis
+from edesign.study.run.plan import make_plan
 
 CASES = Path(__file__).parents[2] / "cases"
 HAZARD = """\

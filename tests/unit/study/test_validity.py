@@ -25,9 +25,9 @@ from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.project.study.study_loader import StudyError
 from edesign.report.summary import all_results
-from edesign.study.analyses import run_analysis
-from edesign.study.run import run_study
-from edesign.study.warnings import warnings_of
+from edesign.study.check.warnings import warnings_of
+from edesign.study.run.analyses import run_analysis
+from edesign.study.run.run import run_study
 
 SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[4] / "shared") / "cases" / "runaway_history"
 

@@ -14,9 +14,9 @@ from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.notation.selections import ALL_NUMBERS
 from edesign.project.study.study import Study
-from edesign.study.dampers import device_laws
-from edesign.study.history import run_history
-from edesign.study.study_plan import make_study_plan
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.history import run_history
+from edesign.study.run.study_plan import make_study_plan
 from edesign.study.variants import variant_project, variant_warnings
 
 AREA = 0.01  # m2, of a layer

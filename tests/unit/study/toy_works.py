@@ -16,9 +16,9 @@ from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError
 from edesign.project.analysis.analyses import Analysis
 from edesign.project.project import Project
-from edesign.study.analyses import run_analysis
-from edesign.study.backends import Backend, Result, Work
-from edesign.study.motions import Motion
+from edesign.study.motions.motions import Motion
+from edesign.study.run.analyses import run_analysis
+from edesign.study.run.backends import Backend, Result, Work
 
 WAIT = 60.0  # s, until a test is taken to hang
 

@@ -276,8 +276,8 @@ def test_wrong_parameters_write_nothing(tmp_path: Path) -> None:
 
 
 def test_every_kind_has_a_section_of_the_documentation() -> None:
-    """docs/compensators.md, with a weakness each, and every key of the file but those that the page explains once."""
-    page = (Path(__file__).parents[3] / "docs" / "compensators.md").read_text(encoding="utf-8")
+    """docs/theory/compensators.md, with a weakness each, and every key of the file but those explained once."""
+    page = (Path(__file__).parents[3] / "docs" / "theory" / "compensators.md").read_text(encoding="utf-8")
     sections = {text.split("\n", 1)[0]: text for text in page.split("\n## ")[1:]}
     for tagged in get_args(get_args(kinds.Compensator)[0]):
         model = get_args(tagged)[0]

@@ -16,11 +16,11 @@ from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
 from edesign.project import parse_project
 from edesign.project.substructure import load_rts_file, parse_rts_file
-from edesign.report.profile_figures import profile_figures
+from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.summary import summarise
 from edesign.stopping import Stopped, stoppable
-from edesign.study.analyses import run_analysis
+from edesign.study.run.analyses import run_analysis
 from edesign.substructure.indicators.response_error import response_error
 from edesign.substructure.judgement.judge import judge
 from edesign.substructure.run import run_tests, write_run

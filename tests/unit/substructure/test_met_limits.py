@@ -10,9 +10,9 @@ import pytest
 from edesign.archive.reader import Archive, open_archive
 from edesign.cli.main import main
 from edesign.project.substructure import load_rts_file
+from edesign.report.archive_tables import overview
 from edesign.report.page.document import page_text
 from edesign.report.substructure.tables import runs, substructure_summary
-from edesign.report.tables import overview
 from edesign.substructure.run import run_tests
 
 K, C = 6.7e6, 150e3  # N/m, N s/m

@@ -14,8 +14,8 @@ from edesign.errors import InputError
 from edesign.project import load_project
 from edesign.project.analysis.damping import ModalDamping, NoDamping, RayleighDamping
 from edesign.project.project import Project
-from edesign.study.analyses import run_analysis
-from edesign.study.structure import make_structure
+from edesign.study.analysis.structure import make_structure
+from edesign.study.run.analyses import run_analysis
 from edesign.substructure.structure.numerical import LinearPart, shear_building
 from edesign.substructure.structure.project_structure import project_part
 from edesign.substructure.structure.recursion import Recursion, recursion

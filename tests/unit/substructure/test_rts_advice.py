@@ -13,7 +13,7 @@ from unit.substructure.test_expected_errors import ELASTOMER
 from edesign.archive.reader import open_archive
 from edesign.project.substructure import load_rts_file, parse_rts_file
 from edesign.report.substructure.advice_tables import advice_tables
-from edesign.report.text import print_tables
+from edesign.report.tables.text import print_tables
 from edesign.substructure.advice.advice import Advice, advise
 from edesign.substructure.advice.loaded_rig import loaded_poles, swings
 from edesign.substructure.advice.needs import ABORT, Need, abort_level

@@ -26,7 +26,7 @@ from edesign.project.substructure.summary import summary
 from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.rig.rigs import ideal
 
-PAGE = Path(__file__).parents[3] / "docs" / "rts_file.md"
+PAGE = Path(__file__).parents[3] / "docs" / "reference" / "rts_file.md"
 
 
 def test_the_smallest_file() -> None:

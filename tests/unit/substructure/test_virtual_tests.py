@@ -274,7 +274,7 @@ def test_errors_and_corrections_of_other_methods_are_said_in_the_file(tmp_path: 
     assert np.abs(lagging.deformation - lagging.target)[10:] == pytest.approx(5e-6, rel=1e-6)
     assert isinstance(alone, ShakingTableRecord) and isinstance(corrected, ShakingTableRecord)
     assert corrected.table_errors.size == 4
-    # an iteration leaves |1 - loaded/bare| of the error: 0.55 at the peak under equal masses (docs/test_methods.md)
+    # an iteration leaves |1 - loaded/bare| of the error: 0.55 at the peak under equal masses (test_methods.md)
     assert corrected.response_error < 0.2 * alone.response_error
 
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.report.brace_figures import brace_figures
-from edesign.report.brace_table import brace_table
 from edesign.report.page.section import Part, Section
 from edesign.report.page.source import Source
+from edesign.report.response.brace_figures import brace_figures
+from edesign.report.response.brace_table import brace_table
 
 
 def braces(source: Source) -> Section:

@@ -9,21 +9,23 @@ from functools import partial
 from edesign.archive.dataset import Group
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
-from edesign.report.building_basis_tables import (
+from edesign.report.building.basis_tables import (
     floors_table,
     joints_table,
     materials_table,
     overstrength_table,
     selection_table,
 )
-from edesign.report.building_checks import effects_table, written_table, written_worst
-from edesign.report.building_curves import mode_shapes, spectra, storey_curves
-from edesign.report.building_facts import building_rows, design_rows
-from edesign.report.building_figures import elevations
-from edesign.report.building_others import other_tables
-from edesign.report.building_plans import plans
-from edesign.report.building_results import BuildingResults
-from edesign.report.building_tables import (
+from edesign.report.building.checks import effects_table, written_table, written_worst
+from edesign.report.building.curves import mode_shapes, spectra, storey_curves
+from edesign.report.building.deflection_table import deflection_table
+from edesign.report.building.elevations import elevations
+from edesign.report.building.facts import building_rows, design_rows
+from edesign.report.building.foundation_table import foundation_table, reaction_table
+from edesign.report.building.other_tables import other_tables
+from edesign.report.building.plans import plans
+from edesign.report.building.results import BuildingResults
+from edesign.report.building.tables import (
     base_shear_table,
     combinations_table,
     criteria_table,
@@ -35,13 +37,11 @@ from edesign.report.building_tables import (
     storeys_table,
     worst_of_groups,
 )
-from edesign.report.captions import plain
-from edesign.report.deflection_table import deflection_table
-from edesign.report.foundation_table import foundation_table, reaction_table
+from edesign.report.drawing.captions import plain
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
-from edesign.report.table import Table
+from edesign.report.tables.table import Table
 from edesign.space.structure.frame import AXES
 
 Parts = Callable[[Source, BuildingResults], Iterable[Part]]

@@ -9,8 +9,8 @@ import numpy as np
 from edesign._version import __version__
 from edesign.calibrate.result import Calibration
 from edesign.calibrate.side_by_side import side_by_side
-from edesign.report.calibration_effect_figures import effect_figures
-from edesign.report.calibration_effect_tables import (
+from edesign.report.calibration.effect_figures import effect_figures
+from edesign.report.calibration.effect_tables import (
     NOT_ASKED,
     effect_name,
     effect_parameters_table,
@@ -18,11 +18,11 @@ from edesign.report.calibration_effect_tables import (
     hypotheses_table,
     refused_table,
 )
-from edesign.report.calibration_figures import Figures
-from edesign.report.calibration_history_figures import error_figures, loop_figures, residual_figures
-from edesign.report.calibration_residual_figures import dependence_figures, harmonic_figures, map_figures
-from edesign.report.calibration_structure_figures import history_figures, peak_figures, spectrum_figures
-from edesign.report.calibration_tables import (
+from edesign.report.calibration.figures import Figures
+from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
+from edesign.report.calibration.residual_figures import dependence_figures, harmonic_figures, map_figures
+from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
+from edesign.report.calibration.tables import (
     MODELS,
     NRMS_NOTES,
     each_test_table,
@@ -32,11 +32,11 @@ from edesign.report.calibration_tables import (
     starts_table,
     verdict_text,
 )
-from edesign.report.calibration_units import percent, scale_of
-from edesign.report.calibration_view import View
+from edesign.report.calibration.units import percent, scale_of
+from edesign.report.calibration.view import View
 from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
 from edesign.report.page.source import picture_of
-from edesign.report.table import Table, number
+from edesign.report.tables.table import Table, number
 
 _VERDICTS = {
     "none": ("None", "no effect is missing", "good"),

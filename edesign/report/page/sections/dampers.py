@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.report.damper_loops import damper_figures
-from edesign.report.damper_results import dampers_table
 from edesign.report.page.section import Folded, Section
 from edesign.report.page.source import Source, headed
-from edesign.report.restrained_braces import restrained_tables
+from edesign.report.response.damper_loops import damper_figures
+from edesign.report.response.damper_results import dampers_table
+from edesign.report.response.restrained_braces import restrained_tables
 
 MANY = 24  # rows, from which a table is folded
 ONE_SET = 4  # tables of buckling-restrained braces; of several sets all are folded

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.report.derived_tables import derived_tables
+from edesign.report.assessment.derived_tables import derived_tables
+from edesign.report.assessment.vary_figures import vary_figures
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source
-from edesign.report.vary_figures import vary_figures
 
 
 def derived(source: Source) -> Section:

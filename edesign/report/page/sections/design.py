@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.report.design_figures import design_figures
+from edesign.report.assessment.study_tables import designs_tables
+from edesign.report.design.figures import design_figures
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source
-from edesign.report.study_tables import designs_tables
 
 
 def design(source: Source) -> Section:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from edesign.report.axial_figures import axial_figures
-from edesign.report.frame_figures import frame_figures
-from edesign.report.ground_tables import ground_tables
-from edesign.report.hinge_tables import hinge_tables
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source, headed
+from edesign.report.response.axial_figures import axial_figures
+from edesign.report.response.frame_figures import frame_figures
+from edesign.report.response.ground_tables import ground_tables
+from edesign.report.response.hinge_tables import hinge_tables
 
 
 def hinges(source: Source) -> Section:

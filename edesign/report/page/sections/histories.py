@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.report.captions import file_name
-from edesign.report.energy_figures import energy_figures
+from edesign.report.drawing.captions import file_name
 from edesign.report.page.section import Folded, Heading, Part, Picture, Section
 from edesign.report.page.source import Source, by_level
-from edesign.report.response_figures import response_figures
+from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.response_figures import response_figures
 
 MANY = 6  # pictures of one level, beyond which only those of the governing records are shown at once
 

@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.report.captions import plain
-from edesign.report.incremental_figures import results_figures
-from edesign.report.incremental_results import DRIFT, UNITS, IncrementalResults
-from edesign.report.incremental_tables import results_tables
+from edesign.report.capacity.incremental_figures import results_figures
+from edesign.report.capacity.incremental_results import DRIFT, UNITS, IncrementalResults
+from edesign.report.capacity.incremental_tables import results_tables
+from edesign.report.drawing.captions import plain
 from edesign.report.page.section import Heading, Headline, Part, Section
 from edesign.report.page.source import Source
 

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
+from edesign.report.archive_tables import analyses_table
 from edesign.report.page.project_facts import project_rows
 from edesign.report.page.section import Facts, Folded, Part, Section
 from edesign.report.page.source import Source
-from edesign.report.tables import analyses_table
 
 
 def inputs(source: Source) -> Section:

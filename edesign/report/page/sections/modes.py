@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.report.damper_results import damper_stiffness_table
-from edesign.report.mode_figures import mode_figures
+from edesign.report.archive_tables import periods_table
 from edesign.report.page.section import Folded, Section
 from edesign.report.page.source import Source
-from edesign.report.tables import periods_table
+from edesign.report.response.damper_results import damper_stiffness_table
+from edesign.report.response.mode_figures import mode_figures
 
 
 def modes(source: Source) -> Section:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from edesign.report.moment_rotation_figures import moment_rotation_figures
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source, headed
+from edesign.report.response.moment_rotation_figures import moment_rotation_figures
 
 
 def moment_rotation(source: Source) -> Section:

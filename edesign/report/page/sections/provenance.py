@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.report.captions import plain
+from edesign.report.archive_tables import fallbacks_table, statistics_table
+from edesign.report.drawing.captions import plain
 from edesign.report.page.section import Facts, Folded, Part, Section, Warnings
 from edesign.report.page.source import Source
-from edesign.report.table import Table
-from edesign.report.tables import fallbacks_table, statistics_table
+from edesign.report.tables.table import Table
 
 ROOT = (
     ("edesign", "edesign_version"),

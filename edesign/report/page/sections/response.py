@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from edesign.report.measure_tables import record_measures_table, statistics_tables
+from edesign.report.archive_tables import measures_table
+from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.page.section import Folded, Part, Section
 from edesign.report.page.source import Source, headed
-from edesign.report.profile_figures import profile_figures
-from edesign.report.tables import measures_table
+from edesign.report.response.profile_figures import profile_figures
 
 SHOWN = 2  # tables of statistics, mean and maximum as in thesis Tables 5.8 and 5.9; the others on demand
 

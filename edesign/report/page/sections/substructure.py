@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
 from edesign.errors import ArchiveError
-from edesign.report.captions import plain
-from edesign.report.energy_figures import energy_figures
+from edesign.report.drawing.captions import plain
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
-from edesign.report.profile_figures import profile_figures
+from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import loop_diagrams
@@ -27,7 +27,7 @@ from edesign.report.substructure.rig_figures import rig_figures
 from edesign.report.substructure.tables import Run, substructure_tables
 from edesign.report.substructure.tracking_figures import synchronisation_figures, tracking_figures
 from edesign.report.summary import input_warnings
-from edesign.report.table import Table
+from edesign.report.tables.table import Table
 from edesign.substructure.archived import INDICATORS
 
 if TYPE_CHECKING:

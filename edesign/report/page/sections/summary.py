@@ -8,16 +8,16 @@ from typing import Any
 from edesign.assess.measures import located_measure
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import Statistics
-from edesign.report.captions import at_level, plain, record_label
-from edesign.report.measure_columns import ROUNDING
-from edesign.report.measure_tables import missing_notes
+from edesign.report.assessment.measure_columns import ROUNDING
+from edesign.report.assessment.measure_tables import missing_notes
+from edesign.report.drawing.captions import at_level, plain, record_label
 from edesign.report.page.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
 from edesign.report.page.sections.verdicts import judged, verdict_tiles
 from edesign.report.page.source import Source
 from edesign.report.summary import design_warnings, input_warnings
-from edesign.report.table import Table, number
-from edesign.study.warnings import warning_lines
+from edesign.report.tables.table import Table, number
+from edesign.study.check.warnings import warning_lines
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
 TILES = (  # label, measure, unit, unit in SI

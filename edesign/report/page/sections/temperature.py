@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from edesign.report.page.section import Section
 from edesign.report.page.source import Source
-from edesign.report.temperature_figures import temperature_figures
+from edesign.report.response.temperature_figures import temperature_figures
 
 
 def temperature(source: Source) -> Section:

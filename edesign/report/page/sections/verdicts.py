@@ -7,11 +7,11 @@ from edesign.assess.members import VariantMembers
 from edesign.assess.quantities import HISTORY_OF
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.study.study import Study, own_variant
-from edesign.report.assessment_tables import read_judged
+from edesign.report.assessment.tables import read_judged
+from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.report.page.section import Headline, Section
 from edesign.report.page.source import Source
-from edesign.report.table import Table
-from edesign.report.verdict_tables import objectives_table, performance_tables, verdicts_tables
+from edesign.report.tables.table import Table
 
 
 def judged(source: Source) -> tuple[tuple[Verdict, ...], list[Table]]:

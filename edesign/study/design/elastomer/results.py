@@ -26,7 +26,7 @@ from edesign.study.design.results import (
     store_rounds,
     store_storeys,
 )
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 ASSEMBLIES = ("dampers", "dampers_and_braces")
 _WAYS = (

@@ -28,7 +28,7 @@ from edesign.study.design.results import (
     store_rounds,
     store_storeys,
 )
-from edesign.study.recording import coordinate
+from edesign.study.results.recording import coordinate
 
 _DAMPING = "added equivalent damping ratio of the first mode, secant stiffness and loops with braces"
 _CURVE_POINTS, _CURVE_START = 25, 0.01  # shares of the storey shears, in geometric steps up to the largest

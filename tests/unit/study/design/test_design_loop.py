@@ -17,10 +17,10 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.project import Project
+from edesign.study.analysis.structure import make_structure
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.design.elastomer.sizing import Sizing
 from edesign.study.design.loop import Round, RoundOutcome, RoundVerdict, Search, search
-from edesign.study.structure import make_structure
 
 TEXT = (
     "law: rubber, kind: storey, bays: 1, strain: 20 %, layer_thickness: 20 mm, state: initial, "

@@ -12,12 +12,12 @@ from placement_examples import small_project
 
 from edesign.errors import InputError
 from edesign.project.dampers.placement import PlacementDesign
+from edesign.study.analysis.structure import make_frame
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import action_of
 from edesign.study.placement.candidates import Candidates, make_candidates
 from edesign.study.placement.estimate import LayoutEstimates
 from edesign.study.placement.placement import check_placement
-from edesign.study.structure import make_frame
 
 CATALOGUE = (
     "a: {law: oil, scale: 40, cost: 1, brace: {stiffness: 60 kN/mm, play: 1 mm}}, "

@@ -1,0 +1,149 @@
+"""The tables of a study: designs, periods, statistics of the response, verdicts, what failed, what it cost."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Mapping, Sequence
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.criteria import judge
+from edesign.assess.members import VariantMembers
+from edesign.assess.sets import HistorySet, history_sets
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.study.study import Study
+from edesign.report.archived import archived_study
+from edesign.report.assessment.derived_results import not_swept
+from edesign.report.assessment.derived_tables import derived_tables
+from edesign.report.assessment.measure_tables import statistics_tables
+from edesign.report.assessment.tables import read_histories, read_judged
+from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
+from edesign.report.capacity.incremental_tables import incremental_tables
+from edesign.report.capacity.pushover_tables import target_tables
+from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
+from edesign.report.design.tables import design_tables
+from edesign.report.summary import all_results, ending, statistics
+from edesign.report.tables.table import Table, number, seconds, whole
+from edesign.study.check.warnings import warning_lines
+from edesign.study.results.kinds import DESIGNS, INCREMENTAL
+from edesign.study.run.outcome import COLLAPSED, COMPLETED, SKIPPED
+from edesign.study.variants import bound_of
+
+EXPECTED = (COLLAPSED, SKIPPED)  # ends of histories of incremental studies that are no failures
+
+
+def study_tables(archive: Archive) -> list[Table]:
+    """Return the tables of a study, without those of single histories.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+        InputError: the study that it holds is not one of this version.
+    """
+    study = archived_study(archive)
+    if study is None:
+        return []
+    groups = all_results(archive)
+    histories = read_histories(archive, groups)
+    sets = history_sets(histories)
+    tables = [
+        plan_table(archive, groups),
+        *designs_tables(archive, study, sets),
+        *(isolation_estimate_table(name, group) for name, group in groups.items()),
+        *statistics_tables(not_swept(study, sets)),
+        isolation_statistics_table(sets),
+    ]
+    tables += derived_tables(study, sets)
+    tables += target_tables(study.base, groups, study)
+    judged = read_judged(archive, groups)
+    if study.criteria:
+        tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study))
+    if sets:
+        tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study))
+    if study.objectives:
+        verdicts = judge((), study.objectives, judged, study.base, study)
+        tables.append(objectives_table(verdicts, study.objectives, study.base))
+    tables += incremental_tables(archive, groups)
+    return [table for table in tables if table.rows or table.notes]
+
+
+def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
+    """Return how many analyses of each variant and level there are, how many completed, and what they cost.
+
+    Of incremental studies there is a row for each variant, with the histories that ended in collapse, and those that
+    were skipped after one. Failed analyses are named with their reasons below, and what is doubtful about the others.
+
+    Args:
+        archive: complete or partial.
+        groups: all its analyses by name, if they have been read already.
+    """
+    stripes = _stripe_entries(archive)
+    ends = (COMPLETED, *(EXPECTED if stripes else ()))
+    table = Table("Analyses", ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"))
+    by_entry: dict[str, dict[str, Group]] = defaultdict(dict)
+    for name, group in (all_results(archive) if groups is None else groups).items():
+        by_entry[_entry_of(name, group, stripes)][name] = group
+    for title, found in by_entry.items():
+        endings = {name: ending(group) for name, group in found.items()}
+        counts = [str(sum(item["status"] == end for item in endings.values())) for end in ends]
+        cost = [statistics(group) for group in found.values()]
+        sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
+        errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
+        cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
+        table.rows.append([title, str(len(found)), *counts, *cells])
+        told = {name: item for name, item in endings.items() if item["reason"] and item["status"] not in EXPECTED}
+        table.notes += [f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()]
+        table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]
+    return table
+
+
+def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
+    """Return the tables of each design: size of the dampers of each storey, and what they add.
+
+    Args:
+        archive: of a study.
+        study: that it holds; None: it cannot be read.
+        sets: its histories by variant and level.
+    """
+    tables = []
+    for name in archive.names(DESIGNS):
+        factors = {} if study is None else property_factors_of(study, name)
+        tables += design_tables(archive.group(f"{DESIGNS}/{name}"), sets, factors)
+    return tables
+
+
+def property_factors_of(study: Study, design: str) -> dict[str, float]:
+    """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
+
+    Of a placement that of the law is left out, as its dampers may have several laws.
+    """
+    dampers, spec = study.base.dampers, study.designs[design]
+    own = 1.0
+    if dampers is not None and not isinstance(spec, PlacementDesign):
+        own = dampers.laws[spec.law].property_factor
+    return {
+        key: own * (variant.property_factor or 1.0) * bound_of(study, key)[0]
+        for key, variant in study.variants.items()
+        if variant.design == design
+    }
+
+
+def _stripe_entries(archive: Archive) -> tuple[str, ...]:
+    """VARIANT.STUDY of the incremental studies, which the names of their histories begin with."""
+    abouts = {name: archive.group(f"{INCREMENTAL}/{name}") for name in archive.names(INCREMENTAL)}
+    return tuple(f"{variant}.{name}" for name, about in abouts.items() for variant in about.coords["variant"].values)
+
+
+def _entry_of(name: str, group: Group, stripes: tuple[str, ...]) -> str:
+    """What an analysis is counted with."""
+    for title in stripes:
+        if name.startswith(f"{title}."):
+            return title
+    kind, record = group.attributes.get("kind"), str(group.attributes.get("record") or "").rpartition("/")[2]
+    if record and name.endswith(f".{record}"):  # names of records may have points
+        return name.removesuffix(f".{record}")
+    return (name.rpartition(".")[0] if kind == "history" or kind is None else name) or name
+
+
+def _sum(cost: Sequence[Mapping[str, float | None]], key: str) -> float | None:
+    values = [value for item in cost if (value := item.get(key)) is not None]
+    return float(sum(values)) if values else None

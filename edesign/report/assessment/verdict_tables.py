@@ -1,0 +1,178 @@
+"""Tables of verdicts on criteria, of performance levels, and of rehabilitation objectives."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from edesign.assess.criteria import Verdict
+from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
+from edesign.assess.performance import Usage, set_performance
+from edesign.assess.requirement import shown
+from edesign.assess.sets import HistorySet
+from edesign.assess.statistics import CODES
+from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
+from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.criteria.criteria import Objectives
+from edesign.project.project import Project
+from edesign.report.assessment.measure_tables import missing_notes
+from edesign.report.tables.table import Table
+from edesign.report.tables.text import wrapped
+
+TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
+
+
+def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
+    """Return the verdicts on criteria, what governs them, what is to be said of them, and what they require.
+
+    Each fits a page; those that would be empty are left out.
+    """
+    name = ("criterion", "variant", "level")
+    answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1))
+    governs = Table(
+        "What governs the criteria", (*name, "place", "motion", "statistic", "of"), left=6, sentences=(0, 1, 4)
+    )
+    remarks = Table("Remarks on the criteria", (*name, "remark"), left=4, sentences=(3, 0))
+    required = dict.fromkeys((verdict.name, verdict.requirement) for verdict in verdicts)
+    requirements = Table(
+        "What the criteria require",
+        ("criterion", "requirement"),
+        [list(pair) for pair in required],
+        left=2,
+        sentences=(1, 0),
+    )
+    for verdict in verdicts:
+        about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
+        value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
+        ratio = "-" if verdict.ratio is None else f"{verdict.ratio:.2f}"
+        answers.rows.append([*about, verdict.answer, value, shown(verdict.limit, verdict.unit), ratio])
+        if verdict.governing_history:
+            of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
+            governs.rows.append([*about, verdict.place or "frame", _motion(verdict), *of])
+        if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
+            remarks.rows.append([*about, f"{verdict.answer}: {said}"])
+    answers.notes += wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound.")
+    if governs.rows:
+        governs.notes += wrapped(
+            "Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."
+        )
+        governs.notes += _few(verdicts)
+    return [table for table in (answers, governs, remarks, requirements) if table.rows]
+
+
+def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
+    """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations."""
+    title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
+    columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
+    by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
+    by_members = Table(f"{title} by plastic rotation {under}", columns, left=2, sentences=8)
+    for found in sets:
+        p = set_performance(found, members(found.variant), statistic)
+        for table, level, number, worst in (
+            (by_drift, p.by_drift, p.drift_counts, p.worst_drift),
+            (by_members, p.by_members, p.member_counts, p.worst_members),
+        ):
+            counts = [*(str(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
+            table.rows.append([p.variant or "-", p.level or "-", level or "-", *counts, _usage(worst)])
+    governs = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
+    transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"
+    by_drift.notes = [
+        *wrapped(f'{transient} {100 * NEGLIGIBLE:g} ("negligible" there), 1, 5 %; of: histories that count.'),
+        *wrapped(governs),
+        *missing_notes(sets),
+    ]
+    by_members.notes = wrapped(
+        f"Members: Table 5-6. A column with P/P_CL > 0.5 is force-controlled and has to stay elastic: up to "
+        f"{1e3 * ELASTIC_ROTATION:g} mrad count as that. P is its largest compression in the history, with what "
+        f"dampers add; P_CL its buckling strength over the storey (K = 1). {governs}"
+    )
+    if not any(members(found.variant) for found in sets):
+        by_members.notes.append("No member has a section and a material that Table 5-6 knows.")
+    return [by_drift, by_members]
+
+
+def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:
+    """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives."""
+    columns = (
+        "objective",
+        "variant",
+        "by",
+        "verdict",
+        "hazard level",
+        "performance",
+        "class",
+        "D/C",
+        "histories",
+        "governs",
+    )
+    table = Table(
+        "Rehabilitation objectives (thesis Table 5.4; mean D/C, demand over capacity, met up to 1)", columns, left=7
+    )
+    for letter in objectives:
+        objective = OBJECTIVES[letter]
+        hazard = f"{100 * objective.probability:g} % in 50 years"
+        for verdict in verdicts:
+            if not verdict.name.startswith(f"objective {letter},"):
+                continue
+            value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
+            level = objective_level(letter, project.hazard)
+            table.rows.append(
+                [
+                    letter,
+                    verdict.variant or "-",
+                    verdict.name.rpartition(" ")[2],
+                    verdict.answer,
+                    f"{hazard} ({level or 'none'})",
+                    f"{PERFORMANCE_LEVELS[objective.level]} ({objective.level})",
+                    objective.rank,
+                    value,
+                    f"{verdict.count} of {verdict.count + len(verdict.missing)}",
+                    _governs(verdict),
+                ]
+            )
+            if verdict.statistic == "maximum" and TARGETS not in table.notes:
+                table.notes.append(TARGETS)
+            about = [part for part in (verdict.remark, _missing(verdict)) if part]
+            if about:
+                table.notes.append(
+                    f"{letter}, {verdict.variant or '-'}, {verdict.name.rpartition(' ')[2]}: {'; '.join(about)}"
+                )
+    table.notes += _few(verdicts)
+    return table
+
+
+def _governs(verdict: Verdict) -> str:
+    return ", ".join(part for part in (verdict.governing_history, verdict.place) if part) or "-"
+
+
+def _motion(verdict: Verdict) -> str:
+    """The record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
+    name = verdict.governing_history
+    return name.partition(f".{verdict.level}.")[2] or name
+
+
+def _usage(worst: tuple[str, Usage] | None) -> str:
+    if worst is None:
+        return "-"
+    history, usage = worst
+    if usage.of_force:
+        return f"{usage.of_force}, {history}"
+    place = usage.member or f"storey {usage.storey}"
+    return f"D/C {usage.ratio:.3g}: {usage.governing}, {place}, {history}"
+
+
+def _few(verdicts: Sequence[Verdict]) -> list[str]:
+    """What the codes say of statistics over few histories, if a verdict rests on one."""
+    enough = CODES["ec8"].set_rules.number_for_mean
+    few = [v for v in verdicts if v.statistic not in ("maximum", "share") and 0 < v.count + len(v.missing) < enough]
+    if not few:
+        return []
+    sets = dict.fromkeys(", ".join(part for part in (v.variant, v.level) if part) or "-" for v in few)
+    return wrapped(
+        f"Fewer than {enough} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
+        "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
+    )
+
+
+def _missing(verdict: Verdict) -> str:
+    return f"missing: {', '.join(verdict.missing)}" if verdict.missing else ""

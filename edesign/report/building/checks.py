@@ -1,0 +1,264 @@
+"""Checks of the members of a building written out with numbers, from the archive alone."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, fields
+
+import numpy as np
+
+from edesign.building.steel_member import Stability, SteelMember
+from edesign.building.steel_section import steel_section
+from edesign.errors import InputError
+from edesign.project.reading.problems import did_you_mean
+from edesign.report.building.results import UNITS, BuildingResults, finite
+from edesign.report.building.tables import Worst, worst_of_groups
+from edesign.report.tables.table import Table, number
+from edesign.space.checks.written_checks import written_check
+from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
+
+SAME = 1e-6
+"""Share by which a calculation may miss the utilisation: above rounding, below the digits that are shown."""
+NOTHING = 1e-5
+"""Of the largest force or moment of a table: what is less is shown as 0."""
+
+
+@dataclass(frozen=True)
+class WrittenCheck:
+    """A check of a member and how its utilisation comes about.
+
+    Attributes:
+        member, group, kind, section, material: names.
+        length: of the member, m.
+        check, clause: name of the check and its clause.
+        utilisation: of the archive.
+        combination, number: name and number of the governing combination; "" and 0 if the check does not apply.
+        steps: of the calculation; none if the check does not apply, has no calculation here, or one that does not lead
+            to the utilisation of the archive, as one of another version might.
+    """
+
+    member: str
+    group: str
+    kind: str
+    section: str
+    material: str
+    length: float
+    check: str
+    clause: str
+    utilisation: float
+    combination: str
+    number: int
+    steps: tuple[Step, ...]
+
+
+def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
+    """Return a check written out.
+
+    Args:
+        results: of a building.
+        member, check: their numbers in the archive, from 0.
+
+    Raises:
+        ArchiveError: a group or a variable is missing.
+    """
+    of = {name: results.values("members", name)[member] for name in ("member", "group", "kind", "section", "material")}
+    combination = int(results.values("members", "combination")[member, check])
+    name = str(results.values("members", "check")[check])
+    steps: tuple[Step, ...] = ()
+    if combination:
+        forces = _forces(results, member, combination - 1)
+        place = results.values("members", "station")[member, check]
+        station = int(np.abs(forces.stations - place).argmin())
+        beam = _free_beam(results, member, combination - 1)
+        steps = written_check(_member(results, member), forces, name, station, beam)
+    utilisation = float(results.values("members", "utilisation")[member, check])
+    if steps and not math.isclose(float(steps[-1].value), utilisation, rel_tol=SAME, abs_tol=SAME**2):
+        steps = ()
+    return WrittenCheck(
+        **{key: str(value) for key, value in of.items()},
+        length=float(results.values("members", "length")[member]),
+        check=name,
+        clause=str(results.values("members", "clause")[check]),
+        utilisation=utilisation,
+        combination=str(results.values("combinations", "name")[combination - 1]) if combination else "",
+        number=combination,
+        steps=steps,
+    )
+
+
+def written_worst(results: BuildingResults) -> list[tuple[Worst, WrittenCheck]]:
+    """Return the governing check of each group, written out."""
+    return [(worst, written(results, worst.number, worst.check)) for worst in worst_of_groups(results)]
+
+
+def written_table(found: WrittenCheck) -> Table:
+    """Return the calculation of a check as a table."""
+    title = (
+        f"{found.group}: {found.member}, {found.kind} {found.section} of {found.material}, "
+        f"{found.length:.4g} m: {found.check}"
+    )
+    table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1, 3))
+    for step in found.steps:
+        table.rows.append([step.symbol, step.expression, step.clause, _shown(step)])
+    if not found.number:
+        table.notes.append("the check does not apply")
+    else:
+        table.notes.append(f"combination {found.number}: {found.combination}")
+        met = "met" if found.utilisation <= 1.0 else "NOT MET"
+        if not found.steps:
+            table.notes.append("no calculation is written out here for this check as it was made")
+        table.notes.append(f"utilisation {number(finite(found.utilisation), 4)}: {met} ({found.clause})")
+    return table
+
+
+def written_data(found: WrittenCheck) -> list[dict[str, object]]:
+    """Return the calculation of a check for JSON, in SI units."""
+    return [
+        {
+            "symbol": step.symbol,
+            "value": step.value if isinstance(step.value, str) else finite(step.value),
+            "unit": step.unit,
+            "from": step.expression,
+            "clause": step.clause,
+        }
+        for step in found.steps
+    ]
+
+
+def member_number(results: BuildingResults, name: str) -> int:
+    """Return the number of a member, from 0.
+
+    Raises:
+        InputError: there is no such member.
+    """
+    names = [str(of) for of in results.values("members", "member")]
+    if name not in names:
+        raise InputError(f"{results.archive.path}: no member is named {name!r}{did_you_mean(name, names)}")
+    return names.index(name)
+
+
+def governing(results: BuildingResults, member: int) -> int:
+    """Return the number of the check of a member that is used most, from 0."""
+    return int(np.nan_to_num(results.values("members", "utilisation")[member], nan=-1.0).argmax())
+
+
+def member_tables(results: BuildingResults, name: str) -> list[Table]:
+    """Return all checks of a member, and the one that governs written out.
+
+    Raises:
+        InputError: there is no such member.
+        ArchiveError: a group is missing.
+    """
+    member = member_number(results, name)
+    columns = [results.values("members", of)[member] for of in ("utilisation", "combination", "station")]
+    table = Table(f"{name}: checks", ("check", "use", "combination", "x / L", "clause"))
+    names, clauses = results.values("members", "check"), results.values("members", "clause")
+    for check, clause, use, row, place in zip(names, clauses, *columns, strict=True):
+        if row:
+            cells = [str(check), number(finite(use), 3), str(int(row)), f"{place:.3g}", str(clause)]
+            table.rows.append(cells)
+    check = governing(results, member)
+    return [table, effects_table(results, member, check), written_table(written(results, member, check))]
+
+
+def effects_table(results: BuildingResults, member: int, check: int) -> Table:
+    """Return the internal forces of each action on a member at the place where a check governs."""
+    name = results.values("members", "member")[member]
+    place = results.values("members", "station")[member, check]
+    if not np.isfinite(place):
+        return Table(f"{name}: internal forces", notes=["no check applies"])
+    station = int(np.abs(results.values("forces", "station") - place).argmin())
+    forces = [str(of) for of in results.values("forces", "force")]
+    units = [("kN*m" if of.startswith(("M", "T")) else "kN") for of in forces]
+    columns = [f"{of} [{unit}]" for of, unit in zip(forces, units, strict=True)]
+    table = Table(f"{name}: internal forces of each action at x = {place:.3g} L", ("action", *columns))
+    table.formulas = tuple(range(len(columns) + 1))
+    every = np.concatenate([results.values("forces", name)[:, member, station] for name in ("static", "seismic")])
+    moments = np.array([unit != "kN" for unit in units])
+    top = np.where(moments, np.abs(every[:, moments]).max(), np.abs(every[:, ~moments]).max())
+    least = np.maximum(NOTHING * top, np.finfo(float).tiny)
+    for names, values, sign in (
+        (results.values("forces", "case"), results.values("forces", "static"), ""),
+        ([f"E_{axis}" for axis in results.values("forces", "axis")], results.values("forces", "seismic"), "+-"),
+    ):
+        for action, of in zip(names, values[:, member, station], strict=True):
+            cells = [number(float(value), 4, 1e3, small) for value, small in zip(of, least, strict=True)]
+            table.rows.append([str(action), *(f"{sign}{cell}" if cell != "0" else cell for cell in cells)])
+    table.notes.append("E with accidental torsion and second order; N positive in tension")
+    return table
+
+
+def member_data(results: BuildingResults, name: str) -> dict[str, object]:
+    """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`."""
+    member = member_number(results, name)
+    every = [written(results, member, check) for check in range(results.values("members", "check").size)]
+    checks = [
+        {
+            "check": found.check,
+            "clause": found.clause,
+            "utilisation": finite(found.utilisation),
+            "combination": found.combination,
+            "calculation": written_data(found),
+        }
+        for found in every
+        if found.number
+    ]
+    first = every[0]
+    about = {key: getattr(first, key) for key in ("member", "group", "kind", "section", "material")}
+    return {**about, "length_m": first.length, "checks": checks}
+
+
+def _member(results: BuildingResults, member: int) -> SteelMember:
+    """A member as its checks saw it."""
+
+    def of(name: str) -> float:
+        return float(results.values("members", name)[member])
+
+    flags = {name: bool(of(name)) for name in ("twists", "general")}
+    lengths = {part.name: of(part.name) for part in fields(Stability) if part.name not in flags}
+    return SteelMember(
+        section=steel_section(str(results.values("members", "section")[member])),
+        fy=of("fy"),
+        stability=Stability(**lengths, **flags),  # type: ignore[arg-type]
+        section_class=min(int(of("class")), 3),
+        V_M=of("V_M"),
+        E=of("E"),
+        G=of("G"),
+        gamma_M0=results.number("gamma_M0"),
+        gamma_M1=results.number("gamma_M1"),
+        annex_a=bool(of("annex_a")),
+    )
+
+
+def _free_beam(results: BuildingResults, member: int, combination: int) -> FreeBeam | None:
+    """What holds and loads a beam that no slab holds; None of other members."""
+    if not results.has("free_beams"):
+        return None
+    of = results.values("free_beams", "beam") == results.values("members", "member")[member]
+    if not of.any():
+        return None
+    loads = results.values("free_beams", "load")[:, of][:, 0]
+    load = float(results.values("combinations", "static")[combination] @ loads)
+    span, uniform = (results.values("free_beams", name)[of][0] for name in ("span", "uniform"))
+    return FreeBeam(float(span), load, bool(uniform))
+
+
+def _forces(results: BuildingResults, member: int, combination: int) -> ForcesAlong:
+    """The forces of a member under a combination."""
+    steady = np.tensordot(
+        results.values("combinations", "static")[combination], results.values("forces", "static")[:, member], 1
+    )
+    factors = np.abs(results.values("combinations", "seismic")[combination])
+    seismic = results.values("forces", "seismic")[:, member]
+    if results.values("combinations", "directions")[combination] == "srss":
+        swing = np.sqrt(np.tensordot(factors**2, seismic**2, 1))
+    else:
+        swing = np.tensordot(factors, seismic, 1)
+    return ForcesAlong(results.values("forces", "station"), steady, swing)
+
+
+def _shown(step: Step) -> str:
+    if isinstance(step.value, str):
+        return step.value
+    unit, scale = UNITS.get(step.unit, (step.unit, 1.0))
+    return f"{number(finite(step.value), 4, scale)} {unit}".strip()

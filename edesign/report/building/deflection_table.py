@@ -1,0 +1,76 @@
+"""The deflections of the beams of a building: the worst beam of each group."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.report.tables.table import Table, number
+
+
+@dataclass(frozen=True)
+class WorstBeam:
+    """The beam of a group with the largest deflection over its span.
+
+    Attributes:
+        group: its name.
+        load: `total` or `live`.
+        beam: name.
+        span, deflection: m.
+        combination: number of the combination; of the variable loads in it for `live`.
+        limit: share of the span; None: no limit.
+    """
+
+    group: str
+    load: str
+    beam: str
+    span: float
+    deflection: float
+    combination: int
+    limit: float | None
+
+
+def worst_beams(deflections: Group) -> Iterator[WorstBeam]:
+    """Yield the worst beams of the groups, under all loads and under variable loads alone."""
+    of = {name: variable.values for name, variable in deflections.variables.items()}
+    for group in dict.fromkeys(of["group"].tolist()):
+        for load in ("total", "live"):
+            share = np.where(of["group"] == group, of[load] / of["span"], -1.0)
+            worst = int(share.argmax())
+            limit = deflections.attributes.get(f"limit_{load}")
+            yield WorstBeam(
+                group=str(group),
+                load=load,
+                beam=str(deflections.coords["beam"].values[worst]),
+                span=float(of["span"][worst]),
+                deflection=float(of[load][worst]),
+                combination=int(of["combination"][worst]),
+                limit=None if limit is None else float(str(limit)),
+            )
+
+
+def deflection_table(deflections: Group) -> Table:
+    """Return the table of the worst beams."""
+    table = Table(
+        "Deflections of beams, characteristic combinations",
+        ("group", "loads", "beam", "span [m]", "deflection [mm]", "span over it", "limit"),
+        left=3,
+    )
+    for worst in worst_beams(deflections):
+        times = worst.span / worst.deflection if worst.deflection > 0.0 else None
+        table.rows.append(
+            [
+                worst.group,
+                {"total": "all", "live": "variable"}[worst.load],
+                worst.beam,
+                number(worst.span, 3),
+                number(worst.deflection, 3, 1e-3),
+                number(times, 3),
+                number(None if worst.limit is None else 1.0 / worst.limit, 3),
+            ]
+        )
+    table.notes.append("from the chord between the ends of the beam; without camber")
+    return table

@@ -1,0 +1,171 @@
+"""What the residual of all tests goes with, before and after a calibration."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.calibrate.outcome import residual_of
+from edesign.calibrate.residual.against import Dependence
+from edesign.calibrate.residual.harmonics import HIGHEST, Harmonics, harmonics
+from edesign.calibrate.residual.maps import ResidualMap, residual_map
+from edesign.calibrate.result import Stage
+from edesign.report.calibration.view import COLOURS, View, excess
+from edesign.report.drawing.style import grid_figure, label_outer, new_figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_PANELS = 6
+_LEAST = 0.01  # share of the squared residual that is worth a panel
+_DECADES = 1e-4  # of the largest harmonic: smaller ones are not shown
+_SCALES = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s"), "degC": (1.0, "°C")}
+_LEVELS = 11  # of colour
+_FULL = 98.0  # percentile of the map's values at the end of the colours
+
+
+def dependence_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
+    """Residual against the six things that explain most of it; nothing where it goes with nothing."""
+    shown = telling_dependences(view)
+    if not shown:
+        return
+    first = shown[0]["declared"]
+    after = f", {_share(shown[0]['corrected'])} after" if "corrected" in view.stages else ""
+    caption = (
+        "Residual against what explains most of it, means of bins over all tests: a slope or a step is what the law "
+        f"lacks, a flat line at zero is nothing. Alone the {first.driver} explains {_share(first)} of the squared "
+        f"residual as declared{after}; the titles tell it of each. As a "
+        "force: in per cent of the rms force of a test; as a factor: of the predicted force."
+    )
+    yield "dependences", caption, _dependences_figure(view, shown)
+
+
+def telling_dependences(view: View) -> list[dict[Stage, Dependence]]:
+    """The same dependence at each stage, most telling first; of each driver the way that explains more."""
+    every = view.dependences
+    by_driver: dict[str, int] = {}
+    for i, one in enumerate(every["declared"]):
+        best = by_driver.get(one.driver)
+        if best is None or excess(one) > excess(every["declared"][best]):
+            by_driver[one.driver] = i
+    ranked = sorted(by_driver.values(), key=lambda i: -excess(every["declared"][i]))
+    ranked = [i for i in ranked[:_PANELS] if excess(every["declared"][i]) >= _LEAST]
+    return [{stage: found[i] for stage, found in every.items()} for i in ranked]
+
+
+def _share(one: Dependence) -> str:
+    return f"{100.0 * excess(one):.0f} %"
+
+
+@styled
+def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Figure:
+    figure, cells = grid_figure(len(shown), 3, 2.55, 2.1)
+    for axis, stages in zip(cells, shown, strict=True):
+        for stage, one in stages.items():
+            scale, unit = _SCALES.get(one.unit, (1.0, one.unit))
+            order = np.argsort(one.centre)
+            x, y = scale * one.centre[order], 100.0 * one.mean[order]
+            axis.plot(x, y, "o-", ms=2.6, lw=0.9, color=COLOURS[stage], label=view.stages[stage])
+        first = stages["declared"]
+        axis.axhline(0.0, color="#111111", lw=0.5, zorder=0.9)
+        axis.set_xlabel(f"{first.driver}{f' ({unit})' if unit else ''}")
+        axis.set_ylabel("as a force (%)" if first.way == "force" else "as a factor (%)")
+        axis.set_title("explains " + " → ".join(_share(one) for one in stages.values()), fontsize=7.5, loc="left")
+    handles, labels = cells[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=2)
+    return figure
+
+
+def harmonic_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
+    """Harmonics of the residual in the steady parts with the largest residual."""
+    found = {stage: _harmonics(view, stage) for stage in view.stages}
+    size = [float(np.sum(one.residual**2) / np.sum(one.force[1] ** 2)) for one in found["declared"]]
+    chosen = sorted(np.argsort(size)[::-1][:_PANELS].tolist())
+    if not chosen:
+        return
+    caption = (
+        "Harmonics of the residual in steady cycles, in per cent of the force at the frequency of the motion. The "
+        "first is an error of stiffness or damping; odd higher ones an error of shape, the same on both sides; even "
+        "ones one side against the other; 0 is the mean."
+    )
+    yield "harmonics", caption, _harmonics_figure(view, {k: [v[i] for i in chosen] for k, v in found.items()})
+
+
+def _harmonics(view: View, stage: Stage) -> list[Harmonics]:
+    return [
+        part
+        for series in view.calibration.series
+        for part in harmonics(residual_of(series, stage), view.motions[series.name])
+    ]
+
+
+@styled
+def _harmonics_figure(view: View, found: dict[Stage, list[Harmonics]]) -> Figure:
+    from matplotlib.ticker import FuncFormatter, NullFormatter
+
+    count = len(found["declared"])
+    figure, cells = grid_figure(count, 3, 2.4, 1.8)
+    values = {stage: [_relative(one) for one in parts] for stage, parts in found.items()}
+    every = np.concatenate([np.concatenate(parts) for parts in values.values()])
+    largest = float(np.max(every)) or 1.0
+    limits = (max(0.6 * float(np.min(every)), _DECADES * largest), 1.8 * largest)
+    orders = np.arange(HIGHEST + 1)
+    for i, axis in enumerate(cells):
+        for k, (stage, parts) in enumerate(values.items()):
+            shift = 0.34 * (k - 0.5 * (len(values) - 1))
+            height = np.maximum(parts[i], limits[0])
+            axis.bar(orders + shift, height, 0.34, color=COLOURS[stage], label=view.stages[stage])
+        part = found["declared"][i]
+        title = f"{part.test}: {part.frequency:.3g} Hz, {1e3 * part.amplitude:.3g} mm"
+        axis.set_title(title, fontsize=7.5, loc="left")
+        axis.set_yscale("log")
+        axis.set_ylim(*limits)
+        axis.set_xticks(orders)
+        axis.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+        axis.yaxis.set_minor_formatter(NullFormatter())
+    label_outer(cells, 3, "harmonic", "amplitude (%)")
+    handles, labels = cells[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=2)
+    return figure
+
+
+def _relative(one: Harmonics) -> np.ndarray:
+    """Amplitudes (8,) of the residual in per cent of the first harmonic of the force."""
+    return np.asarray(100.0 * np.hypot(*one.residual.T) / max(float(np.hypot(*one.force[1])), 1e-300))
+
+
+def map_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
+    """Mean residual over displacement and velocity."""
+    if not view.residuals("declared"):
+        return
+    caption = (
+        "Mean residual over displacement and velocity, all tests together, in per cent of the rms force of each. "
+        "Red: more force was measured than predicted. One colour on each side is an error of stiffness (left and "
+        "right) or damping (above and below); corners alone are an error at large motion."
+    )
+    yield "map", caption, _maps_figure(view, {stage: residual_map(view.residuals(stage)) for stage in view.stages})
+
+
+@styled
+def _maps_figure(view: View, maps: dict[Stage, ResidualMap]) -> Figure:
+    from matplotlib import colormaps
+    from matplotlib.colors import BoundaryNorm
+
+    figure, (axes,) = new_figure(1, len(maps), 1.2 + 3.3 * len(maps), 3.0)
+    before = np.abs(maps["declared"].mean)
+    largest = float(f"{max(100.0 * float(np.nanpercentile(before, _FULL)), 1e-9):.2g}")
+    norm = BoundaryNorm(np.linspace(-largest, largest, _LEVELS + 1), _LEVELS)
+    colours = colormaps["RdBu_r"].resampled(_LEVELS).with_extremes(under="#053061", over="#67001f")
+    for axis, (stage, found) in zip(axes, maps.items(), strict=True):
+        edges = 1e3 * found.displacement, 1e3 * found.velocity
+        mesh = axis.pcolormesh(*edges, 100.0 * np.ma.masked_invalid(found.mean.T), cmap=colours, norm=norm)
+        axis.set_title(view.stages[stage], fontsize=8.0, loc="left")
+        axis.set_xlabel("displacement (mm)")
+    axes[0].set_ylabel("velocity (mm/s)")
+    for axis in axes[1:]:
+        axis.tick_params(labelleft=False)
+    bar = figure.colorbar(mesh, ax=axes, extend="both", format="%.3g", ticks=largest * np.linspace(-1.0, 1.0, 5))
+    bar.set_label("residual (%)")
+    return figure

@@ -1,0 +1,120 @@
+"""Estimates of a calibration in the units of a laboratory, as text with their uncertainty."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Mapping
+from dataclasses import replace
+from functools import cache
+
+from edesign.calibrate.result import Estimate, Series
+from edesign.damper.law import Parameter
+from edesign.damper.parameters import practical_unit
+from edesign.project.notation.units import Kind, parse_quantity
+from edesign.report.tables.table import number
+
+UNKNOWN = "not determined"
+_AS_THEY_ARE = ("", "degC", "K", "1/K")
+_SHORT = 0.1  # s: shorter times are in ms
+_LARGEST = 1e7
+_MOST_PLACES = 9
+_EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
+
+
+_SHOWN = {"N": (1e3, "kN"), "m": (1e-3, "mm"), "m/s^2": (1.0, "m/s²")}
+
+
+def scale_of(series: Series) -> tuple[float, str]:
+    """The unit in which what a series measures is shown, SI, and its name."""
+    return _SHOWN[series.unit]
+
+
+def percent(ratio: float, digits: int = 3) -> str:
+    """A ratio in per cent, "-" if there is none."""
+    return number(ratio, digits, 1e-2) if math.isfinite(ratio) else "-"
+
+
+def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
+    """An estimate in kN, mm, ms or s in place of SI.
+
+    Args:
+        estimate: SI.
+        siblings: those of the same law or effect, among which are exponents in its unit.
+    """
+    unit = estimate.unit
+    if unit in _AS_THEY_ARE:
+        return estimate
+    if unit == "s":
+        scale, shown = (1e-3, "ms") if abs(estimate.value) < _SHORT else (1.0, "s")
+    else:
+        exponents = {name: siblings[name].value for name in _EXPONENT.findall(unit) if name in siblings}
+        shown = practical_unit(Parameter("", "", unit))
+        scale = _scale(_with_numbers(shown, exponents), _with_numbers(unit, exponents))
+    return replace(
+        estimate,
+        value=estimate.value / scale,
+        standard_error=estimate.standard_error / scale,
+        unit=shown,
+        half_width=estimate.half_width / scale,
+    )
+
+
+@cache
+def _scale(shown: str, unit: str) -> float:
+    """One of the unit shown, in SI."""
+    return parse_quantity(f"1 {shown}", Kind("value", unit, f"1 {shown}")) if shown != unit else 1.0
+
+
+def _with_numbers(unit: str, exponents: Mapping[str, float]) -> str:
+    return _EXPONENT.sub(lambda match: f"^{exponents.get(match[1], match[1])!r}", unit)
+
+
+def value_text(estimate: Estimate) -> str:
+    """The value with the digits that its standard error leaves."""
+    return _with_places(estimate.value, estimate.standard_error)
+
+
+def error_text(estimate: Estimate) -> str:
+    """The standard error; "held" of a value that was not searched."""
+    error = estimate.standard_error
+    if not math.isfinite(error):
+        return UNKNOWN
+    return _with_places(error, error) if error > 0.0 else "held"
+
+
+def interval_text(estimate: Estimate) -> str:
+    """The 95 % interval, or why there is none."""
+    error = estimate.standard_error
+    if estimate.untold:
+        return f"{UNKNOWN}: {estimate.untold}"
+    if not math.isfinite(error):
+        return UNKNOWN
+    if error == 0.0:
+        return "held"
+    return " to ".join(_with_places(end, error) for end in estimate.interval)
+
+
+def plus_minus(estimate: Estimate) -> str:
+    """Value, standard error and unit: 4.00 ± 0.10 ms."""
+    unit = f" {estimate.unit}" if estimate.unit else ""
+    error = error_text(estimate)
+    if error == "held":
+        return f"{value_text(estimate)}{unit}"
+    if error == UNKNOWN:
+        why = f"{UNKNOWN}: {estimate.untold}" if estimate.untold else f"uncertainty {UNKNOWN}"
+        return f"{value_text(estimate)}{unit} ({why})"
+    return f"{value_text(estimate)} ± {error}{unit}"
+
+
+def _with_places(value: float, error: float) -> str:
+    """A number to two digits of its error; of an error that says nothing, four digits."""
+    if not math.isfinite(value):
+        return UNKNOWN
+    if not math.isfinite(error) or error <= 0.0 or abs(value) >= _LARGEST:
+        return f"{value:.4g}"
+    places = 1 - math.floor(math.log10(error))
+    if places > _MOST_PLACES:
+        return f"{value:.6g}"
+    found = f"{round(value, places):.{max(places, 0)}f}"
+    return found.removeprefix("-") if float(found) == 0.0 else found

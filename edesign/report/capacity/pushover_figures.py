@@ -1,0 +1,268 @@
+"""Figures of pushovers: capacity curves with their events, and the N2 method in accelerations and displacements."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.sets import TARGET
+from edesign.codes.spectrum import Spectrum, characteristic_period
+from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.project.analysis.pushover import METHODS
+from edesign.project.project import Project
+from edesign.report.archived import archived_project
+from edesign.report.drawing.captions import file_name
+from edesign.report.drawing.style import (
+    BEFORE,
+    MEAN,
+    VARIANTS,
+    grid_figure,
+    label_outer,
+    legend_label,
+    styled,
+)
+from edesign.report.response.frame_figures import Hinges, hinge_figure, plastic_rotations
+from edesign.report.response.histories import names_of
+from edesign.study.results.kinds import ANALYSES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MARKERS = {
+    "first yield of a beam": "o",
+    "first yield of a column": "s",
+    "first hinge in a beam": "^",
+    "first hinge in a column": "v",
+    "first yield of a panel zone": "D",
+    "first yield of a brace": "P",
+    "first buckling of a brace": "p",
+    "drift of IO": "1",
+    "drift of LS": "2",
+    "drift of CP": "3",
+    "largest base shear": "*",
+    "no resistance left": "x",
+    "equilibrium lost": "X",
+}
+"""Of events, by how their names begin."""
+
+DASHES = {"right": (), "left": (4, 1.5)}
+LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
+HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
+ELEVATIONS = 4  # side by side
+COLUMNS = 3  # of panels, of four panels two
+
+
+@dataclass(frozen=True)
+class Curve:
+    """A capacity curve of an archive.
+
+    Attributes:
+        variant: "" where it has none.
+        label: name of the pushover without that of the variant.
+        direction: right or left.
+    """
+
+    variant: str
+    label: str
+    direction: str
+    group: Group
+
+    @property
+    def loading(self) -> str:
+        """The label without the direction, of which pushes both ways have one color."""
+        return self.label.removesuffix(f".{self.direction}")
+
+    @property
+    def sign(self) -> float:
+        """1 to the right, -1 to the left."""
+        return -1.0 if self.direction == "left" else 1.0
+
+
+def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Capacity curves of all variants, and N2 of each variant: name of the file, caption, figure."""
+    curves: list[Curve] = []
+    targets: list[Curve] = []
+    for name in archive.names(ANALYSES):
+        about = archive.group_attributes(f"{ANALYSES}/{name}")
+        if about.get("kind") in ("pushover", TARGET):
+            variant = str(about.get("variant") or "")
+            label = name.removeprefix(f"{variant}.") if variant else name
+            one = Curve(variant, label, str(about.get("direction") or "right"), archive.view(f"{ANALYSES}/{name}"))
+            (targets if about.get("kind") == TARGET else curves).append(one)
+    curves = [curve for curve in curves if "control_displacement" in curve.group.variables]
+    if curves:
+        caption = (
+            "Capacity curves: base shear against the displacement of the control node since gravity, in the direction "
+            "of the push. Marks stand where each event has happened for the first time."
+        )
+        yield "capacity_curves", caption, capacity_figure(curves)
+    project = archived_project(archive)
+    found = [one for one in targets if "n2_d_t" in one.group.variables]
+    if project is None or project.hazard is None:
+        return
+    for variant in dict.fromkeys(one.variant for one in found):
+        caption = (
+            f"N2 method{f', {variant}' if variant else ''}: the equivalent oscillator against the elastic spectra. "
+            "Dashed is its idealisation, thin the line of its period T*; points are the target displacements d_t*."
+        )
+        chosen = [one for one in found if one.variant == variant]
+        yield file_name("n2", variant), caption, adrs_figure(project, chosen)
+
+
+def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Plastic rotations of the frame at its target displacements, by method and level: name, caption, figure."""
+    project = archived_project(archive)
+    panels: dict[tuple[str, str], list[Hinges]] = {}
+    for name in archive.names(ANALYSES):
+        about = archive.group_attributes(f"{ANALYSES}/{name}")
+        if about.get("kind") == TARGET and about.get("status") == "completed":
+            method, level = str(about.get("method")), str(about.get("level"))
+            group = archive.view(f"{ANALYSES}/{name}")
+            title = name.removesuffix(f".{method}.{level}")
+            one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")))
+            panels.setdefault((method, level), []).append(one)
+    for (method, level), found in panels.items():
+        words = next(text for key, text in METHODS.items() if key == method)
+        caption = f"Plastic rotations of member ends at the target displacements of {words} at {level}."
+        for first in range(0, len(found), ELEVATIONS):
+            if project is not None:
+                figure = hinge_figure(project.frame, found[first : first + ELEVATIONS])
+                yield file_name("target_hinges", method, level), caption, figure
+
+
+@styled
+def capacity_figure(curves: Sequence[Curve]) -> Figure:
+    """Draw capacity curves with their events, a panel for each variant.
+
+    Args:
+        curves: at least one.
+    """
+    from matplotlib.lines import Line2D
+
+    variants = list(dict.fromkeys(curve.variant for curve in curves))
+    loadings = list(dict.fromkeys(curve.loading for curve in curves))
+    colors = {curve.label: VARIANTS[loadings.index(curve.loading) % len(VARIANTS)] for curve in curves}
+    figure, axes = grid_figure(len(variants), COLUMNS, 3.6 if len(variants) > 1 else 6.0, 3.2)
+    happened: dict[str, str] = {}
+    for here, variant in zip(axes, variants, strict=True):
+        for curve in curves:
+            if curve.variant != variant:
+                continue
+            variables, color = curve.group.variables, colors[curve.label]
+            x, y = 1e3 * variables["control_displacement"].values, 1e-3 * curve.sign * variables["base_shear"].values
+            here.plot(x, y, color=color, dashes=DASHES[curve.direction])
+            happened |= _events(here, curve, color)
+        here.set_title(variant, loc="left")
+    right = max(float(1e3 * curve.group.variables["control_displacement"].values[-1]) for curve in curves)
+    top = max(float(1e-3 * (curve.sign * curve.group.variables["base_shear"].values).max()) for curve in curves)
+    for here in axes:
+        here.set_xlim(0.0, 1.03 * right)
+        here.set_ylim(0.0, 1.1 * top)
+    label_outer(axes, COLUMNS, "displacement of the control node (mm)", "base shear (kN)")
+    handles = [
+        Line2D(
+            [],
+            [],
+            color=color,
+            dashes=DASHES[next(curve.direction for curve in curves if curve.label == label)],
+            label=legend_label(label),
+        )
+        for label, color in colors.items()
+    ]
+    handles += [
+        Line2D([], [], ls="none", marker=marker, color=MEAN, ms=4.5, mfc="none", label=what)
+        for what, marker in happened.items()
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    return figure
+
+
+def _events(here: Axes, curve: Curve, color: str) -> dict[str, str]:
+    """Mark the events of a curve; the marker of each by its name."""
+    variables = curve.group.variables
+    if "capacity_event_what" not in variables:
+        return {}
+    drawn = {}
+    at = (variables[f"capacity_event_{key}"].values.tolist() for key in ("what", "displacement", "base_shear"))
+    for what, x, y in zip(*at, strict=True):
+        marker = next((marker for start, marker in MARKERS.items() if str(what).startswith(start)), ".")
+        here.plot(1e3 * x, 1e-3 * y, ls="none", marker=marker, color=color, ms=5.0, mfc="none", zorder=3)
+        drawn[str(what)] = marker
+    return drawn
+
+
+@styled
+def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
+    """Draw equivalent oscillators against elastic spectra, acceleration against displacement, a panel for each push.
+
+    Args:
+        project: with the hazard.
+        targets: of the N2 method and one variant, at least one.
+    """
+    from matplotlib.lines import Line2D
+
+    pushes: dict[str, list[Curve]] = {}
+    for one in targets:
+        pushes.setdefault(one.label.removesuffix(f".n2.{one.group.attributes.get('level')}"), []).append(one)
+    levels = list(dict.fromkeys(str(one.group.attributes.get("level")) for one in targets))
+    columns = 2 if len(pushes) == 4 else COLUMNS
+    figure, axes = grid_figure(len(pushes), columns, 3.0 if len(pushes) > 1 else 5.0, 2.9)
+    right = top = 0.0
+    spectra = {str(one.group.attributes["level"]): _spectrum(project, one.group) for one in targets}
+    for here, (push, chosen) in zip(axes, pushes.items(), strict=True):
+        for one in chosen:
+            level = str(one.group.attributes["level"])
+            color = VARIANTS[levels.index(level) % len(VARIANTS)]
+            values = _of_n2(one.group)
+            right = max(right, 1.6e3 * max(values["d_t_oscillator"], values["d_et"]))
+            plateau = float(spectra[level].acceleration(characteristic_period(spectra[level]) or 0.0))
+            top = max(top, min(1.1 * plateau, HIGHEST * max(values["S_e"], values["F_y"] / values["m"])))
+            _oscillator(here, one.group, values, color)
+            T = np.linspace(0.0, min(LONGEST, spectra[level].last_period), 400)
+            here.plot(1e3 * spectra[level].displacement(T), spectra[level].acceleration(T), color=color)
+        here.set_title(push, loc="left")
+    for here in axes:
+        here.set_xlim(0.0, right)
+        here.set_ylim(0.0, top)
+    label_outer(axes, columns, "displacement (mm)", "acceleration (m/s²)")
+    handles = [
+        Line2D([], [], color=VARIANTS[i % len(VARIANTS)], label=legend_label(f"elastic spectrum, {level}"))
+        for i, level in enumerate(levels)
+    ]
+    handles.append(Line2D([], [], color=MEAN, lw=1.3, label="oscillator, F*/m* against d*"))
+    handles.append(Line2D([], [], color=MEAN, lw=0.8, dashes=(4, 2), label="idealised"))
+    handles.append(Line2D([], [], ls="none", marker="o", ms=4.5, color=BEFORE, mec=MEAN, label="target d_t*"))
+    figure.legend(handles=handles, loc="outside lower center", ncols=3)
+    return figure
+
+
+def _oscillator(here: Axes, group: Group, values: Mapping[str, float], color: str) -> None:
+    """The curve of the oscillator, its idealisation, the line of its period, and the target."""
+    Gamma, mass = values["Gamma"], values["m"]
+    d = 1e3 * group.variables["curve_displacement"].values / Gamma
+    here.plot(d, group.variables["curve_base_shear"].values / Gamma / mass, color=MEAN, lw=1.3, zorder=2.5)
+    idealised = 1e3 * group.variables["idealised_displacement"].values / Gamma
+    force = group.variables["idealised_base_shear"].values / Gamma / mass
+    here.plot(idealised, force, color=color, lw=0.9, dashes=(4, 2), zorder=2.6)
+    here.plot([0.0, 1e3 * values["d_et"]], [0.0, values["S_e"]], color=color, lw=0.5)
+    at = min(values["q_u"], 1.0) * values["F_y"] / mass
+    here.plot(
+        1e3 * values["d_t_oscillator"], at, marker="o", ms=4.5, color=color, mec=MEAN, mew=0.5, zorder=3, ls="none"
+    )
+
+
+def _of_n2(group: Group) -> dict[str, float]:
+    names = [name for name in group.variables if name.startswith("n2_")]
+    return {name.removeprefix("n2_"): float(group.variables[name].values) for name in names}
+
+
+def _spectrum(project: Project, group: Group) -> Spectrum:
+    assert project.hazard is not None
+    spectrum = elastic_spectrum(project.hazard, str(group.attributes["level"]))
+    return spectrum.with_damping(float(group.attributes["spectrum_damping"]))

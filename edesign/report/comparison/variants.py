@@ -1,0 +1,78 @@
+"""Several variants of an archive beside one of a reference: what a response depends on."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from edesign.archive.reader import Archive
+from edesign.errors import InputError
+from edesign.project.reading.problems import unknown_name
+from edesign.project.study.reference import Reference, ResponseTable
+from edesign.report.comparison.cells import ComparedCell
+from edesign.report.comparison.compare import compare
+from edesign.report.comparison.tables import found, per_cent, printed, with_unit
+from edesign.report.summary import planned, results
+from edesign.report.tables.table import Table
+
+
+def variant_tables(archive: Archive, reference: Reference, place: str) -> list[Table]:
+    """Return a table for each table of responses and level: the reference's variant, and every variant of the archive.
+
+    Args:
+        archive: of a study; its variants that the reference has under their own names are left out.
+        reference: with tables of responses.
+        place: variant of the reference that the others are put in the place of.
+
+    Raises:
+        InputError: the reference has no such variant.
+        ArchiveError: the archive cannot be read.
+    """
+    known = {variant for table in _responses(reference) for row in table.rows for variant in row.values}
+    if place not in known:
+        raise InputError(f"--variants: {unknown_name('variant', place, sorted(known))}")
+    names = [name for name in _variants(archive) if name == place or name not in known]
+    cells = {name: _cells(archive, renamed(reference, place, name)) for name in names}
+    tables: dict[tuple[str, str], Table] = {}
+    first = cells[names[0]] if names else {}
+    for key, cell in first.items():
+        title, level, quantity = key
+        if (title, level) not in tables:
+            tables[title, level] = Table(f"{title} - {level}", ("quantity", "reference", *names))
+            tables[title, level].notes.append("in brackets the difference from the reference, %")
+        row = [with_unit(quantity, cell.unit), printed(cell.reference)]
+        for name in names:
+            here = cells[name][key]
+            row.append(f"{found(here)} ({per_cent(here.difference, 0)})")
+        tables[title, level].rows.append(row)
+    return list(tables.values())
+
+
+def renamed(reference: Reference, place: str, name: str) -> Reference:
+    """The responses of a reference with one variant under another name, and without the others."""
+    tables = []
+    for table in _responses(reference):
+        rows = [
+            row.model_copy(update={"values": {name: row.values[place]}, "change": {}})
+            for row in table.rows
+            if place in row.values
+        ]
+        tables.append(table.model_copy(update={"rows": tuple(rows), "change": None}))
+    return reference.model_copy(update={"tables": tuple(tables)})
+
+
+def _responses(reference: Reference) -> list[ResponseTable]:
+    return [table for table in reference.tables if isinstance(table, ResponseTable)]
+
+
+def _variants(archive: Archive) -> Sequence[str]:
+    """Variants with histories, in the order of the plan."""
+    attributes = [results(archive, name).attributes for name in planned(archive)]
+    return list(dict.fromkeys(str(a["variant"]) for a in attributes if a.get("kind") == "history"))
+
+
+def _cells(archive: Archive, reference: Reference) -> dict[tuple[str, str, str], ComparedCell]:
+    return {
+        (table.title, cell.level, cell.quantity): cell
+        for table in compare(archive, reference).tables
+        for cell in table.cells
+    }

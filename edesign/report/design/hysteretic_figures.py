@@ -1,0 +1,114 @@
+"""How a design of hysteretic dampers came about: forces over the height, damping over their share, the optimum."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.report.design.storeys import heights_axes
+from edesign.report.drawing.captions import file_name, plain
+from edesign.report.drawing.style import AFTER, BEFORE, MEAN, TARGET, VARIANTS, legend_above, new_figure, styled
+from edesign.report.response.histories import names_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
+    """The dampers of a design over the height, and what others would do: name of the file, caption, figure."""
+    if "device_yield_force" not in group.variables:
+        return
+    share, damping = (100.0 * float(str(group.attributes[key])) for key in ("share", "damping"))
+    given = group.attributes["shear_of"] == "given"
+    shear = "given shear of each storey" if given else "shear of each storey without dampers"
+    caption = (
+        f"Design {name}: {shear}, yield force of its dampers, and its drift. The dampers "
+        f"have {plain(share)} % of the shears; the first mode has {plain(damping)} % of added damping."
+    )
+    yield file_name("design", name, "heights"), caption, hysteretic_heights_figure(group)
+    if "curve_share" in group.coords:
+        caption = (
+            f"Design {name}: added damping of the first mode, and largest drift by the response spectrum, with other "
+            f"forces in the same distribution. The dot is the design."
+        )
+        yield file_name("design", name, "shares"), caption, shares_figure(group)
+    if "round_objective" in group.variables:
+        count = group.coords["round"].values.size
+        caption = f"Design {name}: {count} rounds of histories; the least value is the design."
+        yield file_name("design", name, "optimum"), caption, optimum_figure(group)
+
+
+@styled
+def hysteretic_heights_figure(group: Group) -> Figure:
+    """Draw shear and yield force of each storey, and the estimated drifts where there are any.
+
+    Args:
+        group: of a design: storey_shear, yield_force N over (storey,), and estimated_storey_drift,
+            estimated_bare_storey_drift over (frame_storey,) where a level is given.
+    """
+    figure, left, right = heights_axes(group)
+    storeys = np.asarray(group.coords["storey"].values)
+    shear, force = (1e-3 * group.variables[key].values for key in ("storey_shear", "yield_force"))
+    left.barh(storeys + 0.2, shear, 0.36, color=BEFORE, label="shear")
+    left.barh(storeys - 0.2, force, 0.36, color=AFTER, label="yield force")
+    left.set_xlabel("of the storey (kN)")
+    legend_above(left)
+    if right is not None:
+        right.plot(100.0 * group.variables["yield_drift"].values, storeys, color=TARGET, ls="--", label="at yield")
+        right.set_xlim(left=0.0)
+        legend_above(right, 3)
+    return figure
+
+
+@styled
+def shares_figure(group: Group) -> Figure:
+    """Draw damping and drift over the share of the storey shears.
+
+    Args:
+        group: of a design, with curve_damping and, where a level is given, curve_storey_drift over (curve_share,).
+    """
+    estimated = "curve_storey_drift" in group.variables
+    figure, (axes,) = new_figure(1, 2 if estimated else 1, 6.3 if estimated else 3.2, 2.4)
+    shares, chosen = 100.0 * group.coords["curve_share"].values, 100.0 * float(str(group.attributes["share"]))
+    axes[0].plot(shares, 100.0 * group.variables["curve_damping"].values, color=AFTER)
+    axes[0].plot(chosen, 100.0 * float(str(group.attributes["damping"])), color=TARGET, marker="o", ms=4.5)
+    axes[0].set_ylabel("added damping (%)")
+    if estimated:
+        axes[1].plot(shares, 100.0 * group.variables["curve_storey_drift"].values, color=AFTER)
+        drift = 100.0 * float(group.variables["estimated_storey_drift"].values.max())
+        axes[1].plot(chosen, drift, color=TARGET, marker="o", ms=4.5)
+        axes[1].set_ylabel("estimated drift (%)")
+    for axis in axes:
+        axis.set_xlabel("yield forces over storey shears (%)")
+        axis.set_ylim(bottom=0.0)
+        axis.set_xlim(left=0.0)
+    return figure
+
+
+@styled
+def optimum_figure(group: Group) -> Figure:
+    """Draw what is made least, and each criterion, over the share of the storey shears.
+
+    Args:
+        group: of a design, with round_share, round_objective over (round,), and verdicts.
+    """
+    figure, ((axis,),) = new_figure(1, 1, 6.3, 2.8)
+    shares = 100.0 * group.variables["round_share"].values
+    order = np.argsort(shares)
+    values, limits = (group.variables[f"verdict_{part}"].values for part in ("value", "limit"))
+    for i, name in enumerate(names_of(group, "criterion")):
+        color = VARIANTS[(0, 2, 3, 5)[i % 4]]
+        axis.plot(shares[order], (values / limits)[order, i], color=color, lw=0.8, ls="--", marker=".", label=name)
+    objective = np.asarray(group.variables["round_objective"].values)
+    axis.plot(shares[order], objective[order], color=MEAN, marker="o", ms=3.5, label="made least")
+    chosen = int(str(group.attributes["chosen_round"])) - 1
+    axis.plot(shares[chosen], objective[chosen], color=TARGET, marker="o", ms=6.0, ls="none", label="chosen")
+    axis.set_xlim(left=0.0)
+    axis.set_xlabel("yield forces over storey shears (%)")
+    axis.set_ylabel("value / limit")
+    axis.set_ylim(bottom=0.0)
+    legend_above(axis, 4)
+    return figure

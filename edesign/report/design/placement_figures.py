@@ -1,0 +1,93 @@
+"""A placement of dampers: the elevation of the frame with them, and cost against demand of all layouts analysed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.project.frame.frame import Frame
+from edesign.report.design.placement_tables import front
+from edesign.report.drawing.captions import file_name
+from edesign.report.drawing.frame_drawing import draw_dampers, draw_frame
+from edesign.report.drawing.style import AFTER, MEAN, RECORDS, TARGET, VARIANTS, legend_above, new_figure, styled
+from edesign.report.response.histories import names_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+_MARKERS = ("s", "o", "D", "^", "v", "P", "X", "h")
+
+
+def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[tuple[str, str, Figure]]:
+    """The chosen layout, and the layouts analysed: name of the file, caption, figure.
+
+    Args:
+        name: of the design.
+        group: of the design.
+        frame: of the project; None: it cannot be read, and there is no elevation.
+    """
+    if "placement" not in group.variables:
+        return
+    about = group.attributes
+    if frame is not None:
+        caption = f"Design {name}: the chosen layout, {about['dampers']} dampers, cost {float(about['cost']):.6g}."
+        yield file_name("design", name, "placement"), caption, elevation_figure(group, frame)
+    count = group.coords["layout"].values.size
+    if count > 1:
+        caption = (
+            f"Design {name}: cost and worst ratio of demand to limit of the {count} layouts analysed; the line joins "
+            "those than which none is as cheap and better."
+        )
+        yield file_name("design", name, "cost"), caption, cost_figure(group)
+
+
+@styled
+def elevation_figure(group: Group, frame: Frame) -> Figure:
+    """Draw the frame to scale with the dampers of each item in its own colour and sign.
+
+    Args:
+        group: of a design, with damper_item over (damper,).
+        frame: its members.
+    """
+    width, height = frame.x[-1] - frame.x[0], frame.height
+    tall = min(5.0, max(1.6, 4.5 * height / width))
+    figure, ((axis,),) = new_figure(1, 1, 6.3, tall)
+    draw_frame(axis, frame)
+    dampers = names_of(group, "damper") if "damper" in group.coords else []
+    items = group.variables["damper_item"].values.tolist() if dampers else []
+    for i, name in enumerate(names_of(group, "item"), start=1):
+        mine = [damper for damper, item in zip(dampers, items, strict=True) if item == i]
+        color, marker = VARIANTS[(i - 1) % len(VARIANTS)], _MARKERS[(i - 1) % len(_MARKERS)]
+        draw_dampers(axis, frame, mine, color, marker)
+        axis.plot([], [], color=color, marker=marker, ms=4.0, lw=0.7, label=f"{name} ({len(mine)})")
+    axis.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), title="places with")
+    return figure
+
+
+@styled
+def cost_figure(group: Group) -> Figure:
+    """Draw the worst ratio of demand to limit of every layout analysed against its cost, with the Pareto front.
+
+    Args:
+        group: of a design, with layout_cost, layout_demand and layout_met over (layout,).
+    """
+    figure, ((axis,),) = new_figure(1, 1, 6.3, 3.2)
+    cost, demand = (np.asarray(group.variables[f"layout_{key}"].values, dtype=float) for key in ("cost", "demand"))
+    met = np.asarray(group.variables["layout_met"].values) == 1
+    axis.plot(cost[~met], demand[~met], ls="none", marker="x", ms=4.0, color=RECORDS, label="missed")
+    axis.plot(cost[met], demand[met], ls="none", marker="o", ms=3.5, mfc="white", mec=AFTER, label="met")
+    best = front(group)
+    axis.plot(cost[best], demand[best], color=MEAN, lw=0.8, drawstyle="steps-post", zorder=1.5, label="Pareto front")
+    chosen = int(str(group.attributes["chosen_layout"])) - 1
+    if met[chosen]:
+        axis.plot(cost[chosen], demand[chosen], ls="none", marker="o", ms=6.0, color=AFTER, label="chosen")
+    axis.axhline(1.0, color=TARGET, lw=0.9, ls="--")
+    axis.set_xlabel("cost")
+    axis.set_ylabel("worst demand / limit")
+    axis.set_ylim(bottom=0.0)
+    axis.set_xlim(left=min(0.0, float(cost.min())))
+    legend_above(axis, 4)
+    return figure

@@ -1,0 +1,135 @@
+"""A frame's elevation: members to scale, braces, dampers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from edesign.project.frame.frame import Frame
+from edesign.project.frame.supports import support_name
+from edesign.project.notation import names
+from edesign.report.drawing.style import MEAN
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+Point = tuple[float, float]
+Line = tuple[Point, Point]
+STEEL, DAMPER = "#8a8f98", "#3aa08f"
+GAP = 0.025  # from the base of an isolated frame to the middle of its isolators, of its height
+_SHAPES = {"V": "chevron", "R": "rising", "F": "falling", "S": "storey"}
+
+
+@dataclass(frozen=True)
+class DamperDrawing:
+    """A damper in an elevation: the lines of its braces, and where it stands itself, m."""
+
+    braces: tuple[Line, ...]
+    at: Point
+
+
+def member_lines(frame: Frame) -> dict[str, Line]:
+    """Start and end of every member by its name, m; columns start below, beams and braces at the left."""
+    found = {}
+    for line, storey in frame.column_at:
+        x = frame.x[frame.lines.index(line)]
+        found[names.column_name(line, storey)] = ((x, frame.y[storey - 1]), (x, frame.y[storey]))
+    ends = {name: (beam.start, beam.end) for name, beam in frame.beam_members.items()}
+    ends |= {names.brace_name(*place): frame.brace_nodes(*place) for place in frame.brace_at}
+    return found | {name: (frame.nodes[start], frame.nodes[end]) for name, (start, end) in ends.items()}
+
+
+def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
+    """How the damper of a name such as V_1_3 or N_A0_B1 is drawn; None if the frame has no such place."""
+    kind, first, second, *_ = [*name.split("_"), "", ""]
+    if kind == "N":
+        if first not in frame.nodes or second not in frame.nodes:
+            return None
+        start, end = frame.nodes[first], frame.nodes[second]
+        return DamperDrawing(((start, end),), _middle(start, end))
+    if kind not in _SHAPES or not (first.isdigit() and second.isdigit()):
+        return None
+    bay, storey = int(first), int(second)
+    if not (1 <= bay <= frame.n_bays and 1 <= storey <= frame.n_storeys):
+        return None
+    left, right, low, high = frame.x[bay - 1], frame.x[bay], frame.y[storey - 1], frame.y[storey]
+    apex = (0.5 * (left + right), high)
+    if kind == "V" and name.endswith(("_r", "_f")):  # in place of a brace
+        line = ((left, low), apex) if name.endswith("_r") else (apex, (right, low))
+        return DamperDrawing((line,), _middle(*line))
+    if kind == "V":
+        return DamperDrawing((((left, low), apex), ((right, low), apex)), apex)
+    lines: dict[str, Line] = {
+        "R": ((left, low), (right, high)),
+        "F": ((left, high), (right, low)),
+        "S": ((apex[0], low), apex),
+    }
+    return DamperDrawing((lines[kind],), _middle(*lines[kind]))
+
+
+def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
+    """Draw an elevation to scale, without scales and frame of the axes.
+
+    Args:
+        axes: in m, with equal scales afterwards.
+        frame: its members.
+        dampers: names of the dampers in it.
+    """
+    draw_dampers(axes, frame, dampers)
+    for name, ((x0, y0), (x1, y1)) in member_lines(frame).items():
+        axes.plot((x0, x1), (y0, y1), color=STEEL, lw=1.0 if name.startswith("D_") else 1.6, zorder=1.5)
+    isolated = any(name.startswith("I_") for name in dampers)
+    below = GAP * frame.height if isolated else 0.0
+    if isolated:
+        _draw_isolation(axes, frame, dampers, below)
+    for line, x in zip(frame.lines, frame.x, strict=True):
+        if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
+            marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D", "footing": "D"}[
+                support_name(frame.support(line))
+            ]
+            axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
+    margin = 0.04 * max(frame.x[-1], frame.height)
+    right = frame.x[-1]
+    if frame.leaning_column is not None:
+        right += 0.5 * frame.bay_widths[-1]
+        _draw_leaning_column(axes, frame, right)
+    axes.set_aspect("equal")
+    axes.set_xlim(-margin, right + margin)
+    axes.set_ylim(-margin - 2.0 * below, frame.height + margin)
+    axes.set_axis_off()
+
+
+def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: float) -> None:
+    """The base, isolators `below` it (m), and a mark beside each line where something else acts on the base."""
+    feet = [x for line, x in zip(frame.lines, frame.x, strict=True) if names.node_name(line, 0) in frame.nodes]
+    axes.plot((feet[0], feet[-1]), (0.0, 0.0), color=STEEL, lw=2.6, zorder=1.5)
+    for line, x in zip(frame.lines, frame.x, strict=True):
+        if names.isolator_name(line) in dampers:
+            axes.plot(x, -below, marker="s", ms=5.0, color=DAMPER, mec="white", mew=0.4, zorder=2, clip_on=False)
+            axes.plot(x, -2.0 * below, marker="_", ms=10.0, color=MEAN, mew=0.9, zorder=2, clip_on=False)
+        if names.base_device_name(line) in dampers:
+            axes.plot(x + 2.0 * below, -below, marker="D", ms=3.4, color=DAMPER, mec="white", mew=0.4, clip_on=False)
+
+
+def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = DAMPER, marker: str = "s") -> None:
+    """Draw dampers by their names with their braces; those of places that the frame does not have are left out."""
+    for name in dampers:
+        drawing = damper_drawing(frame, name)
+        if drawing is None:
+            continue
+        for (x0, y0), (x1, y1) in drawing.braces:
+            axes.plot((x0, x1), (y0, y1), color=color, lw=0.7, zorder=1)
+        axes.plot(*drawing.at, marker=marker, ms=3.6, color=color, mec="white", mew=0.4, zorder=2)
+
+
+def _draw_leaning_column(axes: Axes, frame: Frame, x: float) -> None:
+    """Struts between hinges at x m, and the ties that hold them to the floors."""
+    axes.plot([x] * len(frame.y), frame.y, color=STEEL, lw=1.2, zorder=1.5)
+    axes.plot([x] * len(frame.y), frame.y, marker="o", ls="none", ms=3.0, mfc="white", mec=MEAN, mew=0.6, zorder=2)
+    for y in frame.y[1:]:
+        axes.plot((frame.x[-1], x), (y, y), color=STEEL, lw=0.7, ls=(0, (4, 3)), zorder=1)
+
+
+def _middle(start: Point, end: Point) -> Point:
+    return 0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1])

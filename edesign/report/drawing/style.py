@@ -1,0 +1,229 @@
+"""What all figures share: size, type, colours, and how they are written."""
+
+from __future__ import annotations
+
+import gc
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from functools import wraps
+from io import StringIO
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, ParamSpec
+
+import numpy as np
+
+from edesign.archive.files import write_whole
+from edesign.errors import InputError
+from edesign.report.tables.visible import visible
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+P = ParamSpec("P")
+FORMATS = ("svg", "png", "pdf")
+MOST_TICKS = 13
+BEFORE, AFTER, TARGET, MEAN = "#8a8f98", "#1f5fa8", "#c0392b", "#111111"
+"""Colours that stay apart in grey print and for colour-blind readers."""
+
+VARIANTS = ("#d9822b", AFTER, "#3aa08f", "#7b3f98", "#5a5f66", "#b8476b", "#8c6d1f", "#4fa3d9")
+"""Of the variants of a structure, in their order; of a ninth the first again."""
+
+RECORDS = "#b4bac3"
+"""Of each of many records."""
+
+_STYLE: Any = {
+    "font.size": 8.0,
+    "axes.titlesize": 9.0,
+    "axes.labelsize": 8.0,
+    "legend.fontsize": 7.5,
+    "axes.linewidth": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.linewidth": 0.4,
+    "grid.color": "#d9dce1",
+    "lines.linewidth": 1.0,
+    "legend.frameon": False,
+    "svg.hashsalt": "edesign",  # the same figure is the same file
+    "svg.fonttype": "none",
+    "text.parse_math": False,  # dollar signs in users' texts are dollar signs
+}
+
+
+@contextmanager
+def in_style_of_figures() -> Iterator[None]:
+    """Have matplotlib draw in the style of this file meanwhile."""
+    import matplotlib
+
+    with matplotlib.rc_context(_STYLE):
+        yield
+
+
+def styled(draw: Callable[P, Figure]) -> Callable[P, Figure]:
+    """Let a function draw in the style of this file."""
+
+    @wraps(draw)
+    def in_style(*args: P.args, **kwargs: P.kwargs) -> Figure:
+        with in_style_of_figures():
+            return draw(*args, **kwargs)
+
+    return in_style
+
+
+@contextmanager
+def garbage_between_figures() -> Iterator[Callable[[], object]]:
+    """Collect garbage only when the function that is given is called, after each figure when it is let go.
+
+    A figure is some hundred thousand objects in circles, all of which live until it is drawn: to look through them
+    ever again meanwhile takes a quarter of the time.
+    """
+    collects = gc.isenabled()
+    gc.disable()
+    try:
+        yield lambda: gc.collect(1)
+    finally:
+        if collects:
+            gc.enable()
+
+
+def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Figure, list[list[Axes]]]:
+    """Return a figure without a window, and its axes row by row; to be called from a `styled` function.
+
+    Args:
+        rows, columns: of axes.
+        width, height: of the figure, inches.
+    """
+    from matplotlib.figure import Figure
+
+    from edesign.report.drawing.light_axes import LightAxes
+
+    figure = Figure(figsize=(width, height), layout="constrained")
+    axes = figure.subplots(rows, columns, squeeze=False, subplot_kw={"axes_class": LightAxes})
+    return figure, axes.tolist()
+
+
+def save(figure: Figure, path: Path) -> None:
+    """Write a figure; the suffix says the format.
+
+    Raises:
+        ArchiveError: it cannot be written.
+    """
+    suffix = path.suffix.lower()
+    if suffix == ".svg":
+        text = svg_text(figure)
+        write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8"))
+        return
+    metadata = {"CreationDate": None} if suffix == ".pdf" else None
+    with in_style_of_figures():
+        write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
+
+
+def check_format(name: str) -> str:
+    """Return the format of figures if it is one.
+
+    Raises:
+        InputError: it is none of `FORMATS`.
+    """
+    if name not in FORMATS:
+        from edesign.project.reading.problems import did_you_mean
+
+        raise InputError(f"--format: `{name}` is unknown{did_you_mean(name, FORMATS)} (allowed: {', '.join(FORMATS)})")
+    return name
+
+
+def check_figure_name(path: Path) -> None:
+    """Check the suffix of a figure.
+
+    Raises:
+        InputError: it is of no format that is drawn.
+    """
+    if path.suffix.lower().lstrip(".") not in FORMATS:
+        raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")
+
+
+def svg_text(figure: Figure) -> str:
+    """Return a figure, as drawn by a `styled` function, as an SVG file; `savefig` would draw it twice to lay it out."""
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+
+    text, dpi = StringIO(), figure.dpi
+    with in_style_of_figures():
+        FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
+    figure.dpi = dpi
+    return visible(text.getvalue())  # XML has no control characters
+
+
+def legend_label(text: str) -> str:
+    """Return a user's text as a label; one that begins with an underscore would be left out of legends."""
+    return f" {text}" if text.startswith("_") else text
+
+
+def legend_above(axis: Axes, columns: int = 2) -> None:
+    """Put the legend of an axis above it, from the left."""
+    axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, borderaxespad=0.2)
+
+
+def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], most: int) -> None:
+    """Put a legend below the axes, in as many columns as fit the width of the figure; to be called when `styled`.
+
+    Args:
+        figure: of its final size.
+        handles, labels: of the legend.
+        most: columns, however wide the figure is.
+    """
+    for columns in range(min(most, len(handles)), 0, -1):
+        legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
+        if columns == 1 or legend.get_window_extent().width <= figure.bbox.width:
+            return
+        legend.remove()
+
+
+def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[Figure, list[Axes]]:
+    """Return a figure of `count` panels in rows of at most `columns`, and their axes; to be called when `styled`.
+
+    Args:
+        count, columns: panels in all, and in a row.
+        width, height: of a panel, inches.
+    """
+    across = min(columns, count)
+    down = -(-count // across)
+    figure, axes = new_figure(down, across, 0.5 + width * across, 0.5 + height * down)
+    cells = [axis for row in axes for axis in row]
+    for axis in cells[count:]:
+        axis.set_visible(False)
+    return figure, cells[:count]
+
+
+def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -> None:
+    """Label the axes of panels with common scales: ordinates at the left, abscissas where nothing stands below."""
+    across = min(columns, len(cells))
+    for place, axis in enumerate(cells):
+        if place % across == 0:
+            axis.set_ylabel(ordinate)
+        else:
+            axis.tick_params(labelleft=False)
+        if place + across >= len(cells):
+            axis.set_xlabel(abscissa)
+        else:
+            axis.tick_params(labelbottom=False)
+
+
+def align_ordinates(column: Iterable[Axes]) -> None:
+    """Let the labels of the ordinates of axes that stand below each other stand in one line."""
+    aligned: tuple[Any, ...] = tuple(axes.yaxis for axes in column)
+    for axis in aligned:
+        axis.aligned = aligned
+
+
+def some_of(numbers: Sequence[int] | np.ndarray) -> Sequence[int] | np.ndarray:
+    """Numbers of storeys, modes or rounds that stand at an axis: all of a few, of many about eight."""
+    return numbers if len(numbers) <= MOST_TICKS else numbers[:: len(numbers) // 8]
+
+
+def logarithmic(axis: Axes) -> None:
+    """Give the abscissa a logarithmic scale with plain numbers: 0.1, 0.2, 0.5, 1."""
+    from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
+
+    axis.set_xscale("log")
+    axis.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    axis.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.xaxis.set_minor_formatter(NullFormatter())

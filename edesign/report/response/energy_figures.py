@@ -1,0 +1,90 @@
+"""The energy balance over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.reader import Archive
+from edesign.report.drawing.captions import at_level, file_name, plain
+from edesign.report.drawing.style import MEAN, grid_figure, label_outer, styled
+from edesign.report.response.histories import by_motion, histories, missing_text, names_of, with_results
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+PARTS = {
+    "hysteretic": ("yielding", "#c8452f"),
+    "dampers": ("dampers", "#3aa08f"),
+    "damping": ("inherent damping", "#b4bac3"),
+    "stored": ("kinetic and elastic", "#fbd9a0"),
+}
+"""Shares of the input from the bottom up: label and color."""
+_STORED = ("kinetic", "elastic", "p_delta")
+COLUMNS = 2
+POINTS = 1500  # of an area, about
+Energy = tuple[np.ndarray, Mapping[str, np.ndarray]]
+
+
+def energy_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """The energy of each motion whose energy was kept, a panel for each variant: file name, caption, figure."""
+    own = [history for history in histories(archive) if history.temperature is None]
+    for (level, record), chosen in by_motion(own).items():
+        found: dict[str, Energy] = {}
+        for history, group in with_results(archive, chosen, "energy"):
+            table = group.variables["energy"].values
+            terms = {term: table[:, i] for i, term in enumerate(names_of(group, "energy_term"))}
+            found[history.variant] = (group.coords["time"].values, terms)
+        if found:
+            caption = f"Energy since the start of {chosen[0].motion}{at_level(level)}. {_numbers(found)}"
+            yield file_name("energy", level, record), f"{caption}{missing_text(chosen)}", energy_figure(found)
+
+
+@styled
+def energy_figure(histories: Mapping[str, Energy]) -> Figure:
+    """Draw where the input energy has gone at every time: dissipated parts and what is stored, one upon the other.
+
+    Args:
+        histories: by title of the panel: time (s), and terms of the balance (J) as in archives.
+    """
+    figure, cells = grid_figure(len(histories), COLUMNS, 3.1 if len(histories) > 1 else 5.5, 2.4)
+    tallest = 1.08e-3 * max(float(np.max(terms["input"])) for _, terms in histories.values())
+    for axis, (title, (time, terms)) in zip(cells, histories.items(), strict=True):
+        every = max(1, time.size // POINTS)  # a filled area keeps all its points in the file
+        kept = np.unique(np.append(np.arange(0, time.size, every), time.size - 1))
+        below = np.zeros(kept.size)
+        for part, (label, color) in PARTS.items():
+            above = below + 1e-3 * share(terms, part)[kept]
+            axis.fill_between(time[kept], below, above, color=color, lw=0.0, label=label)
+            axis.plot(time[kept], above, color="white", lw=0.4)
+            below = above
+        axis.plot(time[kept], 1e-3 * terms["input"][kept], color=MEAN, lw=0.9, label="input")
+        axis.set_title(title, loc="left")
+        axis.set_xlim(0.0, float(time[-1]))
+        axis.set_ylim(0.0, tallest or 1.0)
+    label_outer(cells, COLUMNS, "time (s)", "energy (kJ)")
+    handles, labels = cells[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="outside lower center", ncols=5 if len(histories) > 1 else 3)
+    return figure
+
+
+def share(terms: Mapping[str, np.ndarray], part: str) -> np.ndarray:
+    """A part of `PARTS` over time, J."""
+    if part != "stored":
+        return terms[part]
+    return np.asarray(np.sum([terms[name] for name in _STORED], axis=0))
+
+
+def _numbers(histories: Mapping[str, Energy]) -> str:
+    texts = []
+    for title, (_, terms) in histories.items():
+        total = float(terms["input"][-1])
+        parts: Sequence[str] = [
+            f"{label} {100.0 * float(share(terms, part)[-1]) / total:.0f} %"
+            for part, (label, _) in PARTS.items()
+            if part != "stored" and total > 0.0 and np.any(terms[part])
+        ]
+        texts.append(f"{title}: input {plain(1e-3 * total)} kJ, {', '.join(parts)}".strip(": "))
+    return f"At the end {'; '.join(texts)}."

@@ -1,0 +1,206 @@
+"""Plastic hinges on the elevation of a frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+from itertools import chain
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.envelopes import peak
+from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
+from edesign.project.frame.frame import Frame
+from edesign.project.project import Project
+from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.drawing.captions import at_level, file_name, plain
+from edesign.report.drawing.frame_drawing import draw_frame, member_lines
+from edesign.report.drawing.style import MEAN, new_figure, styled
+from edesign.report.response.histories import by_level, histories, missing_text, names_of
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+End = tuple[str, int]
+
+COLORS = ("#fbd9a0", "#f2994a", "#c8452f", "#5b0f2e")
+SIZES = (3.0, 4.2, 5.4, 6.8)  # points; size and darkness grow together, so that grey print keeps the order
+OFFSET = 0.085  # of a hinge from the end of its member, share of a bay
+
+
+@dataclass(frozen=True)
+class Scale:
+    """Classes of hinges: the lower limits of all but the first, in the unit of the values, and their names."""
+
+    limits: tuple[float, ...]
+    names: tuple[str, ...]
+
+    def rank(self, value: float) -> int:
+        """0 (not drawn) to 4."""
+        return int(np.searchsorted(self.limits, value, side="right"))
+
+
+ROTATION = Scale(
+    (0.001, 0.005, 0.010, 0.020),
+    ("below 1 mrad", "1 to 5 mrad", "5 to 10 mrad", "10 to 20 mrad", "over 20 mrad"),
+)
+ACCEPTANCE = Scale((0.5, 1.5, 2.5, 3.5), ("elastic", "to IO", "IO to LS", "LS to CP", "over CP"))
+"""Of values 0 (elastic), 1 (up to immediate occupancy), 2, 3, 4 (beyond collapse prevention)."""
+
+
+@dataclass(frozen=True)
+class Hinges:
+    """One elevation.
+
+    Attributes:
+        title: above it.
+        values: of member ends (member, 0 start or 1 end): plastic rotation (rad) or class of `ACCEPTANCE`.
+        dampers: names of the dampers in the frame.
+    """
+
+    title: str
+    values: Mapping[End, float]
+    dampers: tuple[str, ...] = ()
+
+
+def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+    """Plastic rotations of every level, variants side by side: name of the file, caption, figure.
+
+    The mean and the largest over the records, and the class of FEMA 356 that the mean reaches.
+    """
+    project = archived_project(archive)
+    study = archived_study(archive) if is_study_archive(archive) else None
+    for level, variants in by_level(histories(archive)).items():
+        found = {
+            variant: groups
+            for variant, chosen in variants.items()
+            if (groups := [group for h in chosen if h.completed and plastic_rotations(group := h.read(archive))])
+        }
+        if project is None or not found or not any(map(_yields, chain(*found.values()))):
+            continue
+        of = VariantMembers(project, study).project
+        missing = missing_text(history for chosen in variants.values() for history in chosen)
+        for statistic, words, take in (("mean", "Mean", np.mean), ("max", "Largest", np.max)):
+            if statistic == "max" and all(len(groups) == 1 for groups in found.values()):
+                continue
+            panels = [_panel(variant, groups, take) for variant, groups in found.items()]
+            caption = f"{words} over the records of the peak plastic rotations of member ends{at_level(level)}. "
+            figure = hinge_figure(project.frame, panels, ROTATION)
+            yield file_name("hinges", level, statistic), f"{caption}{_numbers(panels)}{missing}", figure
+        classes = [
+            replace(_panel(variant, groups, np.mean), values=acceptance(of(variant), groups))
+            for variant, groups in found.items()
+        ]
+        if any(any(panel.values.values()) for panel in classes):
+            caption = f"Mean peak plastic rotations{at_level(level)} by the limits of FEMA 356, Table 5-6, primary; "
+            caption += f"columns above half of P_CL are over CP from {1e3 * ELASTIC_ROTATION:g} mrad. "
+            figure = hinge_figure(project.frame, classes, ACCEPTANCE)
+            yield file_name("hinges", level, "acceptance"), f"{caption}{_counts(classes)}{missing}", figure
+
+
+def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
+    """Class of `ACCEPTANCE` of the mean peak plastic rotation of member ends, with the mean peak axial force.
+
+    Members that Table 5-6 does not know are left out; a column that it makes force-controlled must stay elastic.
+    """
+    members = frame_members(project)
+    rotations = [plastic_rotations(group) for group in groups]
+    compression = [compressions(group) for group in groups]
+    found: dict[End, float] = {}
+    for end in rotations[0]:
+        member = members.get(end[0])
+        if member is None:
+            continue
+        rotation = float(np.mean([one[end] for one in rotations]))
+        limits = member.limits(float(np.mean([one.get(end[0], 0.0) for one in compression])))
+        allowed = [0.0] * 3 if limits is None else [limits.allowed(level) for level in ("IO", "LS", "CP")]
+        beyond = sum(rotation > limit for limit in allowed)
+        found[end] = float(1 + beyond) if rotation > ELASTIC_ROTATION else 0.0
+    return found
+
+
+def _yields(group: Group) -> bool:
+    """Whether any member end has a plastic rotation."""
+    return any(value > 0.0 for value in plastic_rotations(group).values())
+
+
+def _panel(variant: str, groups: Sequence[Group], take: Callable[[list[float]], float]) -> Hinges:
+    rotations = [plastic_rotations(group) for group in groups]
+    values = {end: float(take([one[end] for one in rotations])) for end in rotations[0]}
+    many = f"{len(groups)} records" if len(groups) > 1 else "1 record"
+    title = ", ".join(part for part in (variant, many) if part)
+    return Hinges(title, values, tuple(names_of(groups[0], "damper")))
+
+
+def plastic_rotations(group: Group) -> dict[End, float]:
+    """Peak plastic rotation (rad) of the ends of columns and beams of an analysis."""
+    found: dict[End, float] = {}
+    for kind in ("column", "beam"):
+        values = peak(group, f"{kind}_plastic_rotation")
+        if values is not None:
+            for name, ends in zip(names_of(group, kind), values, strict=True):
+                found |= {(name, end): float(ends[end]) for end in (0, 1)}
+    return found
+
+
+@styled
+def hinge_figure(frame: Frame, panels: Sequence[Hinges], scale: Scale = ROTATION) -> Figure:
+    """Draw member ends beyond the first class of a scale as circles on the frame, elevations side by side.
+
+    Args:
+        frame: the members.
+        panels: at least one.
+        scale: what the values are.
+    """
+    from matplotlib.lines import Line2D
+
+    ratio = frame.x[-1] / frame.height
+    height = min(3.9, 3.0 / ratio)
+    width = max(1.5, height * ratio) + 0.3
+    figure, axes = new_figure(1, len(panels), width * len(panels), height + 0.7)
+    lines = member_lines(frame)
+    offset = OFFSET * frame.x[-1] / frame.n_bays
+    for axis, panel in zip(axes[0], panels, strict=True):
+        draw_frame(axis, frame, panel.dampers)
+        for (member, end), value in panel.values.items():
+            rank = scale.rank(value)
+            if rank and member in lines:
+                near, far = lines[member][::-1] if end else lines[member]
+                share = min(offset / float(np.hypot(far[0] - near[0], far[1] - near[1])), 0.3)
+                x, y = (a + share * (b - a) for a, b in zip(near, far, strict=True))
+                style: Any = {"ms": SIZES[rank - 1], "mfc": COLORS[rank - 1], "mec": MEAN, "mew": 0.5}
+                axis.plot(x, y, marker="o", ls="none", zorder=3, gid=f"hinge {member} {end} class {rank}", **style)
+        axis.set_title(panel.title, loc="left")
+    handles = [
+        Line2D([], [], marker="o", ls="none", ms=size, mfc=color, mec=MEAN, mew=0.5, label=label)
+        for size, color, label in zip(SIZES, COLORS, scale.names[1:], strict=True)
+    ]
+    figure.legend(handles=handles, loc="outside lower center", ncols=4 if width * len(panels) > 4.0 else 2)
+    engine = figure.get_layout_engine()
+    assert engine is not None
+    engine.execute(
+        figure
+    )  # with equal scales an elevation fills its panel only then, and the next layout sees its title
+    return figure
+
+
+def _counts(panels: Sequence[Hinges]) -> str:
+    texts = []
+    for panel in panels:
+        ranks = [ACCEPTANCE.rank(value) for value in panel.values.values()]
+        counts = [f"{ranks.count(i)} {name}" for i, name in enumerate(ACCEPTANCE.names) if i in ranks]
+        texts.append(f"{panel.title}: {', '.join(counts)}")
+    return f"Ends of members: {'; '.join(texts)}."
+
+
+def _numbers(panels: Sequence[Hinges]) -> str:
+    texts = []
+    for panel in panels:
+        worst = max(panel.values, key=lambda end: panel.values[end])
+        yielded = sum(value >= ROTATION.limits[0] for value in panel.values.values())
+        most = f"the largest is {plain(1e3 * panel.values[worst])} mrad ({worst[0]})"
+        texts.append(f"{panel.title}: {yielded} of {len(panel.values)} ends rotate by more than 1 mrad, {most}")
+    return f"{'; '.join(texts)}."

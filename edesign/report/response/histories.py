@@ -1,0 +1,148 @@
+"""The histories of an archive by variant, level, record and temperature, as figures and tables compare them."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, replace
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.report.drawing.captions import record_label
+from edesign.report.drawing.style import AFTER, MEAN, VARIANTS
+from edesign.study.results.kinds import ANALYSES, DIRECT
+
+
+@dataclass(frozen=True)
+class History:
+    """A history of an archive.
+
+    Attributes:
+        name: of the analysis.
+        variant, level, record: "" where it has none; the record is a reference such as table_5_6/Tabas1978_FER-L1.
+        temperature: degC, None: the variant's own.
+        completed: whether it came to its end.
+        reason: why it did not.
+    """
+
+    name: str
+    variant: str
+    level: str
+    record: str
+    temperature: float | None
+    completed: bool
+    reason: str
+
+    @property
+    def motion(self) -> str:
+        """The record in words."""
+        return record_label(self.record)
+
+    @property
+    def temperature_label(self) -> str:
+        """The temperature of its dampers in words."""
+        return "design temperature" if self.temperature is None else f"{self.temperature:g} °C"
+
+    def read(self, archive: Archive) -> Group:
+        """Its results; a variable is read when it is first asked for."""
+        return archive.view(f"{ANALYSES}/{self.name}")
+
+
+def histories(archive: Archive) -> list[History]:
+    """All histories that have results, in the archive's order, without those of incremental analyses.
+
+    Where two of a variant have the same level, record and temperature, they are not of one variant: then the names of
+    the analyses, without that of the record, stand for variants.
+    """
+    found = []
+    for name in archive.names(ANALYSES):
+        about = archive.group_attributes(f"{ANALYSES}/{name}")
+        if about.get("kind") != "history" or about.get("incremental"):
+            continue
+        variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
+        degrees = about.get("temperature_C")
+        temperature = None if degrees is None else float(str(degrees))
+        completed = about.get("status") == "completed"
+        found.append(History(name, variant, level, record, temperature, completed, str(about.get("reason") or "")))
+    places = Counter((one.variant, one.level, one.record, one.temperature) for one in found)
+    mixed = {variant for (variant, *_), count in places.items() if count > 1}
+    return [
+        replace(one, variant=one.name.removesuffix(f".{one.record.rpartition('/')[2]}"))
+        if one.variant in mixed
+        else one
+        for one in found
+    ]
+
+
+def variant_colors(archive: Archive) -> dict[str, str]:
+    """The color of each variant, in the archive's order; "" where analyses have none."""
+    attributes = (archive.group_attributes(f"{ANALYSES}/{name}") for name in archive.names(ANALYSES))
+    labels = [str(about["variant"]) for about in attributes if about.get("variant")]
+    names = dict.fromkeys((*labels, *(history.variant for history in histories(archive))))
+    if len(names) == 1:
+        return dict.fromkeys(names, AFTER)
+    others = [name for name in names if name != DIRECT]
+    found = {name: VARIANTS[i % len(VARIANTS)] for i, name in enumerate(others)}
+    return found | {DIRECT: MEAN}  # what compensators are held against
+
+
+def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:
+    """Histories at the variants' own temperatures, by level and variant."""
+    found: dict[str, dict[str, list[History]]] = {}
+    for history in chosen:
+        if history.temperature is None:
+            found.setdefault(history.level, {}).setdefault(history.variant, []).append(history)
+    return found
+
+
+def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]:
+    """Histories by level and record."""
+    found: dict[tuple[str, str], list[History]] = {}
+    for history in chosen:
+        found.setdefault((history.level, history.record), []).append(history)
+    return found
+
+
+def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list[History]]:
+    """Histories by variant, level and record, those at the variant's own temperature before the others."""
+    found: dict[tuple[str, str, str], list[History]] = {}
+    for history in chosen:
+        found.setdefault((history.variant, history.level, history.record), []).append(history)
+    for same in found.values():
+        same.sort(key=lambda history: (history.temperature is not None, history.temperature or 0.0))
+    return found
+
+
+def missing_text(chosen: Iterable[History]) -> str:
+    """A sentence that names the histories that did not complete; "" if all did."""
+    named = [f"{h.variant} {h.motion}".strip() + f" ({h.reason})" * bool(h.reason) for h in chosen if not h.completed]
+    return f" Missing, as the analysis did not complete: {'; '.join(named)}." if named else ""
+
+
+def groups_alike(groups: Mapping[str, Group], told: Callable[[Group], Hashable]) -> list[dict[str, Group]]:
+    """Return groups in sets, in their order, of those of which the same is told.
+
+    Args:
+        groups: results by the name of the analysis.
+        told: what a table would say of a group.
+    """
+    found: dict[Hashable, dict[str, Group]] = {}
+    for name, group in groups.items():
+        found.setdefault(told(group), {})[name] = group
+    return list(found.values())
+
+
+def names_of(group: Group, dimension: str) -> list[str]:
+    """The names along a dimension of a group; [] without it."""
+    if dimension not in group.coords:
+        return []
+    return [str(value) for value in group.coords[dimension].values]
+
+
+def with_results(archive: Archive, chosen: Iterable[History], *variables: str) -> Iterator[tuple[History, Group]]:
+    """Completed histories that have some variables, read."""
+    for history in chosen:
+        if history.completed:
+            group = history.read(archive)
+            if all(name in group.variables for name in variables):
+                yield history, group

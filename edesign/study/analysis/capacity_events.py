@@ -1,0 +1,247 @@
+"""Events along a capacity curve: first yielding, hinge and buckling, drifts of performance levels, peak, collapse."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.members import ELASTIC_ROTATION
+from edesign.building.frame import FrameModel, Member
+from edesign.codes.capacity_curve import DESCENT
+from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
+from edesign.core import Response
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.project import Project
+from edesign.study.analysis.collapse import collapse_reason
+from edesign.study.results import quantities as q
+from edesign.study.results.recording import Quantity, Terms, coordinate
+
+MOST_STEPS = 10_000
+"""Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
+for a frame of 90 members is 86 MB."""
+
+KINDS = ("beam", "column")
+
+
+@dataclass(frozen=True)
+class CapacityEvent:
+    """What happens in a step of a push for the first time.
+
+    Attributes:
+        step: the step, 0 is under gravity alone.
+        what: "first yield of a beam", ...
+        place: name of the member or of the node of the panel zone, or `storey 3`; "" where there is none.
+    """
+
+    step: int
+    what: str
+    place: str = ""
+
+
+@dataclass(frozen=True)
+class _Yielding:
+    """Strains of the outer layers at the ends of members of a kind, over the yield strain, and plastic rotations.
+
+    Where hinges yield in place of fibres, `strains` has what `_hinge_yield` gives.
+    """
+
+    kind: str
+    members: tuple[Member, ...]
+    strains: Quantity
+    rotations: Quantity
+
+
+class EventChannels:
+    """What a push records so that its events can be told.
+
+    Args:
+        project: the validated project.
+        frame: its model.
+        steps: of the push.
+    """
+
+    def __init__(self, project: Project, frame: FrameModel, steps: int) -> None:
+        self._storeys = q.line_drift_storeys(frame)
+        self._drifts = q.line_drifts(frame)
+        self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
+        follows = steps <= MOST_STEPS
+        self._yielding = [found for kind in KINDS if follows and (found := _yielding(project, frame, kind))]
+        self._braces = _Braces(project, frame) if follows and frame.of_kind("brace") else None
+        self._panels = list(frame.panels) if follows else []
+        terms: list[Terms] = [
+            ((built.panel.stiffness / built.panel.yield_moment, "deformation", built.element, 0),)
+            for built in frame.panels.values()
+        ]
+        self._distortions = _followed("panel_distortion", terms[: len(self._panels)])
+
+    @property
+    def quantities(self) -> list[Quantity]:
+        """To be recorded; nothing of them is archived."""
+        found = [self._followed, *(item for one in self._yielding for item in (one.strains, one.rotations))]
+        found += [self._braces.forces, self._braces.elongations] if self._braces else []
+        return [*found, self._distortions] if self._panels else found
+
+    def events(self, response: Response, base_shear: np.ndarray) -> list[CapacityEvent]:
+        """Return the events of a push in their order.
+
+        Args:
+            response: of the push.
+            base_shear: of each step, N, positive in the direction of the push.
+        """
+        found = []
+        for one in self._yielding:
+            names = [member.name for member in one.members]
+            found += _first(f"first yield of a {one.kind}", one.strains.values(response), 1.0, names)
+            rotations = one.rotations.values(response)
+            found += _first(f"first hinge in a {one.kind}", rotations, ELASTIC_ROTATION, names)
+        if self._panels:
+            distortions = self._distortions.values(response)[..., np.newaxis]
+            found += _first("first yield of a panel zone", distortions, 1.0, self._panels)
+        if self._braces:
+            found += self._braces.events(response)
+        drifts = np.abs(self._followed.values(response))
+        for level in PERFORMANCE_LEVELS:
+            limit = drift_limits(level).transient
+            beyond = np.nonzero(drifts.max(axis=1) > limit)[0]
+            if beyond.size:
+                storey = self._storeys[int(np.argmax(drifts[beyond[0]]))]
+                found.append(CapacityEvent(int(beyond[0]), f"drift of {level}, {100 * limit:g} %", f"storey {storey}"))
+        peak = int(np.argmax(base_shear))
+        if base_shear[-1] < base_shear[peak] * (1.0 - DESCENT):
+            found.append(CapacityEvent(peak, "largest base shear"))
+        gone = np.nonzero(base_shear[1:] <= 0.0)[0]
+        if gone.size:
+            found.append(CapacityEvent(int(gone[0]) + 1, "no resistance left"))
+        elif collapse_reason(response, self._drifts, self._storeys):
+            found.append(CapacityEvent(base_shear.size - 1, "equilibrium lost"))
+        return sorted(found, key=lambda event: event.step)
+
+
+def store_capacity_events(
+    group: Group, events: Sequence[CapacityEvent], displacement: np.ndarray, base_shear: np.ndarray
+) -> None:
+    """Add events to the results of a push; nothing if there are none.
+
+    Args:
+        group: of the push.
+        events: in their order.
+        displacement: of the control node since gravity in each step, m.
+        base_shear: of each step, N.
+    """
+    if not events:
+        return
+    at, dims = [event.step for event in events], ("capacity_event",)
+    coordinate(group, "capacity_event", np.arange(1, len(events) + 1), "1", "number of the event on the capacity curve")
+    group.add("capacity_event_what", dims, [event.what for event in events], "", "what happens for the first time")
+    group.add(
+        "capacity_event_place",
+        dims,
+        [event.place for event in events],
+        "",
+        "member, node of a panel zone, or storey where it happens",
+    )
+    group.add("capacity_event_step", dims, at, "1", "step in which it has happened")
+    label = "displacement of the control node since gravity"
+    group.add("capacity_event_displacement", dims, displacement[at], "m", label)
+    group.add("capacity_event_base_shear", dims, base_shear[at], "N", "base shear in the direction of the push")
+
+
+def _hinge_yield(member: Member, end: int) -> Terms:
+    """Plastic rotation of hinges and joints over a millionth of that at yield: 1 where they begin to yield."""
+    springs = [spring for spring in member.springs[end] if spring.yields]
+    return tuple((1e6 * s.stiffness / s.M_y, "plastic_rotation", s.element, 0) for s in springs)
+
+
+def _yielding(project: Project, frame: FrameModel, kind: str) -> _Yielding | None:
+    members, strains, rotations = [], [], []
+    runs = project.frame.members
+    last = project.elements.integration_points - 1
+    for member in frame.members.values():
+        material = project.materials[runs[member.name].material] if member.kind == kind else None
+        fibres = material is not None and not isinstance(material, ElasticMaterial) and member.layers is not None
+        if material is None or not (fibres or any(spring.yields for end in member.springs for spring in end)):
+            continue
+        members.append(member)
+        for end, point in enumerate((0, last)):
+            if fibres:
+                assert member.layers is not None and not isinstance(material, ElasticMaterial)
+                factor, count = material.E / material.fy, member.layers.size
+                for layer in (0, count - 1):
+                    cell: Terms = ((factor, "fibre_strain", member.element, point * count + layer),)
+                    strains.append(cell)
+            else:
+                strains += [_hinge_yield(member, end), ()]
+            rotations.append(q.plastic_rotation(member, end))
+    if not members:
+        return None
+    shape = (len(members), 2)
+    return _Yielding(
+        kind,
+        tuple(members),
+        Quantity(f"event_{kind}_strain", (kind, "layer"), (len(members), 4), tuple(strains), "1", "", True, ()),
+        Quantity(f"event_{kind}_rotation", (kind, "end"), shape, tuple(rotations), "rad", "", True, ()),
+    )
+
+
+def _followed(name: str, cells: Sequence[Terms]) -> Quantity:
+    """What is kept of each step while a push runs, without extremes."""
+    return Quantity(f"event_{name}", (name,), (len(cells),), tuple(cells), "1", "", True, ())
+
+
+class _Braces:
+    """Axial forces of the braces of a frame, N, and elongations over those at which they yield.
+
+    Args:
+        project: the validated project.
+        frame: its model, with braces.
+    """
+
+    def __init__(self, project: Project, frame: FrameModel) -> None:
+        braces, runs = frame.of_kind("brace"), project.frame.members
+        self._names = [brace.name for brace in braces]
+        self._buckles = np.array([brace.yield_elongation is not None for brace in braces])
+        steels = [project.materials[runs[name].material] for name in self._names]
+        yields = [
+            np.inf if isinstance(steel, ElasticMaterial) else steel.fy / steel.E * project.frame.length(name)
+            for name, steel in zip(self._names, steels, strict=True)
+        ]
+        self._yields = np.array(yields)
+        self.forces = _followed("brace_force", [((1.0, "axial_force", brace.element, 0),) for brace in braces])
+        self.elongations = _followed("brace_elongation", [((1.0, "deformation", b.element, 0),) for b in braces])
+
+    def events(self, response: Response) -> list[CapacityEvent]:
+        """Return the first yield and the first buckling of a brace.
+
+        A brace that buckles yields in tension, as it shortens by its deflection too; another one in compression also.
+        It has buckled at its largest compression, if it then shortens further under less.
+        """
+        elongations = self.elongations.values(response)
+        stretched = np.where(self._buckles, np.maximum(elongations, 0.0), elongations) / self._yields
+        found = _first("first yield of a brace", stretched[..., np.newaxis], 1.0, self._names)
+        compressions = -self.forces.values(response)
+        buckled = [
+            (step, name)
+            for i, name in enumerate(self._names)
+            if self._buckles[i] and (step := _limit_point(compressions[:, i], -elongations[:, i])) is not None
+        ]
+        return [*found, *(CapacityEvent(step, "first buckling of a brace", name) for step, name in sorted(buckled)[:1])]
+
+
+def _limit_point(compression: np.ndarray, shortening: np.ndarray) -> int | None:
+    """The step of the largest compression so far after which a brace first shortens further under less; None: none."""
+    largest = np.maximum.accumulate(compression)
+    at = np.maximum.accumulate(np.where(compression == largest, np.arange(largest.size), 0))
+    beyond = (compression < largest * (1.0 - DESCENT)) & (shortening > shortening[at]) & (largest > 0.0)
+    return int(at[np.argmax(beyond)]) if beyond.any() else None
+
+
+def _first(what: str, values: np.ndarray, limit: float, names: Sequence[str]) -> list[CapacityEvent]:
+    """The first step in which a value of a member, (steps, members, places), reaches a limit, and which member."""
+    largest = np.abs(values).max(axis=2)
+    there = np.nonzero(largest.max(axis=1) >= limit)[0]
+    if not there.size:
+        return []
+    return [CapacityEvent(int(there[0]), what, names[int(np.argmax(largest[there[0]]))])]

@@ -1,0 +1,168 @@
+"""Dampers of a project made ready for its frame: laws at their temperature, tuned masses."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.devices import Attached, Device, DeviceLaw
+from edesign.damper.law_file import WHAT, Source, read_law_file, resolve, strain_of_tests
+from edesign.damper.laws import law
+from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
+from edesign.errors import InputError
+from edesign.project.dampers.dampers import LawDescription, TunedMass
+from edesign.project.project import Project
+from edesign.project.reading.file_bytes import is_file
+from edesign.study.check.warnings import AnalysisWarning, Kind
+
+WATER = 1000.0  # kg/m3
+
+
+def device_laws(project: Project) -> dict[str, DeviceLaw]:
+    """The laws of a project's dampers at their temperatures, by name.
+
+    Raises:
+        InputError: a law does not exist, or parameters are wrong; the message names their places in the project file.
+    """
+    if project.dampers is None:
+        return {}
+    return {name: _device_law(project, name)[0] for name in project.dampers.laws}
+
+
+def laws_that_stand(project: Project) -> list[str]:
+    """Return the names of the laws whose dampers stand in the frame; a project may have others, for its designs."""
+    return [] if project.dampers is None else list(dict.fromkeys(run.law for run in project.dampers.devices))
+
+
+def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
+    """Return whether one of some laws of a project is of a buckling-restrained brace; errors as `device_laws`."""
+    laws = device_laws(project)
+    return any(laws[name].restrained is not None for name in names)
+
+
+VISCOUS_EFFECTS = ("relaxation_branch", "velocity_exponent")
+"""Effects that add a force of their own which goes with the speed; others change or add what is there at rest."""
+
+
+def goes_with_speed(device: Device) -> bool:
+    """Return whether a damper is velocity-dependent (FEMA 356, 9.3.3): a slow push does not show all of its work."""
+    chosen = law(device.values.law)
+    values = dict(zip((p.name for p in chosen.parameters), device.values.values, strict=False))
+    return chosen.depends_on_speed(values) or any(
+        effect.kind.partition(".")[0] in VISCOUS_EFFECTS for effect in device.values.amendments
+    )
+
+
+def law_warnings(project: Project) -> list[str]:
+    """What is doubtful about the laws, e.g. a temperature outside the range of its tests."""
+    if project.dampers is None:
+        return []
+    return [
+        f"damper law {name}: {warning}" for name in project.dampers.laws for warning in _device_law(project, name)[1]
+    ]
+
+
+def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]]:
+    assert project.dampers is not None
+    spec = project.dampers.laws[name]
+    described: LawDescription = spec
+    source = asked = Source(project.path, project.root, ("dampers", "laws", name))
+    if spec.file is not None:
+        try:
+            described, source = read_law_file(project.folder / spec.file, project.yaml_content(spec.file, WHAT))
+        except InputError as error:
+            if is_file(project.folder / spec.file):
+                raise
+            raise source.refuse(("file",), error) from error
+    resolved = resolve(described, source, spec.temperature, asked)
+    numbers, warnings = resolved.for_core, resolved.warnings
+    prototype = spec.prototype or described.prototype
+    if numbers.law == "buckling_restrained":  # a fit writes the specimen of its tests, whose layers mean nothing here
+        if spec.prototype is not None:
+            raise asked.refuse(("prototype",), "a buckling-restrained brace has no layers; leave this key out")
+        if described.effects:  # K, the strain of the core and the adjusted strengths would not know of them
+            message = "a buckling-restrained brace takes no effects: omega and beta say what its tests showed"
+            raise source.refuse(("effects",), f"{message}; leave this key out")
+        prototype = None
+    if prototype is None and numbers.law == "friction_pendulum":
+        # what changes is the friction; the dish that brings it back keeps its radius
+        W, R, f_slow, f_fast, *others = numbers.values
+        friction = (spec.property_factor * f_slow, spec.property_factor * f_fast)
+        return DeviceLaw(replace(numbers, values=(W, R, *friction, *others))), warnings
+    if prototype is None:
+        return DeviceLaw(numbers, property_factor=spec.property_factor), warnings
+    size = (prototype.layers, prototype.layer_area, prototype.layer_thickness)
+    return DeviceLaw(numbers, *size, strain_of_tests(described), spec.property_factor), warnings
+
+
+def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
+    """Dampers that strained beyond the tests of their law, or beyond their strain limit; a line for each of them.
+
+    Args:
+        devices: of the frame.
+        strain: (n_devices,) largest shear strain of each.
+    """
+    found = []
+    limits: tuple[tuple[Kind, Callable[[Device], float | None], str], ...] = (
+        ("damper_strain", lambda device: device.tested_strain, "its tests, which went to {:g} %"),
+        ("strain_limit", lambda device: device.strain_limit, "`strain_limit`, {:g} %"),
+    )
+    for kind, limit_of, what in limits:
+        beyond: dict[tuple[str, float], list[int]] = {}
+        for i, device in enumerate(devices):
+            limit = limit_of(device)
+            if limit is not None and strain[i] > limit:
+                beyond.setdefault((device.law, limit), []).append(i)
+        for (name, limit), places in beyond.items():
+            most = max(places, key=lambda i: strain[i])
+            count = "1 damper strains" if len(places) == 1 else f"{len(places)} dampers strain"
+            text = (
+                f"law {name}: {count} beyond {what.format(100.0 * limit)}: "
+                f"{devices[most].name} to {100.0 * strain[most]:.3g} %"
+            )
+            found.append(AnalysisWarning(kind, text, float(strain[most]) / limit))
+    return found
+
+
+def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[AnalysisWarning]:
+    """Buckling-restrained braces whose core strained beyond what their manufacturer gives omega and beta for.
+
+    Args:
+        group: results of a history or a pushover.
+        devices: of the frame.
+    """
+    if "core_strain_max" not in group.variables:
+        return []
+    largest, least = (np.asarray(group.variables[f"core_strain_{which}"].values) for which in ("max", "min"))
+    strain = np.maximum(largest, -least)
+    ratios = {i: strain[i] / d.restrained.tested_strain for i, d in enumerate(devices) if d.restrained is not None}
+    beyond = [i for i, ratio in ratios.items() if ratio > 1.0]
+    if not beyond:
+        return []
+    most = max(beyond, key=lambda i: ratios[i])
+    count = "1 core strains" if len(beyond) == 1 else f"{len(beyond)} cores strain"
+    text = (
+        f"{count} beyond the largest strain that omega and beta are given at: {devices[most].name} to "
+        f"{100.0 * strain[most]:.3g} %, {ratios[most]:.3g} times its own"
+    )
+    return [AnalysisWarning("core_strain", text, float(ratios[most]))]
+
+
+def attachments(project: Project) -> list[Attached]:
+    """Tuned masses, and tuned liquid dampers as the tuned masses that they are equivalent to."""
+    found = []
+    for i, item in enumerate(project.dampers.attachments if project.dampers is not None else ()):
+        if isinstance(item, TunedMass):
+            mass, omega = item.mass, 2.0 * math.pi * item.frequency
+        else:
+            water = WATER * item.number * item.length * item.width * item.depth
+            mass = water * sloshing_mass_ratio(item.length, item.depth)
+            omega = sloshing_frequency(item.length, item.depth)
+        found.append(
+            Attached(f"T_{item.floor}_{i + 1}", item.floor, mass, mass * omega**2, 2.0 * item.damping * mass * omega)
+        )
+    return found

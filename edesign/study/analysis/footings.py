@@ -1,0 +1,177 @@
+"""Footings in archives: what they are, what they dissipate, and what they do to the first mode."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from math import pi, sqrt
+
+import numpy as np
+import scipy
+
+from edesign.archive.dataset import Group
+from edesign.building.footings import DIRECTIONS
+from edesign.building.frame import FrameModel, build_frame
+from edesign.core import Modes, damped_eigenvalue
+from edesign.errors import AnalysisError
+from edesign.project.notation import names
+from edesign.project.project import Project
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.structure import Structure, make_structure
+from edesign.study.results.recording import Quantity, Terms, coordinate
+
+_WORDS = ("horizontally", "vertically", "in rocking")
+_STIFFNESS_UNITS = ("N/m", "N/m", "N*m/rad")
+_DASHPOT_UNITS = ("N*s/m", "N*s/m", "N*m*s/rad")
+
+
+def store_footings(group: Group, frame: FrameModel) -> None:
+    """Add to a group what the footings of a frame are; nothing if it has none."""
+    if not frame.footings:
+        return
+    coordinate(group, "footing", list(frame.footings), "", "name of the node that stands on the footing")
+    springs = [built.springs for built in frame.footings.values()]
+    given = {names.node_name(line, 0): footing for line, footing in frame.frame.footings.items()}
+    formulas = np.asarray([given[node].formula for node in frame.footings])
+    group.add("footing_formula", ("footing",), formulas, "", "formula of the static stiffness")
+    for name, values, unit, label in (
+        ("period", [of.period for of in springs], "s", "period at which stiffness and damping are taken"),
+        ("a_0", [of.a_0 for of in springs], "1", "omega B / V_s at the period, B half of the shorter side"),
+        ("shear_modulus", [of.soil.shear_modulus for of in springs], "Pa", "G of the soil under the earthquake"),
+        ("modulus_ratio", [of.soil.modulus_ratio for of in springs], "1", "G over that at small strains"),
+        ("wave_velocity", [of.soil.wave_velocity for of in springs], "m/s", "V_s that belongs to G"),
+        ("soil_damping", [of.soil.damping for of in springs], "1", "hysteretic damping ratio of the soil"),
+        ("mass", [of.mass for of in springs], "kg", "mass of the footing; 0: it has none"),
+    ):
+        group.add(f"footing_{name}", ("footing",), values, unit, label)
+    for i, direction in enumerate(DIRECTIONS):
+        for name, values, unit, label in (
+            ("static_stiffness", [of.static[i] for of in springs], _STIFFNESS_UNITS[i], "static stiffness"),
+            ("stiffness", [of.stiffness[i] for of in springs], _STIFFNESS_UNITS[i], "stiffness at the period"),
+            ("radiation_damping", [of.radiation[i] for of in springs], "1", "damping ratio of radiated waves"),
+            ("dashpot", [of.dashpot[i] for of in springs], _DASHPOT_UNITS[i], "dashpot of radiation and soil"),
+        ):
+            group.add(f"footing_{name}_{direction}", ("footing",), values, unit, f"{label}, {_WORDS[i]}")
+
+
+def footing_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Return what is recorded of footings in a history: the work of their dashpots. Adds what they are to the group."""
+    store_footings(group, frame)
+    if not frame.footings:
+        return []
+    cells: tuple[Terms, ...] = tuple(
+        tuple((1.0, "damper_work", dashpot, 0) for dashpot in built.dashpots if dashpot is not None)
+        for built in frame.footings.values()
+    )
+    label = "work on the dashpots of the footing: what the soil dissipates and radiates"
+    return [Quantity("footing_work", ("footing",), (len(cells),), cells, "J", label, keep=("final",))]
+
+
+@dataclass(frozen=True)
+class Interaction:
+    """The first mode of a frame on its footings beside that of the same frame on fixed feet.
+
+    Attributes:
+        fixed, flexible: periods, s.
+        height, mass: effective, of the first mode on fixed feet, m and kg.
+        closed_period_ratio: T_flexible / T_fixed of one mass at the effective height.
+        closed_damping: its foundation damping, as a ratio of critical.
+        damping: that of the frame, by its complex eigenvalue.
+
+    The closed forms are those of feet that all stand on footings; None: some do not.
+    """
+
+    fixed: float
+    flexible: float
+    height: float
+    mass: float
+    damping: float
+    closed_period_ratio: float | None = None
+    closed_damping: float | None = None
+
+
+def interaction(project: Project, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
+    """Return what the footings do to the first mode of a frame without dampers other than buckling-restrained braces.
+
+    Args:
+        project: the validated project.
+        structure: the frame on its footings, in the state of the modes.
+        modes: of it.
+        gravity: whether this state is that under the gravity loads.
+
+    Raises:
+        AnalysisError: the frame on fixed feet is unstable, or its first mode on footings is overdamped.
+
+    Source: period, Veletsos & Meek 1974, Earthquake Engineering and Structural Dynamics 3, 121-138; damping, NIST GCR
+        12-917-21, Eq. 2-10, and ASCE/SEI 7-16, 19.3, with the exponent 2 of dashpots that are taken at the period.
+    """
+    laws = device_laws(project) if structure.frame.devices else {}
+    fixed = make_structure(project, build_frame(project, laws=laws, footings={}))
+    if gravity:
+        fixed.apply_gravity()
+    on_fixed = fixed.modes(1)
+    frame = structure.frame
+    of_nodes = [(mass, frame.nodes[name], frame.frame.nodes[name][1]) for name, mass in frame.masses.items()]
+    moved = [(mass * on_fixed.shapes[0, node, 0], level) for mass, node, level in of_nodes]
+    height = sum(share * level for share, level in moved) / sum(share for share, _ in moved)
+    mass = float(on_fixed.participation_x[0]) ** 2
+    found = Interaction(float(on_fixed.period[0]), float(modes.period[0]), height, mass, _damping(structure, modes))
+    if set(frame.footings) != set(frame.supports):
+        return found
+    ratio, damping = _closed_forms(frame, found)
+    return replace(found, closed_period_ratio=ratio, closed_damping=damping)
+
+
+def _closed_forms(frame: FrameModel, of: Interaction) -> tuple[float, float]:
+    """Period ratio and foundation damping of one mass on the footings, which a rigid base connects."""
+    places = np.array([frame.frame.nodes[name][0] for name in frame.footings])
+    k = np.array([built.springs.stiffness for built in frame.footings.values()])
+    c = np.array([built.springs.dashpot for built in frame.footings.values()])
+    turned = np.array([frame.grounds[name][2] is not None for name in frame.footings])  # not by a pinned foot
+    arms = places - places @ k[:, 1] / k[:, 1].sum()  # from where a vertical force turns nothing
+    sway, rocking = k[:, 0].sum(), turned @ k[:, 2] + arms**2 @ k[:, 1]
+    in_sway, in_rocking = c[:, 0].sum(), turned @ c[:, 2] + arms**2 @ c[:, 1]
+    of_structure = of.mass * (2.0 * pi / of.fixed) ** 2
+    ratio = sqrt(1.0 + of_structure / sway + of_structure * of.height**2 / rocking)
+    omega = 2.0 * pi / (ratio * of.fixed)
+    # beta (T_x / T)^2 + beta (T_yy / T)^2, with beta = c omega / 2 k and T_x^2 = 4 pi^2 m / k
+    damping = 0.5 * of.mass * omega**3 * (in_sway / sway**2 + in_rocking * of.height**2 / rocking**2)
+    return ratio, float(damping)
+
+
+def _damping(structure: Structure, modes: Modes) -> float:
+    """Ratio of the first mode with the dashpots of the footings alone."""
+    analysis, frame = structure.analysis, structure.frame
+    along = analysis.damper_directions()
+    coefficients = np.zeros(along.shape[0])
+    for built in frame.footings.values():
+        for number, coefficient in zip(built.dashpots, built.springs.dashpot, strict=True):
+            if number is not None:
+                coefficients[number] = coefficient
+    if not coefficients.any():
+        return 0.0
+    damping = (along.T @ scipy.sparse.diags(coefficients) @ along).tocsc()
+    stiffness = analysis.stiffness()
+    if frame.brace_stiffness is not None:
+        stiffness = (stiffness + along.T @ scipy.sparse.diags(frame.brace_stiffness) @ along).tocsc()
+    omega, shape = float(modes.omega[0]), modes.equations[0]
+    try:
+        value = damped_eigenvalue(stiffness, analysis.masses(), damping, omega, shape)
+    except (ValueError, RuntimeError) as error:
+        raise AnalysisError(f"the first mode with the dashpots of the footings: {error}") from error
+    return float(-value.real / abs(value))
+
+
+def store_interaction(group: Group, found: Interaction) -> None:
+    """Add what the footings do to the first mode to the attributes of a group."""
+    group.attributes |= {
+        "fixed_base_period_s": found.fixed,
+        "period_ratio": found.flexible / found.fixed,
+        "foundation_damping": found.damping,
+        "effective_height_m": found.height,
+        "effective_mass_kg": found.mass,
+    }
+    if found.closed_period_ratio is not None:
+        group.attributes |= {
+            "closed_period_ratio": found.closed_period_ratio,
+            "closed_foundation_damping": found.closed_damping,
+        }

@@ -1,0 +1,141 @@
+"""Gravity analysis: the frame under the combination that acts during earthquakes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.building.loads import beam_loads, gravity_load, horizontal_load
+from edesign.building.named_section import cross_section
+from edesign.core import Response
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.project.frame.members import BraceRun
+from edesign.project.project import Project
+from edesign.study.analysis.buckling import buckling_warnings
+from edesign.study.analysis.structure import make_structure
+from edesign.study.check.validity import judged, rotation_limits, rotation_names
+from edesign.study.check.warnings import store_warnings
+from edesign.study.results import quantities as q
+from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
+from edesign.study.results.springs import spring_quantities
+
+
+def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
+    """Apply the gravity combination in equal steps.
+
+    Raises:
+        CoreError: the frame is a mechanism, or a load cannot be applied.
+    """
+    structure = make_structure(project, dampers=spec.dampers)
+    frame = structure.frame
+    group = Group()
+    q.coordinates(group, frame)
+    coordinate(group, "node", list(frame.nodes), "", "name of the node")
+    coordinate(group, "support", list(frame.supports), "", "name of the supported node")
+    drifts = q.line_drifts(frame)
+    recorded = [
+        q.floor_displacements(frame, history=False),
+        q.storey_drifts(frame, history=False),
+        q.storey_shears(frame, history=False),
+        q.base_shear(frame, history=False),
+        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
+        *q.axial_forces(frame),
+        *(q.dampers(frame, history=False) if any(device.carries for device in frame.devices) else ()),
+        *q.base_displacement(frame, history=False),
+        *q.isolator_axial_forces(frame, keep=("final",)),
+        *q.leaning_column(frame),
+        *q.plastic_rotations(frame),
+        *brace_quantities(project, frame, group),
+        *spring_quantities(frame, group),
+        *_node_displacements(frame),
+        *_reactions(frame),
+    ]
+    names = rotation_names(frame, drifts, recorded)
+    response = structure.analysis.static(
+        frame.gravity, 1.0, spec.steps, channels([*recorded, drifts]), rotation_limits(project, names)
+    )
+    response, doubts = judged(response, project, names, "load factor")
+    reason = _sunk(project, frame, response)
+    if response.status == "completed" and reason:
+        response, doubts = replace(response, status="failed", reason=reason), None
+    store(group, recorded, response, "step")
+    q.store_drift_extremes(group, frame, drifts, response)
+    warnings = buckling_warnings(group, project, frame)
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
+    store_run(group, response)
+    return group
+
+
+def _sunk(project: Project, frame: FrameModel, response: Response) -> str:
+    """Say how far the loads sank if that is meaningless, "" if not.
+
+    The work of loads W that grow in proportion, on a frame that stays elastic, is W d/2 with the mean d of their
+    displacements, wherever they stand on the members. That is seen over half a bay, as the slope of a beam that sags.
+    """
+    loads, largest = gravity_load(project) + horizontal_load(project), project.largest_drift
+    if loads <= 0.0 or largest is None or not response.energy["input"].size:
+        return ""
+    work = float(response.energy["input"][-1]) + _work_inside(project, frame)
+    sunk = 2.0 * work / loads
+    half = 0.5 * sum(project.frame.bay_widths) / project.frame.n_bays
+    if sunk <= largest * half:
+        return ""
+    return (
+        f"the loads sank by {sunk:.3g} m on average, {100.0 * sunk / half:.3g} % of half a bay; the geometry of the "
+        f"model holds up to {100.0 * largest:.3g} % (`validity.drift`)"
+    )
+
+
+def _work_inside(project: Project, frame: FrameModel) -> float:
+    """Work of the loads on elastic beams as if they were simply supported, J, which the energy balance leaves out.
+
+    It is the same for any moments at the ends of their elements: the integral of M^2 / (2 E I).
+    """
+    total = 0.0
+    for name, loads in beam_loads(project, project.loads.gravity).items():
+        run, member = project.frame.members[name], frame.members[name]
+        inertia = cross_section(project, run.section, "strong" if isinstance(run, BraceRun) else run.axis).inertia
+        if member.layers is None and inertia is not None:
+            EI = project.materials[run.material].E * inertia
+            parts, _ = loads.split(member.bending_stretches)
+            lengths = zip(parts, member.bending_stretches.lengths, strict=True)
+            total += sum(on.squared_moment(length) for on, length in lengths) / (2.0 * EI)
+    return total
+
+
+def _node_displacements(frame: FrameModel) -> list[Quantity]:
+    parts = (("x", 0, "horizontal displacement of the node"), ("y", 1, "vertical displacement of the node, upwards"))
+    return [
+        Quantity(
+            f"node_displacement_{axis}",
+            ("node",),
+            (len(frame.nodes),),
+            tuple(((1.0, "displacement", node, at),) for node in frame.nodes.values()),
+            "m",
+            label,
+            keep=("final",),
+        )
+        for axis, at, label in parts
+    ]
+
+
+def _reactions(frame: FrameModel) -> list[Quantity]:
+    parts = (
+        ("reaction_x", 0, "N", "horizontal reaction"),
+        ("reaction_y", 1, "N", "vertical reaction, upwards"),
+        ("reaction_moment", 2, "N*m", "moment of the support, anticlockwise"),
+    )
+    return [
+        Quantity(
+            name,
+            ("support",),
+            (len(frame.supports),),
+            tuple(frame.reaction(node, at) if fixed[at] else () for node, fixed in frame.supports.items()),
+            unit,
+            label,
+            keep=("final",),
+        )
+        for name, at, unit, label in parts
+    ]

@@ -1,0 +1,214 @@
+"""Time history analysis: gravity, then a scaled record, then free vibration."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.damping import modal_ratios, modes_needed, proportional_factors
+from edesign.core import HHT, GeneralisedAlpha, Integrator, Modes, Newmark
+from edesign.errors import InputError
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.ground_motion.record import Record
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping
+from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.project import Project
+from edesign.project.records.records import record_of
+from edesign.study.analysis.isolators import isolator_warnings
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.residual import period_steps
+from edesign.study.analysis.structure import Structure, frame_alone, make_structure
+from edesign.study.analysis.vertical_motion import ground_motion
+from edesign.study.analysis.wave_passage import LateFeet
+from edesign.study.check.warnings import store_warnings
+from edesign.study.motions.motions import Motion, level_factor, project_motions
+from edesign.study.results.history import HistoryResults
+
+MOST_STEPS = 10_000_000  # a day of motion at 0.01 s; the motion, and what is kept over time, has 8 bytes of each step
+
+
+def run_history(
+    project: Project,
+    spec: HistoryAnalysis,
+    progress: Callable[[int, int], None] | None = None,
+    stop: Callable[[], bool] | None = None,
+    motion: Motion | None = None,
+    vertical: Motion | None = None,
+) -> Group:
+    """Compute the response of a frame under gravity to a record along x, and to its vertical motion if it has one.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        progress: called with (steps done, steps).
+        stop: asked now and then; True ends the history.
+        motion: the record made ready; None reads it here.
+        vertical: likewise the other record of its vertical motion, if it has one.
+
+    Raises:
+        InputError: the record cannot be read, or a requested output does not exist.
+        AnalysisError: no equilibrium under gravity, or no modes for the damping.
+        CoreError: the frame is a mechanism.
+    """
+    if project.integration is None:
+        raise InputError(f"{project.path}: the history {spec.name} needs `integration`")
+    motion = motion or _motion(project, spec.record)
+    factor = scale_factor(project, spec, motion.record)
+    step = project.integration.time_step or motion.record.time_step
+    if spec.vertical is not None and spec.vertical.record is not None:
+        vertical = vertical or _motion(project, spec.vertical.record)
+    both = ground_motion(
+        project,
+        spec,
+        motion.record,
+        factor,
+        vertical,
+        lambda record, scale, after: input_motion(record, scale, step, after),
+    )
+    ground = both.horizontal
+    structure = make_structure(project, dampers=spec.dampers)
+    late = LateFeet(spec, structure.frame, both)
+    results = HistoryResults(project, structure.frame, spec.collapse_drift)
+    period = load_and_damp(project, structure)
+    response = structure.analysis.history(
+        ground.acceleration,
+        ground.time_step,
+        method=integrator(project.integration),
+        channels=results.channels,
+        progress=progress,
+        stop=stop,
+        limits=results.limits,
+        every=project.outputs.every,
+        tail=period_steps(ground.time_step, period),
+        energies=results.energies,
+        vertical=both.samples,
+        supports=late.motions,
+    )
+    group = results.group(response, ground.acceleration, ground.time_step, period, project.outputs.every)
+    group.attributes |= _provenance(motion, factor, ground, spec)
+    both.store(group, project)
+    late.store(group)
+    if response.status == "completed":
+        store_warnings(group, isolator_warnings(project, group, structure.frame))
+    return group
+
+
+def _motion(project: Project, reference: str) -> Motion:
+    """The record made ready for one history alone; those of a suite depend on each other."""
+    recordings = find_recordings(project, references(project, record_of(reference)))
+    return project_motions(project, recordings, lambda: fundamental_period(project))[reference]
+
+
+def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
+    """Return the factor on a record: to its peak, as given, or the importance factor of its hazard level."""
+    if spec.pga is not None:
+        return spec.pga / record.pga
+    return level_factor(project, spec.record, spec.level) if spec.scale is None else spec.scale
+
+
+def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:
+    """Return what is applied: the record times a factor, resampled, and followed by zeros."""
+    if factor != 1.0:
+        record = record.scaled(factor)
+    if time_step is not None:
+        record = record.resampled(time_step)
+    return record.with_zeros(free_vibration)
+
+
+def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
+    """Check that a record can be applied as a history asks for it, without making the motion.
+
+    Raises:
+        InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
+            line after the end, or the record is zero throughout and is to be scaled to a peak; the message names the
+            place in the project file.
+    """
+    step = project.integration.time_step if project.integration is not None else None
+    where = project.where("integration", "time_step" if step is not None else "method")
+    step = record.time_step if step is None else step
+    if step > record.duration:
+        raise InputError(
+            f"{where}: integration.time_step: {step:g} s is longer than the record {spec.record} "
+            f"({record.duration:g} s)"
+        )
+    steps = (record.duration + spec.free_vibration) / step
+    if steps > MOST_STEPS:
+        raise InputError(
+            f"{where}: integration.time_step: with {step:g} s the history {spec.name} has {steps:.3g} steps "
+            f"({record.duration:g} s of record, {spec.free_vibration:g} s of free vibration); "
+            f"{MOST_STEPS} are possible"
+        )
+    if spec.wave_passage is not None:
+        frame = project.frame
+        delays = spec.wave_passage.delays_of(dict(zip(frame.lines, frame.x, strict=True)))
+        last = max(delays, key=lambda line: delays[line])
+        if delays[last] >= record.duration + spec.free_vibration:
+            raise InputError(
+                f"{project.where('analyses')}: the history {spec.name} ends after "
+                f"{record.duration + spec.free_vibration:g} s, and the wave reaches line {last} after "
+                f"{delays[last]:.4g} s; give `free_vibration`, or another velocity"
+            )
+    if spec.pga is not None and record.pga == 0.0:
+        place = project.where("records", spec.record)
+        raise InputError(f"{place}: records.{spec.record}: the record is zero throughout; it has no peak to scale")
+
+
+def integrator(integration: Integration) -> Integrator:
+    """Return the core's integrator of a project."""
+    if isinstance(integration, NewmarkIntegration):
+        return Newmark(integration.gamma, integration.beta)
+    if isinstance(integration, HHTIntegration):
+        return HHT(integration.alpha)
+    return GeneralisedAlpha(integration.rho_inf)
+
+
+def load_and_damp(project: Project, structure: Structure) -> float:
+    """Apply gravity, install the dampers, and damp as histories do; return the fundamental period under gravity in s.
+
+    Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
+    """
+    alone = frame_alone(project) if structure.frame.attached else structure
+    damping = None if isinstance(project.damping, NoDamping) else project.damping
+    count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+    modes: Modes | None = None
+    initial = count > 0 and damping is not None and damping.state == "initial"
+    if initial:
+        modes = alone.modes(count)
+    structure.apply_gravity()
+    if alone is not structure:
+        alone.apply_gravity()
+    structure.install_dampers()
+    under_gravity = alone.modes(max(1, 0 if initial else count))
+    modes = modes or under_gravity
+    if isinstance(damping, (ModalDamping, CaugheyDamping)):
+        # tuned masses have the last equations
+        more = structure.analysis.n_equations - modes.equations.shape[1]
+        padded = replace(modes, equations=np.pad(modes.equations, ((0, 0), (0, more))))
+        structure.analysis.modal_damping(padded, modal_ratios(damping, modes.omega))
+    elif damping is not None:
+        a0, a1 = proportional_factors(damping, modes.omega)
+        structure.analysis.rayleigh(a0, a1, "initial" if isinstance(damping, MassDamping) else damping.stiffness)
+    return float(under_gravity.period[0])
+
+
+def _provenance(motion: Motion, factor: float, ground: Record, spec: HistoryAnalysis) -> dict[str, object]:
+    recorded = motion.found.record
+    return {
+        "record_origin": motion.found.origin,
+        "record_source": recorded.source,
+        "record_checksum": recorded.checksum,
+        "record_pga_m_s2": recorded.pga,
+        "record_time_step_s": recorded.time_step,
+        "record_samples": int(recorded.acceleration.size),
+        "match_method": motion.match.method if motion.match else None,
+        "match_scale": motion.match.scale if motion.match else None,
+        "scale_factor": float(factor),
+        "input_motion": ground.source,
+        "input_pga_m_s2": ground.pga,
+        "time_step_s": ground.time_step,
+        "free_vibration_s": spec.free_vibration,
+    }

@@ -1,0 +1,90 @@
+"""The isolated building as a rigid body on a linear isolation system, at each level of the hazard: an estimate."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Sequence
+from functools import cache
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.devices import Device
+from edesign.codes.ec8.isolation import EquivalentLinear, Loop, equivalent_linear
+from edesign.core import LawValues
+from edesign.damper.harmonic import secant_stiffness
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import action_of
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.project import Project
+from edesign.study.analysis.structure import Structure, make_structure
+from edesign.study.results.recording import coordinate
+
+_COLUMNS = (
+    ("displacement", "m", "displacement of the isolated base by the equivalent linear analysis, d_dc"),
+    ("stiffness", "N/m", "effective stiffness of the isolation system at it, K_eff"),
+    ("period", "s", "effective period, T_eff"),
+    ("damping", "1", "effective damping of the isolation system, ratio of critical, xi_eff"),
+    ("acceleration", "m/s^2", "spectral acceleration, which all floors have, S_e(T_eff, xi_eff)"),
+    ("shear", "N", "force through the isolation system"),
+    ("stiffness_ratio", "1", "effective stiffness over that at 0.2 of the displacement"),
+    ("restoring", "1", "growth of the force from half the displacement to it, over the weight"),
+)
+
+
+def store_isolation_estimate(group: Group, project: Project, structure: Structure) -> None:
+    """Add the equivalent linear estimate of an isolated base to a modal analysis; nothing without base or hazard.
+
+    Args:
+        group: of the analysis.
+        project: with the hazard.
+        structure: with its isolators.
+
+    Raises:
+        AnalysisError: the frame on its supports is unstable.
+    """
+    isolated, hazard = structure.frame.isolated, project.hazard
+    if isolated is None or hazard is None or not hazard.levels:
+        return
+    fixed = make_structure(project)
+    fixed.apply_gravity()
+    fixed_period = float(fixed.modes(1).period[0])
+    loop, mass = system_loop(isolated.devices), structure.frame.mass
+    rows: list[EquivalentLinear | None] = []
+    notes = []
+    for level in hazard.levels:
+        try:
+            found = equivalent_linear(loop, mass, action_of(hazard).elastic(level), STANDARD_GRAVITY)
+        except InputError as error:
+            rows.append(None)
+            notes.append(f"{level}: {error}")
+            continue
+        rows.append(found)
+        notes += [f"{level}: {text}" for text in found.not_met(fixed_period)]
+    coordinate(group, "hazard_level", list(hazard.levels), "", "level of the hazard")
+    for name, unit, label in _COLUMNS:
+        values = [np.nan if row is None else getattr(row, name) for row in rows]
+        group.add(f"isolation_{name}", ("hazard_level",), values, unit, label)
+    group.attributes |= {"fixed_base_period_s": fixed_period, "isolation_not_met": notes}
+
+
+def system_loop(devices: Sequence[Device]) -> Loop:
+    """Return effective stiffness and energy of a cycle of all that acts on an isolated base.
+
+    Args:
+        devices: without braces, all with the displacement of the base.
+    """
+    scales: dict[tuple[LawValues, float], float] = defaultdict(float)
+    for device in devices:
+        scales[device.values, device.deformation_scale] += device.force_scale
+
+    @cache  # levels of the hazard look at the same displacements first
+    def loop(amplitude: float, frequency: float) -> tuple[float, float]:
+        stiffness = energy = 0.0
+        for (law, deformation_scale), force_scale in scales.items():
+            k, work = secant_stiffness(law, deformation_scale * amplitude, frequency)
+            stiffness += force_scale * deformation_scale * k
+            energy += force_scale / deformation_scale * work
+        return stiffness, energy
+
+    return loop

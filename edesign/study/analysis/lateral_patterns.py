@@ -1,0 +1,99 @@
+"""Lateral forces of pushovers."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.building.frame import FrameModel
+from edesign.errors import AnalysisError
+from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
+from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name
+from edesign.project.project import Project
+from edesign.study.analysis.structure import frame_alone
+
+NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horizontally
+
+
+def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True) -> dict[str, float]:
+    """Return horizontal loads on the nodes that have a mass, by name; their sum is 1 N.
+
+    Args:
+        project: the validated project.
+        frame: its model; no analysis is made of it here.
+        pattern: "uniform" (proportional to mass), "triangular" (mass times height above the base), "first_mode"
+            (mass times horizontal displacement in the first mode under gravity), or another mode, the storey shears of
+            several modes, or shares of the floors.
+        dampers: whether it has its dampers, of which buckling-restrained braces count in modes.
+
+    Raises:
+        AnalysisError: no node has a mass, a floor with a share has none, or the loads have no resultant.
+
+    Source: EN 1998-1, 4.3.3.4.2.2 (uniform and modal patterns), Eq. 4.11 (triangular); FEMA 356, 3.3.3.2.3 (storey
+    shears of modes).
+    """
+    if not frame.masses:
+        name = pattern_name(pattern)
+        raise AnalysisError(f"pattern {name}: lateral loads are proportional to masses, and no node has one")
+    if pattern == "uniform":
+        weights = dict(frame.masses)
+    elif pattern == "triangular":
+        weights = {name: mass * frame.frame.nodes[name][1] for name, mass in frame.masses.items()}
+    elif isinstance(pattern, GivenPattern) and pattern.mode is None:
+        floors = (
+            pattern.floors if pattern.floors is not None else _of_modes(project, frame, pattern.modes or 1, dampers)
+        )
+        weights = _spread(frame, floors, pattern.name)
+    else:
+        mode = pattern.mode if isinstance(pattern, GivenPattern) and pattern.mode is not None else 1
+        shape = _shapes(project, mode, dampers)[mode - 1]
+        weights = {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()}
+    total = sum(weights.values())
+    if abs(total) <= NO_RESULTANT * sum(abs(weight) for weight in weights.values()):
+        what = f"pattern {pattern_name(pattern)}"
+        raise AnalysisError(f"{what}: the lateral loads have no resultant, the mode is not lateral")
+    return {name: float(weight / total) for name, weight in weights.items()}
+
+
+def floor_masses(frame: FrameModel) -> np.ndarray:
+    """Mass of each floor from the lowest, kg."""
+    return by_floor(frame, frame.masses)
+
+
+def by_floor(frame: FrameModel, values: dict[str, float]) -> np.ndarray:
+    """Sum values of nodes over each floor, from the lowest; the base counts nowhere."""
+    floors = range(1, frame.frame.n_storeys + 1)
+    return np.array([sum(values.get(name, 0.0) for name in frame.level_nodes(floor)) for floor in floors])
+
+
+def _shapes(project: Project, count: int, dampers: bool) -> np.ndarray:
+    """Horizontal displacements of the nodes in the first modes under gravity, (count, nodes)."""
+    structure = frame_alone(project, dampers)  # a second model, which has no lateral loads yet
+    structure.apply_gravity()
+    return structure.modes(count).shapes[:, :, 0]
+
+
+def _of_modes(project: Project, frame: FrameModel, count: int, dampers: bool) -> np.ndarray:
+    """Forces of the floors whose storey shears are those of modes, combined by the root of the sum of squares."""
+    structure = frame_alone(project, dampers)
+    structure.apply_gravity()
+    modes = structure.modes(count)
+    S_e = elastic_spectrum(checked_hazard(project)).acceleration(modes.period)
+    inertia = [
+        by_floor(frame, {name: mass * shape[frame.nodes[name]] for name, mass in frame.masses.items()})
+        for shape in modes.shapes[:, :, 0]
+    ]
+    forces = (modes.participation_x * S_e)[:, None] * np.array(inertia)
+    shears = np.sqrt(np.sum(np.cumsum(forces[:, ::-1], axis=1)[:, ::-1] ** 2, axis=0))
+    return shears - np.append(shears[1:], 0.0)
+
+
+def _spread(frame: FrameModel, floors: tuple[float, ...] | np.ndarray, name: str) -> dict[str, float]:
+    """Forces of floors over their nodes, in proportion to the masses."""
+    masses = floor_masses(frame)
+    found: dict[str, float] = {}
+    for floor, (force, mass) in enumerate(zip(floors, masses, strict=True), start=1):
+        if force and not mass:
+            raise AnalysisError(f"pattern {name}: floor {floor} has a share of the lateral loads, and no mass")
+        there = [node for node in frame.level_nodes(floor) if node in frame.masses]
+        found |= {node: float(force * frame.masses[node] / mass) for node in there}
+    return found

@@ -1,0 +1,148 @@
+"""A push: lateral loads of a fixed pattern, under gravity, until the roof has a displacement."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.core import Response
+from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.pushover import pattern_name
+from edesign.project.project import Project
+from edesign.study.analysis.buckling import buckling_warnings
+from edesign.study.analysis.capacity_events import EventChannels
+from edesign.study.analysis.dampers import core_strain_warnings
+from edesign.study.analysis.structure import make_frame, make_structure
+from edesign.study.check.validity import judged, rotation_limits, rotation_names
+from edesign.study.check.warnings import AnalysisWarning, store_warnings
+from edesign.study.results import quantities as q
+from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
+from edesign.study.results.requested import requested_quantities
+from edesign.study.results.springs import spring_quantities
+
+Progress = Callable[[int, int], None]
+Stop = Callable[[], bool]
+
+
+@dataclass(frozen=True)
+class Push:
+    """A push, and what it recorded.
+
+    Attributes:
+        frame: that was pushed.
+        sign: 1 to the right, -1 to the left.
+        target: last displacement of the control node that was asked for, that under gravity included, m.
+        response: judged.
+        base_shear: of each step, N, positive in the direction of the push.
+        displacement: of the control node since gravity in each step, m, positive in that direction.
+        group: its results, without events.
+    """
+
+    frame: FrameModel
+    sign: float
+    target: float
+    response: Response
+    base_shear: np.ndarray
+    displacement: np.ndarray
+    group: Group
+    events: EventChannels
+
+    @property
+    def start(self) -> float:
+        """Displacement of the control node under gravity, m."""
+        return float(self.response.time[0])
+
+
+def push(
+    project: Project,
+    spec: PushoverAnalysis | TargetAnalysis,
+    loads: Mapping[str, float],
+    target: float,
+    progress: Progress | None = None,
+    stop: Stop | None = None,
+) -> Push:
+    """Push a frame until the first node of the roof from the left has a displacement, in equal steps.
+
+    Args:
+        project: the validated project.
+        spec: what it is pushed with; its first pattern and direction.
+        loads: lateral, on the nodes by name, N; their sum is 1 N.
+        target: displacement of the node, that under gravity included, m.
+        progress: called now and then with (steps done, steps).
+        stop: asked now and then; True ends the push.
+
+    Raises:
+        AnalysisError: no equilibrium under gravity.
+        CoreError: the frame is a mechanism.
+    """
+    frame = make_frame(project, spec.dampers)
+    lateral = frame.model.pattern("lateral")
+    for name, load in loads.items():
+        frame.model.nodal_load(lateral, frame.nodes[name], load, 0.0, 0.0)
+    structure = make_structure(project, frame)
+    structure.apply_gravity()
+    structure.install_dampers()
+    group = Group()
+    q.coordinates(group, frame)
+    load_factor = Quantity(
+        "lateral_load", (), (), (((1.0, "load_factor", lateral, 0),),), "N", "sum of the lateral loads", True, ("max",)
+    )
+    drifts, shear = q.line_drifts(frame), q.base_shear(frame, history=True)
+    recorded = [
+        load_factor,
+        q.floor_displacements(frame, history=True),
+        q.storey_drifts(frame, history=True),
+        q.storey_shears(frame, history=True),
+        shear,
+        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
+        *q.axial_forces(frame),
+        *q.leaning_column(frame),
+        *q.plastic_rotations(frame),
+        *brace_quantities(project, frame, group),
+        *spring_quantities(frame, group),
+        *q.dampers(frame, history=False),
+        *(q.support_reactions(frame, group) if "supports" in project.outputs.histories else []),
+        *requested_quantities(project, frame, group),
+    ]
+    names = rotation_names(frame, drifts, recorded)
+    events = EventChannels(project, frame, spec.steps)
+    response = structure.analysis.pushover(
+        lateral,
+        frame.nodes[frame.leading_nodes[-1]],
+        "ux",
+        target,
+        spec.steps,
+        channels([*recorded, drifts, *events.quantities]),
+        progress,
+        stop,
+        rotation_limits(project, names),
+    )
+    response, doubts = judged(response, project, names, "displacement")
+    coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
+    store(group, recorded, response, "step")
+    q.store_drift_extremes(group, frame, drifts, response)
+    warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
+    warnings += core_strain_warnings(group, frame.devices)
+    store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
+    store_run(group, response, "displacement of the controlled node", "m")
+    coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")
+    label = "share of the node in the lateral load"
+    group.add("lateral_load_share", ("loaded_node",), list(loads.values()), "1", label)
+    roof = group.variables["floor_displacement"].values[:, -1]
+    group.add("roof_displacement", ("step",), roof, "m", "horizontal displacement of the roof, mean over its nodes")
+    group.add("roof_drift", ("step",), roof / frame.frame.height, "1", "roof displacement / height of the frame")
+    sign = 1.0 if spec.directions[0] == "right" else -1.0
+    moved = sign * (response.time - response.time[0])
+    label = "displacement of the control node since gravity, positive in the direction of the push"
+    group.add("control_displacement", ("step",), moved, "m", label)
+    group.attributes |= {
+        "pattern": pattern_name(spec.pattern[0]),
+        "direction": spec.directions[0],
+        "target_roof_displacement_m": target,
+    }
+    return Push(frame, sign, target, response, sign * shear.values(response), moved, group, events)

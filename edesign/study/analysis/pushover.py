@@ -1,0 +1,25 @@
+"""Pushover analysis: the capacity curve of one pattern and direction, with its events."""
+
+from __future__ import annotations
+
+from edesign.archive.dataset import Group
+from edesign.project.analysis.analyses import PushoverAnalysis
+from edesign.project.project import Project
+from edesign.study.analysis.capacity import capacity
+from edesign.study.analysis.capacity_events import store_capacity_events
+from edesign.study.analysis.push import Progress, Stop
+
+
+def run_pushover(
+    project: Project, spec: PushoverAnalysis, progress: Progress | None = None, stop: Stop | None = None
+) -> Group:
+    """Push a frame to its roof drift, or without one as far as its target displacements ask.
+
+    Raises:
+        AnalysisError: no equilibrium under gravity, no usable mode, or no target displacement.
+        CoreError: the frame is a mechanism.
+    """
+    pushed = capacity(project, spec, progress, stop).push
+    events = pushed.events.events(pushed.response, pushed.base_shear)
+    store_capacity_events(pushed.group, events, pushed.displacement, pushed.base_shear)
+    return pushed.group

@@ -1,0 +1,221 @@
+"""A frame ready to be analysed: the core's analysis of it, and its gravity loads."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.building.devices import Device, DeviceLaw
+from edesign.building.frame import FrameModel, build_frame
+from edesign.building.isolation import goes_with_weight, isolator_under
+from edesign.core import Analysis, Channel, CoreError, Modes, Response
+from edesign.damper.harmonic import complex_stiffness, secant_stiffness
+from edesign.errors import AnalysisError
+from edesign.project.notation import names
+from edesign.project.project import Project
+from edesign.study.analysis.dampers import attachments, device_laws
+
+DEFAULT_TOLERANCE = 1e-7  # of analyses in projects without `integration`
+GRAVITY_STEPS = 10
+_FIRST_GUESS = 0.5  # Hz, of an isolated building, from which the frequency of rate-dependent isolators is found
+_AGREEMENT = 1e-9  # of two frequencies that follow each other
+_TOLERATED = 1e-5  # after all rounds: steady cycles that SUNDIALS integrates behind a brace repeat to about 1e-6
+_MOST_ROUNDS = 50
+
+
+@dataclass(frozen=True)
+class Structure:
+    """A frame and the analysis of it.
+
+    Attributes:
+        frame: the model with the names of its parts.
+        analysis: the core's analysis, at first without loads.
+    """
+
+    frame: FrameModel
+    analysis: Analysis
+
+    def modes(self, count: int, damper_stiffness: np.ndarray | None = None) -> Modes:
+        """The lowest modes in the present state, with stiffness of the dampers (n_dampers,) N/m if it is given.
+
+        Without, buckling-restrained braces have that before they yield, isolators that at the design displacement, and
+        other dampers none.
+
+        Raises:
+            AnalysisError: there are not so many modes, or the structure is unstable.
+        """
+        if damper_stiffness is None:
+            damper_stiffness = self.frame.brace_stiffness
+            if self.frame.isolated is not None:
+                isolators = self.frame.isolated.devices
+                amplitudes = [float(isolator.design_deformation or 0.0) for isolator in isolators]
+                return self.steady_modes(count, isolators, amplitudes, damper_stiffness)[0]
+        try:
+            return self.analysis.modes(count, damper_stiffness)
+        except (ValueError, RuntimeError) as error:
+            raise AnalysisError(f"modes: {error}") from error
+
+    def steady_modes(
+        self, count: int, devices: Sequence[Device], amplitudes: Sequence[float], others: np.ndarray | None = None
+    ) -> tuple[Modes, np.ndarray]:
+        """The lowest modes with devices that vibrate steadily in the first of them, at their amplitudes in m.
+
+        Args:
+            count: how many modes.
+            devices: those that vibrate.
+            amplitudes: of each, m.
+            others: stiffness that dampers have apart from these, (n_dampers,) N/m; None: nothing.
+
+        Returns:
+            The modes, and the complex stiffness of each device, N/m.
+
+        Raises:
+            AnalysisError: there are not so many modes, the structure is unstable, or no frequency agrees with itself.
+        """
+        added = np.zeros(len(self.frame.model.damper_names)) if others is None else others.copy()
+        numbers = [device.number for device in devices]
+        frequency = _FIRST_GUESS if self.frame.isolated else float(self.modes(1).omega[0]) / (2.0 * np.pi)
+        for _ in range(_MOST_ROUNDS):
+            found = np.array([device_stiffness(d, a, frequency) for d, a in zip(devices, amplitudes, strict=True)])
+            added[numbers] = found.real
+            modes = self.modes(count, added)
+            before, frequency = frequency, float(modes.omega[0]) / (2.0 * np.pi)
+            if abs(frequency - before) <= _AGREEMENT * frequency:
+                break
+        if abs(frequency - before) > _TOLERATED * frequency:
+            raise AnalysisError(
+                f"modes: the frequency at which devices vibrate and that of the frame with them did not agree within "
+                f"{_MOST_ROUNDS} iterations (last {before:.6g} Hz and {frequency:.6g} Hz)"
+            )
+        return modes, found
+
+    def install_dampers(self) -> None:
+        """From now on the dampers act: they are set in under the gravity loads and carry nothing of them."""
+        self.analysis.install_dampers()
+
+    def apply_gravity(self, channels: Sequence[Channel] = ()) -> Response:
+        """Apply the gravity combination, which stays on, and record channels.
+
+        Raises:
+            AnalysisError: no equilibrium was found under it.
+        """
+        response = self.analysis.static(self.frame.gravity, factor=1.0, steps=GRAVITY_STEPS, channels=channels)
+        if response.status != "completed":
+            raise AnalysisError(f"under the gravity loads: {response.reason}")
+        if not response.finite:
+            raise AnalysisError("under the gravity loads: a result is not a finite number")
+        return response
+
+
+def frame_alone(project: Project, dampers: bool = True, base_held: bool = False) -> Structure:
+    """Build the frame whose modes are meant by damping, lateral forces and periods: without tuned masses and dampers.
+
+    Args:
+        project: the validated project.
+        dampers: whether it has its dampers, of which buckling-restrained braces and isolators are part of the frame.
+            Other dampers of the law of an isolator stand in the model and act neither in modes nor under gravity.
+        base_held: whether an isolated base is held horizontally, in place of its isolators.
+
+    Raises:
+        InputError, CoreError: as `make_structure`.
+    """
+    laws = device_laws(project) if dampers else {}
+    isolation = project.isolation if dampers and not base_held else None
+    base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
+    kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
+    weights = None if isolation is None else weights_on_isolators(project, kept)
+    return make_structure(project, build_frame(project, laws=kept if base_held else kept or None, weights=weights))
+
+
+def elastic_frame(project: Project, dampers: bool = True) -> Structure:
+    """Build the frame and all dampers, without tuned masses; arguments and errors as `frame_alone`."""
+    return make_structure(project, build_frame(project, laws=device_laws(project) if dampers else None))
+
+
+def tolerance(project: Project) -> float:
+    """The dimensionless tolerance of equilibrium."""
+    return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE
+
+
+def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
+    """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz).
+
+    The real part is that of the first harmonic; on an isolated base it is the effective stiffness, between the
+    extremes, as codes have it (EN 1998-1, 10.9.2(2)).
+    """
+    scale = device.force_scale * device.deformation_scale
+    amplitude *= device.deformation_scale
+    play = device.play * device.deformation_scale
+    if device.foot:
+        stiffness, work = secant_stiffness(device.values, amplitude, frequency)
+        return scale * complex(stiffness, work / (np.pi * amplitude**2))
+    return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
+
+
+def make_frame(project: Project, dampers: bool = False, outside: Collection[str] = ()) -> FrameModel:
+    """Build a project's frame, with its dampers, isolators and tuned masses or without.
+
+    Args:
+        project: the validated project.
+        dampers: whether it has them.
+        outside: names of dampers that are left out.
+
+    Raises:
+        InputError: the frame cannot be built, or a damper is wrong.
+    """
+    if not dampers or project.dampers is None:
+        return build_frame(project)
+    laws = device_laws(project)
+    weights = {} if project.isolation is None else weights_on_isolators(project, laws)
+    return build_frame(project, laws=laws, attachments=attachments(project), outside=outside, weights=weights)
+
+
+def weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
+    """Return the weight on each isolator whose forces go with it, under the gravity combination, N, by its foot.
+
+    The base is held horizontally for it.
+
+    Raises:
+        InputError: the frame cannot be built.
+        AnalysisError: no equilibrium was found.
+    """
+    isolation = project.isolation
+    assert isolation is not None
+    feet = [
+        names.node_name(line, 0)
+        for line in project.frame.lines
+        if (isolator := isolator_under(project.frame, isolation, line)) is not None
+        and goes_with_weight(isolator, laws[isolator.law])
+    ]
+    if not feet:
+        return {}
+    frame = build_frame(project, laws=laws)
+    structure = make_structure(project, frame)
+    channels = [Channel(foot, frame.reaction(foot, 1)) for foot in feet if foot in frame.supports]
+    return dict(structure.apply_gravity(channels).final)
+
+
+def make_structure(project: Project, frame: FrameModel | None = None, dampers: bool = False) -> Structure:
+    """Build a project's frame and the analysis of it.
+
+    Args:
+        project: the validated project.
+        frame: its model, if it has been built and completed by further loads.
+        dampers: whether the frame has its dampers and tuned masses.
+
+    Raises:
+        InputError: the frame cannot be built.
+        CoreError: it is a mechanism, or parts are not connected; the message names them.
+    """
+    if frame is None:
+        frame = make_frame(project, dampers)
+    try:
+        analysis = Analysis(frame.model, tolerance=tolerance(project))
+    except CoreError as error:
+        if frame.isolated is None:
+            raise
+        text = f"{error} (isolators must have a stiffness at rest that holds the base under gravity)"
+        raise CoreError(error.status, text) from error
+    return Structure(frame, analysis)

@@ -1,0 +1,82 @@
+"""Feet of columns that the ground motion reaches one after the other."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.core import SupportMotion
+from edesign.ground_motion.delayed import delayed_by
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.notation import names
+from edesign.study.check.warnings import AnalysisWarning, store_warnings
+from edesign.study.results.recording import coordinate
+
+if TYPE_CHECKING:
+    from edesign.ground_motion.record import Record
+    from edesign.study.analysis.vertical_motion import GroundMotion
+
+LASTING = 0.01
+"""Share of the largest displacement between feet that may be left; more than this rounding of records has is said."""
+
+
+class LateFeet:
+    """The feet of a frame under a wave that passes: how they move relative to the ground where it comes first.
+
+    Args:
+        spec: the history.
+        frame: the model.
+        ground: what is applied.
+
+    Attributes:
+        motions: of the supports, for the core; none of those without delay.
+    """
+
+    def __init__(self, spec: HistoryAnalysis, frame: FrameModel, ground: GroundMotion) -> None:
+        self.motions: list[SupportMotion] = []
+        self._delays: dict[str, float] = {}
+        self._moved: dict[str, np.ndarray] = {}
+        if spec.wave_passage is None:
+            return
+        grid = frame.frame
+        delays = spec.wave_passage.delays_of(dict(zip(grid.lines, grid.x, strict=True)))
+        at_base = {names.node_name(line, 0): delay for line, delay in delays.items()}
+        self._delays = {foot: at_base[foot] for foot in frame.supports}
+        for foot, delay in self._delays.items():
+            self._moved[foot] = np.zeros(1)
+            if delay > 0.0:
+                self._add(frame, foot, 0, "ux", ground.horizontal, delay)
+                if ground.vertical is not None:
+                    self._add(frame, foot, 1, "uy", ground.vertical, delay)
+
+    def _add(self, frame: FrameModel, foot: str, at: int, degree: str, record: Record, delay: float) -> None:
+        if not frame.supports[foot][at]:
+            return
+        samples = delayed_by(record.acceleration, record.time_step, delay)
+        on_spring = frame.grounds.get(foot, (None, None, None))[at]
+        node = frame.nodes[foot] if on_spring is None else on_spring
+        self.motions.append(SupportMotion(node, degree, (samples[0], samples[1], samples[2])))
+        if at == 0:
+            self._moved[foot] = samples[0]
+
+    def store(self, group: Group) -> None:
+        """Add delays, and horizontal displacements of the ground under the feet, to the group of a history."""
+        if not self._delays:
+            return
+        coordinate(group, "foot", list(self._delays), "", "name of the node at the base")
+        group.add("foot_delay", ("foot",), list(self._delays.values()), "s", "by which the ground motion comes later")
+        label = "horizontal displacement of the ground at the foot relative to the motion without delay"
+        largest = [float(np.abs(moved).max()) for moved in self._moved.values()]
+        left = [float(moved[-1]) for moved in self._moved.values()]
+        group.add("foot_displacement_largest", ("foot",), largest, "m", f"{label}, largest magnitude")
+        group.add("foot_displacement_final", ("foot",), left, "m", f"{label}, at the end")
+        apart = max(abs(value) for value in left)
+        if apart > LASTING * max(largest):
+            text = (
+                f"feet stay {1e3 * apart:.3g} mm apart after the wave, since the record ends with a velocity; use one "
+                "whose baseline is corrected"
+            )
+            store_warnings(group, [AnalysisWarning("feet_apart", text, apart / (LASTING * max(largest)))])

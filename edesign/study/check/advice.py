@@ -1,0 +1,213 @@
+"""What is allowed in a project or a study, but may not be what its author means."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from edesign.building.masses import still_beams
+from edesign.errors import AnalysisError
+from edesign.ground_motion.plausibility import doubts
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.record_choice import RecordChoice
+from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
+from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
+from edesign.project.analysis.pushover import Pushover, pattern_name
+from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.dampers.checks_designs import design_warnings
+from edesign.project.dampers.checks_placement import placement_warnings
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.sections import ElasticSection
+from edesign.project.project import Project
+from edesign.project.reading.problems import listed
+from edesign.project.records.chosen_records import ChosenRecords
+from edesign.project.records.records import record_of
+from edesign.project.study.study import Study
+from edesign.study.analysis.buckling import slender_braces
+from edesign.study.analysis.dampers import law_warnings, laws_that_stand, with_restrained_braces
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.plausibility import implausible
+from edesign.study.run.plan import Task
+from edesign.study.variants import laws_of_design, variant_warnings
+
+MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
+STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
+
+
+def project_warnings(project: Project, records: Mapping[str, Record]) -> list[str]:
+    """Return one sentence for each doubt about the input of a project, without those about its records.
+
+    Args:
+        project: the validated project.
+        records: as recorded, those that its histories use, by reference.
+
+    Raises:
+        InputError: the frame cannot be built, or a law has no parameters at its temperature.
+    """
+    pushed = [spec for spec in project.analyses if isinstance(spec, PushoverAnalysis)]
+    vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
+    found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
+    return [*found, *law_warnings(project), *pattern_warnings(pushed)]
+
+
+def _still_warnings(projects: Iterable[Project]) -> list[str]:
+    """Say which beams miss the vertical motion of their histories."""
+    beams = list(dict.fromkeys(name for project in projects for name in still_beams(project)))
+    if not beams:
+        return []
+    return [
+        f"vertical motion does not bend {listed(beams, 3)}: masses stand at the ends of beams. Moments and shears of "
+        "these, and what goes from there to columns, are without it. A beam that is divided by column lines whose "
+        "columns are `missing` has it"
+    ]
+
+
+def _held_period(project: Project) -> float | None:
+    """T1 of an isolated frame with its base held, s; None if it cannot be found."""
+    try:
+        return fundamental_period(project, base_held=True)
+    except AnalysisError:
+        return None  # it may sway on its isolators alone
+
+
+def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
+    """The doubt about damping by a stiffness matrix in a frame on buckling-restrained braces.
+
+    Args:
+        laws: of the dampers that stand in the frame, or will by a design.
+    """
+    if not with_restrained_braces(project, laws) or not isinstance(
+        project.damping, (RayleighDamping, StiffnessDamping)
+    ):
+        return []
+    return [
+        f"damping: the stiffness that `{project.damping.kind}` is proportional to is that of the members, without "
+        "buckling-restrained braces, so modes that these stiffen get less than the ratio; `modal` gives it to each mode"
+    ]
+
+
+def frame_warnings(project: Project, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
+    """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`.
+
+    Args:
+        designed: laws of the dampers that designs add.
+    """
+    laws = [*laws_that_stand(project), *designed]
+    try:
+        period = fundamental_period(project)
+    except AnalysisError:
+        period = None  # the analyses will say why
+    found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(
+        project, make_frame(project, dampers=True)
+    )
+    found += _damping_warnings(project, laws)
+    staying = [
+        name
+        for name, run in project.frame.members.items()
+        if isinstance(project.sections.get(run.section), ElasticSection)
+        and not isinstance(project.materials[run.material], ElasticMaterial)
+    ]
+    if staying:
+        found.append(
+            f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
+            "material; give plates or `rectangles` for a section that yields"
+        )
+    given = project.integration.time_step if project.integration is not None else None
+    if given is not None:
+        passed = {name: r.time_step for name, r in records.items() if given > r.time_step * (1 + 1e-9)}
+        if passed:
+            shortest = min(passed.values())
+            found.append(
+                f"the time step of {given:g} s is longer than that of {listed(passed, 3)} "
+                f"({shortest:g} s): samples between the steps are passed over"
+            )
+    found += unknown_events(project, records)
+    longest = given or max((record.time_step for record in records.values()), default=0.0)
+    if period is not None and longest > period / STEPS_A_PERIOD:
+        found.append(
+            f"the time step of {longest:g} s is longer than 1/{STEPS_A_PERIOD} of the period T1 = {period:.4g} s"
+        )
+    return found
+
+
+def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Record]) -> list[str]:
+    """Return one sentence for each doubt about the input of a study, without those about its records.
+
+    Args:
+        study: the validated study.
+        plan: of the study.
+        records: as recorded, those that its histories use, by reference.
+
+    Raises:
+        InputError: the frame cannot be built, or a law has no parameters at a temperature.
+    """
+    designed = [name for design in study.designs.values() for name in laws_of_design(design)]
+    found = frame_warnings(study.base, records, designed)
+    moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
+    found += _still_warnings(study.project_of(name) for name in moved)
+    for name, spec in study.designs.items():
+        if isinstance(spec, PlacementDesign):
+            texts = placement_warnings(spec, study.base.frame)
+        else:
+            texts = design_warnings(spec)
+        found += [f"design {name}: {text}" for text in texts]
+    return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+
+
+def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
+    """Say which of the two patterns of EN 1998-1, 4.3.3.4.2.2(1), the targets of the N2 method lack."""
+    names = [pattern_name(pattern) for spec in pushovers if "n2" in spec.targets for pattern in spec.pattern]
+    modal = [name for name in names if name in MODAL or name.startswith("modes_")]
+    missing = ["`uniform`"] * ("uniform" not in names) + ["a modal one such as `first_mode`"] * (not modal)
+    if not names or not missing:
+        return []
+    return [
+        f"N2: EN 1998-1, 4.3.3.4.2.2(1), asks for a uniform and a modal pattern; {' and '.join(missing)} is missing"
+    ]
+
+
+def unknown_events(project: Project, records: Iterable[str]) -> list[str]:
+    """Say of which chosen records a limit on those of one earthquake does not know the earthquake."""
+    found = []
+    for name in dict.fromkeys(map(record_of, records)):
+        spec, choice = project.records[name], project.record_choice(name)
+        if isinstance(spec, ChosenRecords) and spec.max_per_event is not None and isinstance(choice, RecordChoice):
+            unknown = [key for key, candidate in choice.candidates.items() if candidate.entry.event is None]
+            if unknown:
+                found.append(
+                    f"records {name}: the earthquake of {listed(unknown, 3)} is not known, so that `max_per_event` "
+                    "counts each as one of its own; a `flatfile` can name it"
+                )
+    return found
+
+
+def record_warnings(records: Mapping[str, Record]) -> list[str]:
+    """Return the doubts about records, which the tables of a run show beside each."""
+    return [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
+
+
+def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:
+    """Return one sentence for each criterion and objective of a study that no history of its plan will be judged by.
+
+    Criteria that designs are verified by are judged there.
+    """
+    planned = {
+        (task.variant, task.spec.level)
+        for task in plan
+        if isinstance(task.spec, (HistoryAnalysis, TargetAnalysis)) and task.stripe is None
+    }
+    verified = {
+        name for design in study.designs.values() if design.verify is not None for name in design.verify.criteria
+    }
+    asked = [(f"criterion `{c.name}`", c.variants, c.levels) for c in study.criteria if c.name not in verified]
+    for letter in study.objectives:
+        level = objective_level(letter, study.base.hazard)
+        asked.append((f"objective {letter}", (), () if level is None else (level,)))
+    found = []
+    for what, variants, levels in asked:
+        if not any((not variants or v in variants) and (not levels or at in levels) for v, at in planned):
+            of = f" of {listed(variants)}" if variants else ""
+            at = f" at {listed(levels)}" if levels else ""
+            found.append(f"{what} will not be judged: no history{of}{at} is planned")
+    return found

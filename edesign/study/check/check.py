@@ -1,0 +1,206 @@
+"""What is checked before a run: records, frames with their dampers and modes, designs of a study."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.damping import modal_ratios, modes_needed
+from edesign.core import CoreError
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import checked_hazard
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.ground_motion.sources import Found
+from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis, PushoverAnalysis
+from edesign.project.analysis.damping import CaugheyDamping, MassDamping, StiffnessDamping
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.analysis.pushover import GivenPattern, Pushover
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.project import Project
+from edesign.project.reading.problems import keys_text
+from edesign.project.records.records import record_of
+from edesign.project.study.study import Study
+from edesign.study.analysis.dampers import device_laws
+from edesign.study.analysis.history import check_motion
+from edesign.study.analysis.modal import mode_count
+from edesign.study.analysis.structure import frame_alone, make_frame, make_structure
+from edesign.study.check.criteria import check_criteria_inputs
+from edesign.study.check.spectrum_reach import check_incremental_reach, check_project_reach, check_pushover_reach
+from edesign.study.design.design import check_sizing
+from edesign.study.motions.intensity import check_hazard_curves
+from edesign.study.motions.motions import check_fits
+from edesign.study.placement.placement import check_placement
+from edesign.study.results.requested import requested_quantities
+from edesign.study.run.plan import Task
+from edesign.study.run.study_plan import histories_of_a_round, verification_records, wanted_designs
+from edesign.study.variants import variant_warnings
+
+
+def check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
+    """Read records, build the frame and look for the outputs, so that what is wrong shows before the first analysis.
+
+    Args:
+        project: from `load_project`.
+        specs: the analyses that will run, those of suites in their parts.
+
+    Returns:
+        The recordings that they need, by reference, those of a suite all together.
+
+    Raises:
+        InputError: the values are not those of the text, a record cannot be read, applied or fitted to the spectrum,
+            the frame cannot be built, is a mechanism or has parts that are not connected, an output does not exist in
+            it, or it has fewer modes than are asked for.
+    """
+    project.check_unchanged()
+    return _check_inputs(project, specs)
+
+
+def _check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
+    specs = tuple(specs)
+    if project.hazard is not None:
+        checked_hazard(project)
+    histories = [spec for spec in specs if isinstance(spec, HistoryAnalysis)]
+    wanted = {record_of(spec.record) for spec in histories}
+    wanted |= {spec.vertical.record for spec in histories if spec.vertical is not None and spec.vertical.record}
+    names = [name for name in project.records if name in wanted]
+    found = find_recordings(project, [reference for name in names for reference in references(project, name)])
+    for spec in histories:
+        check_motion(project, spec, found[spec.record].record)
+    check_fits(project, found)
+    _check_frame(project, specs)
+    check_project_reach(project, specs)
+    return found
+
+
+def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
+    """Build a frame with its dampers and its outputs, and look for mechanisms and modes."""
+    try:
+        frame = make_frame(project, dampers=True)  # with footings, at the first period of a frame that must stand
+        requested_quantities(project, frame, Group())
+        structure = make_structure(project, frame)
+    except CoreError as error:
+        laws = device_laws(project)
+        runs = project.dampers.devices if project.dampers is not None else ()
+        idle = any(laws[run.law].restrained and not run.carries_gravity for run in runs)
+        hint = "; a frame that stands by its buckling-restrained braces needs `carries_gravity: true` with them"
+        raise InputError(f"{project.where('frame')}: frame: {error}{hint if idle else ''}") from error
+    _check_modes(project, specs, int(np.count_nonzero(structure.analysis.masses())))
+    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
+        _check_series(project)
+
+
+def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
+    """Check what a study needs before its first analysis; otherwise as `check_inputs`.
+
+    Args:
+        study: from `load_study`.
+        plan: of the study.
+
+    Raises:
+        InputError: also if no damper reaches the target of a design, a law has no parameters at a temperature, or the
+            intensities of a hazard curve do not rise.
+    """
+    study.check_unchanged()
+    study.base.check_unchanged()
+    references = [task.record for task in plan if task.record is not None]
+    designs = wanted_designs(study, plan)
+    verified = [item for name in designs for item in verification_records(study, name)]
+    histories = [
+        HistoryAnalysis(kind="history", name="verification", record=reference)
+        for reference in dict.fromkeys(verified)
+        if reference not in references
+    ]
+    details = study.outputs.details
+    members = details.members if details is not None else ()
+    base = study.base.model_copy(update={"outputs": Outputs(histories=(), members=members)})
+    specs = (*(task.spec for task in plan), *histories)
+    found = _check_inputs(base, specs)
+    check_hazard_curves(study)
+    check_incremental_reach(study)
+    for i, pushed in enumerate(study.pushovers):
+        check_pushover_reach(study.base, pushed, study.where("pushovers", i, "pattern"), ("pushovers", i, "pattern"))
+    for name, variant in study.variants.items():
+        if variant.values:
+            try:
+                _check_frame(study.project_of(name).model_copy(update={"outputs": base.outputs}), specs)
+            except InputError as error:
+                source = study.derived.get(name)
+                keys = source.keys if source is not None else ("variants", name, "values")
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {error}") from error
+    _check_study_modes(study)
+    _check_designs(study, designs)
+    variant_warnings(study, plan)
+    check_criteria_inputs(study, found)
+    return found
+
+
+def _check_study_modes(study: Study) -> None:
+    """Check that a study asks for no more modes than there are degrees of freedom with mass."""
+    wanted: list[tuple[tuple[str | int, ...], int]] = []
+    if study.modal.modes is not None:
+        wanted.append((("modal", "modes"), study.modal.modes))
+    for i, item in enumerate(study.pushovers):
+        wanted += [(("pushovers", i, "pattern"), count) for count in _pattern_modes(item)]
+    if wanted:
+        most = mode_count(study.base)
+        for keys, count in wanted:
+            if count > most:
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
+
+
+def _check_designs(study: Study, names: Sequence[str]) -> None:
+    """Size designs once; a placement builds the frame with all its candidates."""
+    for name in names:
+        try:
+            spec = study.designs[name]
+            if isinstance(spec, PlacementDesign):
+                check_placement(study.base, name, spec, histories_of_a_round(study, name))
+            else:
+                check_sizing(study.base, name, spec, study.folder)
+        except InputError as error:
+            raise InputError(f"{study.where('designs', name)}: {error}") from error
+
+
+def _check_modes(project: Project, specs: tuple[PlannedAnalysis, ...], most: int) -> None:
+    """Check that no more modes are asked for than there are degrees of freedom with mass."""
+    wanted: list[tuple[tuple[str | int, ...], int]] = [
+        (("analyses", i, "modes"), spec.modes)
+        for i, spec in enumerate(project.analyses)
+        if spec in specs and isinstance(spec, ModalAnalysis)
+    ]
+    for i, spec in enumerate(project.analyses):
+        if isinstance(spec, PushoverAnalysis):
+            wanted += [(("analyses", i, "pattern"), count) for count in _pattern_modes(spec)]
+    damping = project.damping
+    if any(isinstance(spec, HistoryAnalysis) for spec in specs):
+        key = "mode" if isinstance(damping, (MassDamping, StiffnessDamping)) else "modes"
+        wanted.append((("damping", key), modes_needed(damping, 0)))
+    for keys, count in wanted:
+        if count > most:
+            raise InputError(f"{project.where(*keys)}: {keys_text(keys)}: {_no_mode(count, most)}")
+
+
+def _pattern_modes(pushover: Pushover) -> list[int]:
+    """How many modes the patterns of a pushover need."""
+    given = [pattern for pattern in pushover.pattern if isinstance(pattern, GivenPattern)]
+    return [count for pattern in given if (count := pattern.mode or pattern.modes) is not None]
+
+
+def _check_series(project: Project) -> None:
+    """Check that Caughey damping gives no mode a negative ratio."""
+    damping = project.damping
+    if not isinstance(damping, CaugheyDamping):
+        return
+    alone = frame_alone(project)
+    if damping.state == "gravity":
+        alone.apply_gravity()
+    try:
+        modal_ratios(damping, alone.modes(int(np.count_nonzero(alone.analysis.masses()))).omega)
+    except InputError as error:
+        raise InputError(f"{project.where('damping')}: damping: {error}") from error
+
+
+def _no_mode(count: int, most: int) -> str:
+    return f"there is no mode {count}; the frame has {most} degrees of freedom with mass"

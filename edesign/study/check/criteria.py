@@ -1,0 +1,105 @@
+"""What criteria need of the histories of a study: enough motions for a code, samples fine enough, kept histories."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping
+
+from edesign.assess.statistics import CODES, code_statistic, statistic
+from edesign.codes.criterion import with_standard
+from edesign.errors import InputError
+from edesign.ground_motion.sources import Found
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.analysis.outputs import HistoryKind, Outputs
+from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
+from edesign.project.criteria.criterion_quantities import QUANTITIES
+from edesign.project.dampers.verification import AnyVerify
+from edesign.project.study.study import Study, warm_variant
+from edesign.study.run.study_plan import make_study_plan, verification_records
+
+
+def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
+    """Check that the histories of a study will do for its criteria.
+
+    Args:
+        study: from `load_study`.
+        found: recordings by reference.
+
+    Raises:
+        InputError: a code wants more motions than a variant has at a level, or an oscillator on a floor swings faster
+            than the samples that are kept can tell.
+    """
+    motions = _motions(study) if any(criterion.statistic in CODES for criterion in study.criteria) else {}
+    for i, criterion in enumerate(study.criteria):
+        where = f"{study.where('criteria', i)}: criteria[{i}]"
+        code = CODES.get(criterion.statistic)
+        for (variant, level), count in motions.items():
+            of_variant = not criterion.variants or variant in criterion.variants
+            at_level = level in criterion.levels if criterion.levels else bool(level)
+            if code is not None and of_variant and at_level and count < code.set_rules.least_number:
+                raise InputError(
+                    f"{where}.statistic: `{criterion.statistic}` wants at least {code.set_rules.least_number} motions "
+                    f"({with_standard(code.set_rules.clauses.number)}), and {variant} has {count} at {level}"
+                )
+        if isinstance(criterion, QuantityCriterion) and criterion.frequency is not None:
+            _check_samples(study, where, criterion.frequency, found)
+
+
+def too_few_motions(study: Study, name: str) -> list[str]:
+    """Say so if criteria of a design take less than the maximum of so few motions that the maximum counts.
+
+    Of one motion every statistic is the maximum.
+
+    Args:
+        study: from `load_study`.
+        name: of the design.
+    """
+    verify, rules = study.designs[name].verify, CODES["ec8"].set_rules
+    count = len(verification_records(study, name))
+    if verify is None or not 1 < count < rules.number_for_mean:
+        return []
+    ranks = {str(rank): float(rank) for rank in range(count)}
+    return [
+        f"the criterion `{asked.name}` takes the {asked.statistic} of {count} motions; of fewer than "
+        f"{rules.number_for_mean} the maximum counts (EN 1998-1, 4.3.3.4.3(3)), which `statistic: ec8` takes"
+        for asked in study.criteria
+        if asked.name in verify.criteria
+        and asked.share is None
+        and not (isinstance(asked, MeasureCriterion | QuantityCriterion) and asked.most is None)
+        and statistic(code_statistic(asked.statistic, count), ranks) != count - 1.0
+    ]
+
+
+def _motions(study: Study) -> Counter[tuple[str, str]]:
+    """How many motions each variant has at each level when all of the study has run."""
+    found: Counter[tuple[str, str]] = Counter()
+    for task in make_study_plan(study):
+        if isinstance(task.spec, HistoryAnalysis) and task.stripe is None:
+            warm = task.temperature_C
+            found[task.variant if warm is None else warm_variant(task.variant, warm), task.spec.level or ""] += 1
+    return found
+
+
+def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
+    """Return what the histories of a design's verification keep: what its criteria are computed from."""
+    kept: list[HistoryKind] = []
+    for criterion in study.criteria:
+        if isinstance(criterion, QuantityCriterion) and criterion.name in verify.criteria:
+            kind = QUANTITIES[criterion.quantity].kept
+            kept += [kind] if kind is not None and kind not in kept else []
+    return Outputs(histories=tuple(kept))
+
+
+def _check_samples(study: Study, where: str, frequency: float, found: Mapping[str, Found]) -> None:
+    """An oscillator cannot be followed beyond half the rate of the samples: there is nothing in them."""
+    integration, every = study.base.integration, study.outputs.every
+    given = integration.time_step if integration is not None else None
+    for reference, recording in found.items():
+        step = recording.record.time_step if given is None else given
+        highest = 0.5 / (every * step)
+        if frequency > highest:
+            kept = f"one step in {every} of {step:g} s is kept" if every > 1 else f"the steps are {step:g} s"
+            raise InputError(
+                f"{where}.frequency: {frequency:g} Hz is beyond {highest:g} Hz, half the rate of the samples of "
+                f"{reference} ({kept}; see `integration: time_step` and `outputs: every`)"
+            )

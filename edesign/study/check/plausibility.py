@@ -1,0 +1,128 @@
+"""Whether the frame of a project is one that somebody would build: period, masses, damping, state under gravity.
+
+Mistakes of units change masses and stiffnesses by ten times or more. The bands are so wide that a frame which was meant
+stays inside, and such a mistake leaves them.
+"""
+
+from __future__ import annotations
+
+import math
+
+from edesign.assess.measures import located_measure
+from edesign.assess.members import ELASTIC_ROTATION
+from edesign.building.loads import gravity_load
+from edesign.building.masses import node_masses
+from edesign.project.analysis.analyses import GravityAnalysis
+from edesign.project.analysis.damping import NoDamping
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.project import Project
+from edesign.study.analysis.gravity import run_gravity
+from edesign.study.check.warnings import warnings_of
+
+STIFF = 0.050
+"""C_t of the stiffest structures in EN 1998-1, 4.3.3.2.2(3), Eq. 4.6: T1 = C_t H^(3/4), s and m."""
+TEN_TIMES = math.sqrt(10.0)
+"""What a mass ten times too small or a stiffness ten times too large divides the period by."""
+SENSITIVITY = 0.3
+"""Largest interstorey drift sensitivity coefficient that EN 1998-1, 4.4.2.2(5) allows."""
+LEAST_BEHAVIOUR_FACTOR = 1.5
+"""EN 1998-1, 6.1.2, Table 6.1, low dissipative steel structures: taken where the project has no `behaviour_factor`."""
+LEAST_WEIGHT, LARGEST_WEIGHT = 0.3, 30.0
+"""Weight of the masses over the gravity loads. Two frames at the perimeter of a building of ten bays hold ten times
+what stands on them; 30 lies half way, in logarithms, from there to a mistake of a hundred times. Masses may leave out
+a part of the loads; 0.3 lies half way to loads in kN that were taken for masses in t, ten times too small."""
+LARGEST_DAMPING = 0.28
+"""EN 1998-1, 3.2.2.2(3), Eq. 3.6: eta = sqrt(10/(5 + xi)) >= 0.55 counts no more, whatever dissipates."""
+LARGEST_GRAVITY_DRIFT = 0.01
+"""EN 1998-1, 4.4.3.2(1)c: what the earthquake of damage limitation may cause; gravity alone leaves a frame upright."""
+
+
+def implausible(project: Project, period: float | None) -> list[str]:
+    """Return a sentence for each property of a frame that is outside of what is built.
+
+    Args:
+        project: the validated project.
+        period: T1 under gravity, of an isolated frame with its base held, s; None without masses, or if it is not
+            known.
+
+    Raises:
+        InputError: the frame cannot be built.
+        CoreError: it is a mechanism.
+    """
+    found = [_period(project, period) if period is not None else "", _weight(project), _damping(project)]
+    return [*(text for text in found if text), *_under_gravity(project)]
+
+
+def _period(project: Project, period: float) -> str:
+    """Say what is wrong with a period, "" if it is plausible.
+
+    Under its own weight, applied horizontally, a frame moves by d = T1^2/4 (EN 1998-1, Eq. 4.9: T1 = 2 sqrt(d), in m).
+    Its mean interstorey drift sensitivity coefficient theta = P_tot d_r / (V_tot h) (Eq. 4.28, d_r = q d_e) is then
+    q d/H. More than 0.3 is not allowed, and stands for a frame that falls rather than sways.
+    """
+    height = project.frame.height
+    of = f"T1 = {period:.3g} s{'' if project.isolation is None else ' without its isolators'}"
+    q = project.hazard.q if project.hazard is not None else None
+    q = q or LEAST_BEHAVIOUR_FACTOR
+    low, high = STIFF * height**0.75 / TEN_TIMES, 2.0 * math.sqrt(SENSITIVITY * height / q)
+    if period > high:
+        return (
+            f"{of} is implausible for a frame {height:.3g} m high: from {high:.2g} s on its interstorey "
+            f"drift sensitivity exceeds {SENSITIVITY:g} (EN 1998-1, 4.4.2.2, with q = {q:g}); are masses too large, or "
+            "sections too small?"
+        )
+    if period < low:
+        return (
+            f"{of} is implausible for a frame {height:.3g} m high: up to {low:.2g} s its masses are ten "
+            f"times too small for the stiffest frames of EN 1998-1 (Eq. 4.6, {STIFF:.2f} H^(3/4)), or its sections too "
+            "large"
+        )
+    return ""
+
+
+def _weight(project: Project) -> str:
+    """Say what is wrong with the masses, "" if they are plausible; a frame without gravity loads has no ratio."""
+    weight = STANDARD_GRAVITY * sum(node_masses(project).values())
+    loads = gravity_load(project)
+    if weight == 0.0 or loads <= 0.0 or LEAST_WEIGHT <= weight / loads <= LARGEST_WEIGHT:
+        return ""
+    return (
+        f"the masses weigh {1e-3 * weight:.4g} kN, {weight / loads:.3g} times the gravity loads of {1e-3 * loads:.4g} "
+        f"kN; {LEAST_WEIGHT:g} to {LARGEST_WEIGHT:g} times are plausible (frames at the perimeter carry masses of the "
+        "whole building)"
+    )
+
+
+def _damping(project: Project) -> str:
+    damping = project.damping
+    ratio = 0.0
+    if damping is not None and not isinstance(damping, NoDamping):
+        ratio = max(damping.ratio) if isinstance(damping.ratio, tuple) else damping.ratio
+    if ratio <= LARGEST_DAMPING:
+        return ""
+    return (
+        f"an inherent damping of {100.0 * ratio:g} % is implausible: EN 1998-1, 3.2.2.2(3), counts up to "
+        f"{100.0 * LARGEST_DAMPING:g} %, devices included, and steel frames have a few per cent"
+    )
+
+
+def _under_gravity(project: Project) -> list[str]:
+    """What the gravity loads alone do to the frame."""
+    group = run_gravity(project, GravityAnalysis(kind="gravity", name="gravity"))
+    if group.attributes["status"] != "completed":
+        return [f"under the gravity loads alone {group.attributes['reason']}"]
+    found = []
+    drift = located_measure(group, "interstorey_drift")
+    if drift is not None and drift.value > LARGEST_GRAVITY_DRIFT:
+        found.append(
+            f"the gravity loads alone make a drift of {100.0 * drift.value:.3g} % in storey {drift.storey}, more than "
+            f"{100.0 * LARGEST_GRAVITY_DRIFT:g} %"
+        )
+    for kind in ("beam", "column"):
+        most = located_measure(group, f"{kind}_plastic_rotation_rad")
+        if most is not None and most.value > ELASTIC_ROTATION:
+            found.append(
+                f"{kind}s yield under the gravity loads alone, most {most.member} with a plastic rotation of "
+                f"{1e3 * most.value:.3g} mrad"
+            )
+    return found + [f"under the gravity loads alone {warning.text}" for warning in warnings_of(group)]

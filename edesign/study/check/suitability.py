@@ -1,0 +1,104 @@
+"""Whether the records suit the histories: how much they are scaled, and at which periods they act."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+from typing import TYPE_CHECKING
+
+from edesign.errors import EdesignError
+from edesign.ground_motion.plausibility import unusual_scales
+from edesign.project.analysis.analyses import HistoryAnalysis
+from edesign.project.project import Project
+from edesign.project.records.records import Suite, record_of
+from edesign.study.analysis.history import scale_factor
+from edesign.study.motions.intensity import first_period
+from edesign.study.motions.motions import Motion
+from edesign.study.run.plan import Task
+
+if TYPE_CHECKING:  # it loads h5py, which a check does not need
+    from edesign.study.run.execution import Execution, Prepared
+
+
+def scale_warnings(
+    project: Project, tasks: Iterable[Task], motions: Mapping[str, Motion], scales: Mapping[str, float] | None = None
+) -> dict[str, list[str]]:
+    """Return what is unusual about the factors on the records, by record of the project.
+
+    The factor is that of all scaling between the recording and the ground of a history: of the fit, of the suite, and
+    of the history (its level, `scale` or `pga`). Histories of incremental studies are left out: they scale on purpose,
+    from small intensities to collapse, and their result is the intensity, not the response at a factor.
+
+    Args:
+        project: the validated project.
+        tasks: of the plan.
+        motions: recordings made ready, by reference; those that could not be fitted are left out.
+        scales: factor of the fit by reference where it is not made yet; that of the motion by default.
+    """
+    scales = scales or {reference: motion.scale for reference, motion in motions.items()}
+    factors: dict[tuple[str, str], dict[str, float]] = defaultdict(dict)
+    histories = [task for task in tasks if isinstance(task.spec, HistoryAnalysis)]
+    for task in histories:
+        motion = motions.get(task.record or "")
+        if task.stripe is not None or motion is None or motion.failure or not motion.record.pga:
+            continue
+        spec = task.spec
+        assert isinstance(spec, HistoryAnalysis)
+        name, _, member = spec.record.partition("/")
+        label = spec.level or (task.entry if spec.pga is not None or spec.scale is not None else "")
+        factors[name, label][member or name] = scales[spec.record] * scale_factor(project, spec, motion.record)
+    used = {record_of(task.record or "") for task in histories}
+    for reference, motion in motions.items():  # of those that only designs are verified with, the fit
+        name, _, member = reference.partition("/")
+        if name not in used and not motion.failure:
+            factors[name, ""][member or name] = scales[reference]
+    found: dict[str, list[str]] = defaultdict(list)
+    for (name, label), of in factors.items():
+        stand_ins = {key for key in of if _motion(motions, name, key).found.origin == "stand-in"}
+        prefix = "" if label in ("", name) else f"{label}: "
+        found[name] += [f"{prefix}{text}" for text in unusual_scales(of, stand_ins)]
+    return {name: list(dict.fromkeys(texts)) for name, texts in found.items() if texts}
+
+
+def _motion(motions: Mapping[str, Motion], name: str, member: str) -> Motion:
+    return motions[f"{name}/{member}"] if f"{name}/{member}" in motions else motions[name]
+
+
+def variant_periods(run: Execution, prepared: Prepared) -> dict[str, dict[str, float]]:
+    """Return T1 under gravity of the frames with dampers that each fitted suite acts on, s, by suite and label.
+
+    The label is the variant, with the temperature of its dampers where the plan gives one, or `with dampers` of a
+    project without variants. Dampers count with their stiffness at the design strain, or else in small vibrations. T1
+    of the bare frame, for which the suite is raised, is not among them.
+
+    Raises:
+        EdesignError: a period cannot be found.
+    """
+    found: dict[str, dict[str, float]] = defaultdict(dict)
+    known: dict[str, float] = {}
+    for task in run.job.tasks:
+        spec = task.spec
+        if (
+            not isinstance(spec, HistoryAnalysis)
+            or not spec.dampers
+            or not _is_fitted_suite(run.job.project, spec.record)
+        ):
+            continue
+        label = task.variant or "with dampers"
+        if task.temperature_C is not None:
+            label += f" at {task.temperature_C:g} degC"
+        if label not in known:
+            try:
+                frame, _ = prepared(task)
+            except EdesignError:  # its design failed, and so will its histories, with that reason
+                continue
+            if frame.dampers is None or frame.masses is None:
+                continue
+            known[label] = first_period(frame, True, run.job.damper_strains.get(task.variant))
+        found[record_of(spec.record)][label] = known[label]
+    return found
+
+
+def _is_fitted_suite(project: Project, reference: str) -> bool:
+    spec = project.records.get(record_of(reference))
+    return isinstance(spec, Suite) and spec.fitted and project.hazard is not None

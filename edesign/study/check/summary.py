@@ -1,0 +1,218 @@
+"""What `edesign check` says of a project or a study: what there is in it, and what may not be meant."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Mapping, Sequence
+
+from edesign.building.isolation import base_masses
+from edesign.building.masses import node_masses
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.ground_motion.record_choice import RecordChoice, choice_lines
+from edesign.ground_motion.sources import Found
+from edesign.one_thread import one_thread
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.project import Project
+from edesign.project.records.records import RecordSet, record_of
+from edesign.project.study.study import Study
+from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.structure import make_frame
+from edesign.study.check.advice import project_warnings, record_warnings, study_warnings, unjudged
+from edesign.study.check.check import check_inputs, check_study_inputs
+from edesign.study.check.criteria import too_few_motions
+from edesign.study.check.suitability import scale_warnings
+from edesign.study.design.design import first_warnings
+from edesign.study.motions.choosing import study_with_choices, with_choices
+from edesign.study.motions.motions import Motion, expected_scale
+from edesign.study.run.plan import Task, make_plan
+from edesign.study.run.study_plan import make_study_plan, wanted_designs
+
+ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simulated"}
+
+
+@one_thread()
+def check_project(project: Project) -> dict[str, str]:
+    """Check what a run would meet, and describe the project in a few lines.
+
+    Args:
+        project: from `load_project`.
+
+    Returns:
+        Text by label: title, frame, members, period (first period under gravity), records, analyses, archive;
+        and warnings, one a line, if something is allowed but may not be meant.
+
+    Raises:
+        InputError: a record cannot be read, or the frame cannot be built or is unstable.
+        AnalysisError: the first period cannot be found.
+    """
+    project = with_choices(project.afresh(), project.archive_path)
+    plan = make_plan(project)
+    found = check_inputs(project, [task.spec for task in plan])
+    unused = [name for name in project.records if all(name != record_of(key) for key in found)]
+    others = find_recordings(project, [key for name in unused for key in references(project, name)])
+    period = fundamental_period(project)
+    recorded = {name: item.record for name, item in found.items()}
+    warnings = [*project_warnings(project, recorded), *record_warnings(recorded), *_scales(project, plan, found)]
+    warnings += _failed_choices(project, found)
+    return {
+        "title": project.title,
+        "frame": _frame(project),
+        **_mass(project),
+        "members": _members(project),
+        **({"dampers": _dampers(project)} if project.dampers is not None else {}),
+        "period": f"T1 = {period:.4f} s {_standing(project)}" if period is not None else "no masses",
+        "records": _records(project, {**found, **others}),
+        **_choices(project),
+        "analyses": ", ".join(f"{spec.name} ({spec.kind})" for spec in project.analyses),
+        "archive": str(project.archive_path),
+        **({"warnings": "\n".join(warnings)} if warnings else {}),
+    }
+
+
+@one_thread()
+def check_study(study: Study) -> dict[str, str]:
+    """Check what a run of a study would meet, and describe it in a few lines.
+
+    Args:
+        study: from `load_study`.
+
+    Returns:
+        Text by label: title, project, frame, records, designs, variants, analyses, criteria, archive; and
+        warnings, one a line.
+
+    Raises:
+        InputError: a record cannot be read, or the frame cannot be built or is unstable.
+        AnalysisError: the first period cannot be found.
+    """
+    study = study_with_choices(study.afresh(), study.archive_path)
+    plan = make_study_plan(study)
+    found = check_study_inputs(study, plan)
+    period = fundamental_period(study.base)
+    entries = Counter(task.entry for task in plan)
+    recorded = {name: item.record for name, item in found.items()}
+    warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
+    warnings += [*_scales(study.base, plan, found), *_failed_choices(study.base, found)]
+    for name in wanted_designs(study, plan):
+        design = study.designs[name]
+        if not isinstance(design, PlacementDesign):  # whose dampers are known after histories alone
+            warnings += first_warnings(study.base, name, design, study.folder)
+        warnings += [f"design {name}: {text}" for text in too_few_motions(study, name)]
+    return {
+        "title": study.title,
+        "project": str(study.base.path),
+        "frame": _frame(study.base),
+        **_mass(study.base),
+        "period": f"T1 = {period:.4f} s of the {'bare ' * (study.base.isolation is None)}frame {_standing(study.base)}"
+        if period is not None
+        else "no masses",
+        "records": _records(study.base, found),
+        **_choices(study.base),
+        "designs": ", ".join(f"{name} ({spec.method})" for name, spec in study.designs.items()) or "none",
+        "variants": ", ".join(study.variants),
+        "analyses": ", ".join(f"{name} ({count})" if count > 1 else name for name, count in entries.items()),
+        "criteria": str(len(study.criteria) + len(study.objectives)),
+        "archive": str(study.archive_path),
+        **({"warnings": "\n".join(warnings)} if warnings else {}),
+    }
+
+
+def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:
+    """What is unusual about the factors on the records, before they are fitted."""
+    motions = {reference: Motion(reference, item) for reference, item in found.items()}
+    scales = {reference: expected_scale(project, reference, found) for reference in found}
+    warnings = scale_warnings(project, plan, motions, scales)
+    return [f"records {name}: {text}" for name, texts in warnings.items() for text in texts]
+
+
+def _dampers(project: Project) -> str:
+    """How many dampers there are of each law, and the tuned masses."""
+    frame = make_frame(project, dampers=True)
+    laws = Counter(device.law for device in frame.devices)
+    isolators = Counter(device.law for device in frame.isolated.isolators) if frame.isolated is not None else Counter()
+    parts = [f"{_count(count, 'isolator')} `{name}`" for name, count in isolators.items()]
+    parts += [f"{_count(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
+    parts += [_count(len(frame.attached), "tuned mass")] if frame.attached else []
+    return ", ".join(parts) or "none"
+
+
+def _records(project: Project, found: Mapping[str, Found]) -> str:
+    """The records, and of suites how many of their recordings are real."""
+    texts = []
+    for name in project.records:
+        origins = Counter(item.origin for key, item in found.items() if record_of(key) == name)
+        of = ", ".join(f"{count} {ORIGINS[origin]}" for origin, count in origins.items())
+        texts.append(f"{name} ({of})" if of and isinstance(project.records[name], RecordSet) else name)
+    return ", ".join(texts) or "none"
+
+
+def _failed_choices(project: Project, found: Mapping[str, Found]) -> list[str]:
+    """What the chosen records that are used miss of what the code asks of a set, where they are scaled only."""
+    texts = []
+    for name in dict.fromkeys(map(record_of, found)):
+        choice, match = project.record_choice(name), project.records[name].match
+        if isinstance(choice, RecordChoice) and (match is None or match.method == "scale"):
+            texts += [
+                f"records {name}: not met: {one['clause']}, {one['text']}: {one['value']:.3g}"
+                for one in choice.facts()["not_met"]
+            ]
+    return texts
+
+
+def _choices(project: Project) -> dict[str, str]:
+    """How the records were chosen that are, and what was left out of the choice."""
+    lines = []
+    for name in project.records:
+        choice = project.record_choice(name)
+        if not isinstance(choice, RecordChoice):
+            continue
+        lines.append(f"{name}: the best {len(choice.factors)} of {choice.compared}")
+        lines += [f"  {line}" for line in choice_lines(choice.facts())]
+        lines += [f"  {recording} x {factor:.3f}" for recording, factor in choice.factors.items()]
+        lines += [f"  left out: {refusal.name}: {refusal.reason}" for refusal in choice.refused]
+    return {"chosen": "\n".join(lines)} if lines else {}
+
+
+def _frame(project: Project) -> str:
+    frame = project.frame
+    width = frame.x[-1] - frame.x[0]
+    return (
+        f"{_count(frame.n_storeys, 'storey')}, {frame.height:g} m high; "
+        f"{_count(frame.n_bays, 'bay')}, {width:g} m wide; {_count(len(frame.nodes), 'node')}"
+    )
+
+
+def _mass(project: Project) -> dict[str, str]:
+    """The mass of the frame and of each floor, in which a wrong unit or a missing load shows first."""
+    of_node = node_masses(project)
+    if not of_node:
+        return {}
+    of_floor = dict.fromkeys(range(1, project.frame.n_storeys + 1), 0.0)
+    for name, mass in of_node.items():
+        level = project.frame.nodes[name][1]
+        of_floor[min(of_floor, key=lambda floor: abs(project.frame.y[floor] - level))] += mass
+    floors = ", ".join(f"{mass / 1e3:.4g}" for mass in of_floor.values())
+    base = "" if project.isolation is None else f"; of the base {sum(base_masses(project).values()) / 1e3:.4g} t"
+    return {"mass": f"{sum(of_node.values()) / 1e3:.4g} t; of the floors from the lowest: {floors} t{base}"}
+
+
+def _standing(project: Project) -> str:
+    """How the frame stands whose period is told."""
+    isolation = project.isolation
+    braced = with_restrained_braces(project, laws_that_stand(project))
+    braces = ", with its buckling-restrained braces" if braced else ""
+    if isolation is None:
+        return f"under gravity{braces}"
+    return f"under gravity{braces}, on its isolators at {1e3 * isolation.design_displacement:g} mm"
+
+
+def _members(project: Project) -> str:
+    frame = project.frame
+    counts = [_count(len(frame.column_at), "column"), _count(len(frame.beam_at), "beam")]
+    if frame.brace_at:
+        counts.append(_count(len(frame.brace_at), "brace"))
+    return ", ".join(counts)
+
+
+def _count(number: int, noun: str) -> str:
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}{'es' if noun.endswith('ss') else 's'}"

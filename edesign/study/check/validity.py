@@ -1,0 +1,114 @@
+"""Whether the result of an analysis counts: its energy balance closes, its numbers are finite, its geometry holds.
+
+A frame that has run away in a computation says nothing about the building. It is not collapsed either: a collapse is a
+state of equilibrium that was lost, found by a computation that is sound up to there.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import replace
+
+from edesign.building.frame import FrameModel
+from edesign.core import Response
+from edesign.project.analysis.validity import Validity
+from edesign.project.project import Project
+from edesign.study.check.warnings import AnalysisWarning
+from edesign.study.results import quantities as q
+from edesign.study.results.recording import Quantity
+
+AT = {
+    "time": "at {:.6g} s",
+    "load factor": "at a load factor of {:.4g}",
+    "displacement": "at a roof displacement of {:.4g} m",
+}
+"""Where in a run, by what its steps are taken in."""
+
+
+def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantity] = ()) -> dict[str, str]:
+    """Return what `largest_drift` limits, by name of its channel: drifts of storeys, rotations of the ends of members.
+
+    A drift is the rotation of a column's chord, so that rotations in rad are held to the same number.
+
+    Args:
+        frame: the model.
+        drifts: on its column lines, as `quantities.line_drifts` gives them.
+        others: quantities of an analysis; those in rad over columns or beams and their ends count.
+    """
+    storeys = q.line_drift_storeys(frame)
+    found = {key: f"the drift of storey {storeys[i]}" for i, key in drifts.keys.items()}
+    kinds = {"column": frame.of_kind("column"), "beam": frame.of_kind("beam")}
+    for quantity in others:
+        if quantity.unit == "rad" and len(quantity.dims) == 2 and quantity.dims[0] in kinds:
+            members = kinds[quantity.dims[0]]
+            what = quantity.name.partition("_")[2].replace("_", " ")
+            found |= {key: f"the {what} of {members[i // 2].name}" for i, key in quantity.keys.items()}
+    return found
+
+
+def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, float]:
+    """Return the limit of each channel of `rotation_names`; none where the geometry has no limit."""
+    largest = project.largest_drift
+    return {} if largest is None else dict.fromkeys(names, largest)
+
+
+def judged(
+    response: Response, project: Project, names: Mapping[str, str], along: str = "time"
+) -> tuple[Response, list[AnalysisWarning] | None]:
+    """Return a response, as failed if it does not count, and what is doubtful about its energy balance.
+
+    Doubts about a result that does not count are None: nothing more is to be said of its numbers.
+
+    Args:
+        response: of a run; one that ended at a limit is failed, or collapsed by what comes after.
+        project: whose `validity` is asked.
+        names: as `rotation_names` gives them.
+        along: what the steps of the run are taken in, a key of `AT`.
+    """
+    if response.status == "interrupted":
+        return response, []
+    reason = _run_away(response, project, names, along)
+    if reason:
+        if response.status == "failed":
+            reason = f"{reason}; {response.reason}"
+        return replace(response, status="failed", reason=reason), None
+    if response.status != "completed":
+        return response, []
+    return response, _doubtful_energy(response, project.validity)
+
+
+def _run_away(response: Response, project: Project, names: Mapping[str, str], along: str) -> str:
+    """Say why a result does not count, "" if it does."""
+    validity = project.validity
+    passed, largest = response.passed, project.largest_drift
+    if passed is not None and passed.channel in names and largest is not None and abs(passed.value) > largest:
+        drift = "drift" in names[passed.channel]
+        value, limit = (_percent(x) if drift else f"{x:.3g} rad" for x in (abs(passed.value), largest))
+        return (
+            f"{names[passed.channel]} reached {value} {AT[along].format(passed.time)}; the geometry of the model holds "
+            f"up to {limit} (`validity.drift`)"
+        )
+    if not response.finite:
+        return "a result is not a finite number"
+    error = response.statistics.get("energy_error", 0.0)
+    if not error <= validity.energy_error:
+        return (
+            f"the energy balance is wrong by {_percent(error)} of the energy put in, more than "
+            f"{_percent(validity.energy_error)} (`validity.energy_error`); a smaller step may help"
+        )
+    return ""
+
+
+def _doubtful_energy(response: Response, validity: Validity) -> list[AnalysisWarning]:
+    error, limit = response.statistics.get("energy_error", 0.0), validity.energy_error_warning
+    if error <= limit:
+        return []
+    text = (
+        f"the energy balance is wrong by {_percent(error)} of the energy put in, more than {_percent(limit)} "
+        "(`validity.energy_error_warning`); a smaller step may help"
+    )
+    return [AnalysisWarning("energy_error", text, error / limit)]
+
+
+def _percent(share: float) -> str:
+    return f"{100.0 * share:.3g} %"

@@ -1,0 +1,111 @@
+"""What is doubtful about the result of an analysis: found by the analysis, archived with it, told by tables and report.
+
+Doubts about the input stand in the root of the archive, as sentences (`edesign.study.check.advice`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import asdict, dataclass
+from typing import Literal
+
+from edesign.archive.dataset import Group
+
+ATTRIBUTE = "warnings"
+Kind = Literal[
+    "energy_error",
+    "damper_strain",
+    "strain_limit",
+    "damper_amplitude",
+    "core_strain",
+    "brace_buckling",
+    "column_buckling",
+    "brace_fracture",
+    "isolator_foot_moments",
+    "isolator_tension",
+    "isolator_uplift",
+    "isolator_weight",
+    "target_range",
+    "target_strength",
+    "target_limit",
+    "target_damping",
+    "target_damping_twice",
+    "feet_apart",
+]
+
+ALIKE: Mapping[Kind, str] = {
+    "energy_error": "the energy balance is doubtful",
+    "damper_strain": "dampers strain beyond the tests of their law",
+    "strain_limit": "dampers strain beyond their strain limit",
+    "damper_amplitude": "modes leave out dampers whose amplitude is not known",
+    "core_strain": "cores of buckling-restrained braces strain beyond the manufacturer's values",
+    "brace_buckling": "braces carry more compression than their buckling resistance",
+    "brace_fracture": "fibres of braces have broken",
+    "column_buckling": "columns carry more compression than their buckling resistance",
+    "isolator_foot_moments": "axial forces of isolators leave out moments of feet that go into the ground",
+    "isolator_tension": "isolators that are held down are pulled",
+    "isolator_uplift": "friction pendulums lose contact",
+    "isolator_weight": "friction pendulums slide as under the weight of gravity alone",
+    "target_range": "capacity curves end before 150 % of the target displacement",
+    "target_strength": "the frame is too weak for the nonlinear static procedure of ASCE/SEI 41",
+    "target_limit": "FEMA 356 limits C_1 of short periods, which FEMA 440 advises against",
+    "target_damping": "target displacements do not count the damping of the dampers",
+    "target_damping_twice": "target displacements count the work of dampers twice",
+    "feet_apart": "feet stay apart after the wave has passed",
+}
+"""What analyses with a warning of one kind have in common."""
+
+
+@dataclass(frozen=True)
+class AnalysisWarning:
+    """A doubt about the result of an analysis.
+
+    Attributes:
+        kind: a key of `ALIKE`.
+        text: a sentence without its full stop, with the numbers.
+        ratio: the value over the one from which it is doubtful, to find the worst of several analyses.
+    """
+
+    kind: Kind
+    text: str
+    ratio: float
+
+
+def store_warnings(group: Group, warnings: Iterable[AnalysisWarning]) -> None:
+    """Add warnings to those of an analysis."""
+    group.attributes[ATTRIBUTE] = [
+        *(asdict(warning) for warning in warnings_of(group)),
+        *(asdict(warning) for warning in warnings),
+    ]
+
+
+def warnings_of(group: Group) -> list[AnalysisWarning]:
+    """Return the warnings of an analysis, as archived."""
+    found = group.attributes.get(ATTRIBUTE)
+    items = found if isinstance(found, list) else []
+    return [
+        AnalysisWarning(item["kind"], str(item["text"]), float(item["ratio"]))
+        for item in items
+        if isinstance(item, Mapping) and item.get("kind") in ALIKE
+    ]
+
+
+def warning_lines(groups: Mapping[str, Group]) -> list[str]:
+    """Return the warnings of analyses, those of one kind in several analyses as one line with the worst of them.
+
+    Args:
+        groups: results of analyses by name; the line says of how many.
+    """
+    lines = []
+    for kind, alike in ALIKE.items():
+        told = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
+        told = {name: several for name, several in told.items() if several}
+        if not told:
+            continue
+        worst = max(told, key=lambda name: max(warning.ratio for warning in told[name]))
+        if len(told) == 1:
+            lines += [f"{worst}: {warning.text}" for warning in told[worst]]
+        else:
+            texts = "; ".join(warning.text for warning in told[worst])
+            lines.append(f"in {len(told)} of {len(groups)} analyses {alike}, most in {worst}: {texts}")
+    return lines

@@ -1,0 +1,179 @@
+"""The designs of a study while it runs: made, verified by histories, archived; then the frames of the variants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from edesign.archive.dataset import Group
+from edesign.assess.criteria import Verdict, judge
+from edesign.errors import AnalysisError, EdesignError
+from edesign.one_thread import one_thread
+from edesign.project.analysis.analyses import HistoryAnalysis, ModalAnalysis, PlannedAnalysis
+from edesign.project.analysis.outputs import Outputs
+from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.dampers.verification import AnyVerify
+from edesign.project.project import Project
+from edesign.project.study.study import Study
+from edesign.study.analysis.modal import mode_count
+from edesign.study.check.criteria import kept_for_verification, too_few_motions
+from edesign.study.design.design import DesignResult, run_design
+from edesign.study.placement.placement import run_placement
+from edesign.study.results.kinds import DESIGNS
+from edesign.study.run.backends.work import Work
+from edesign.study.run.execution import Execution, Prepared
+from edesign.study.run.plan import Task, labels
+from edesign.study.run.study_plan import histories_of_a_round, verification_records, wanted_designs
+from edesign.study.run.tasks import analyse
+from edesign.study.variants import variant_project
+
+
+class _Lost(EdesignError):
+    """The back end was lost in a round: no fault of the design, which would take it for its own."""
+
+    def __init__(self, error: EdesignError) -> None:
+        super().__init__(str(error))
+        self.error = error
+
+
+def study_designs(study: Study, run: Execution) -> Prepared:
+    """Make the designs that the plan needs; return what gives each task its frame."""
+    wanted = wanted_designs(study, run.job.tasks)
+    made: dict[str, DesignResult] = {}
+    for order, name in enumerate(study.designs):
+        if name in wanted and not run.stopped():
+            made[name] = _design(study, name, order, run)
+    designed = {name: result.dampers for name, result in made.items()}
+    outputs = study.outputs
+    plain = Outputs(histories=outputs.histories, every=outputs.every)
+    details = outputs.details
+    whole = (
+        Outputs(
+            histories=tuple(dict.fromkeys((*details.histories, *outputs.histories))),
+            every=outputs.every,
+            members=details.members,
+        )
+        if details is not None
+        else plain
+    )
+    nothing = Outputs(histories=())
+    frames: dict[tuple[str, float | None, bool, bool], Project] = {}
+
+    def prepared(task: Task) -> tuple[Project, PlannedAnalysis]:
+        design = study.variants[task.variant].design
+        if design is not None and made[design].status != "completed":
+            raise AnalysisError(f"its design `{design}` failed: {made[design].reason}")
+        key = (task.variant, task.temperature_C, task.details, task.stripe is not None)
+        if key not in frames:
+            project = variant_project(study, task.variant, designed, task.temperature_C)
+            kept = nothing if task.stripe is not None else whole if task.details else plain
+            frames[key] = project.model_copy(update={"outputs": kept})
+        project, spec = frames[key], task.spec
+        if isinstance(spec, ModalAnalysis) and study.modal.modes is None:  # a small frame may have fewer
+            spec = spec.model_copy(update={"modes": min(spec.modes, mode_count(project))})
+        return project, spec
+
+    return prepared
+
+
+def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult:
+    """Make a design, going on from what an interrupted run left of it; every round is archived when it is known."""
+    place, spec = f"{DESIGNS}/{name}", study.designs[name]
+    verify = spec.verify
+    about = {"order": order, "name": name}
+
+    def keep(group: Group) -> None:
+        run.archive(place, Group(group.coords, group.variables, {**group.attributes, **about}))
+
+    def respond_in_turn(wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
+        assert verify is not None
+        return _respond(study, name, verify, wanted, run)
+
+    def respond(dampers: Dampers, number: int) -> Mapping[str, Group]:
+        return next(respond_in_turn([(number, dampers)]))
+
+    def verdicts(histories: Mapping[str, Group]) -> tuple[Verdict, ...]:
+        assert verify is not None
+        # the histories of the verification are of this design alone, whatever variants a criterion names
+        asked = [c.model_copy(update={"variants": ()}) for c in study.criteria if c.name in verify.criteria]
+        return judge(asked, (), histories, study.base)
+
+    resume = run.writer.read(place) if run.writer.has(place) else None
+    try:
+        with one_thread():
+            if isinstance(spec, PlacementDesign):
+                result = run_placement(
+                    study.base,
+                    name,
+                    spec,
+                    histories_of_a_round(study, name),
+                    respond_in_turn,
+                    verdicts,
+                    resume,
+                    lambda message: run.say(f"design {name}: {message}"),
+                    keep,
+                )
+            else:
+                result = run_design(
+                    study.base,
+                    name,
+                    spec,
+                    study.folder,
+                    respond if verify is not None else None,
+                    verdicts if verify is not None else None,
+                    resume,
+                    lambda message: run.note(f"design {name}: {message}"),
+                    keep,
+                )
+    except _Lost as lost:
+        raise lost.error from lost
+    told = result.group.attributes.get("warnings")
+    result.group.attributes["warnings"] = [*(told if isinstance(told, list) else []), *too_few_motions(study, name)]
+    keep(result.group)
+    if "certificate" in result.group.attributes:
+        run.note(f"design {name}: {result.group.attributes['certificate']}")
+    if result.status != "completed":
+        run.note(f"design {name} failed: {result.reason}")
+    return result
+
+
+def _respond(
+    study: Study, name: str, verify: AnyVerify, wanted: Sequence[tuple[int, Dampers]], run: Execution
+) -> Iterator[dict[str, Group]]:
+    """The histories that rounds of a design are judged by, round by round; they are not archived.
+
+    Rounds that are wanted together share the workers; each is yielded as soon as it and those before it are complete.
+    """
+    works: list[Work] = []
+    specs: dict[str, HistoryAnalysis] = {}
+    keys: dict[int, list[str]] = {}
+    outputs = kept_for_verification(study, verify)
+    for number, dampers in wanted:
+        project = study.base.with_dampers(dampers).model_copy(update={"outputs": outputs})
+        for level in verify.levels or ("",):
+            for reference in verification_records(study, name):
+                spec = HistoryAnalysis.model_construct(
+                    kind="history",
+                    name=".".join([name, str(number), *([level] if level else []), reference]),
+                    variant=name,
+                    record=reference,
+                    level=level,
+                    free_vibration=verify.free_vibration,
+                )
+                specs[spec.name] = spec
+                keys.setdefault(number, []).append(spec.name)
+                works.append(Work(spec.name, analyse, (project, spec, run.motions[reference], None)))
+    found: dict[str, Group] = {}
+    open_rounds = list(keys.values())
+    try:
+        for result in run.results(works):
+            failed = Group(attributes={"status": "failed", "reason": result.reason})
+            group = result.value if isinstance(result.value, Group) else failed
+            group.attributes |= labels(specs[result.key])
+            found[result.key] = group
+            while open_rounds and all(key in found for key in open_rounds[0]):
+                yield {key: found.pop(key) for key in open_rounds.pop(0)}
+    except EdesignError as error:
+        raise _Lost(error) from error
+    if run.stopped():
+        raise KeyboardInterrupt

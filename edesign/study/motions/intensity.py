@@ -1,0 +1,170 @@
+"""Intensity measures of incremental studies: of a record, of a hazard level, and the period that they are taken at."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.codes.motion_sets import DAMPING
+from edesign.errors import InputError
+from edesign.ground_motion.hazard import elastic_spectrum, factor_of_level
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.response_spectrum import psa
+from edesign.project.actions.hazard_base import YEAR
+from edesign.project.analysis.analyses import ModalAnalysis
+from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.project.project import Project
+from edesign.project.reading.problems import keys_text
+from edesign.project.study.incremental import (
+    Incremental,
+    LevelFactorStudy,
+    PeakAccelerationStudy,
+    SpectralAccelerationStudy,
+)
+from edesign.project.study.life_cycle import CurveOfLevels
+from edesign.project.study.study import Study
+from edesign.study.analysis.damper_stiffness import damped_modes
+from edesign.study.analysis.history import input_motion
+from edesign.study.analysis.structure import make_structure
+
+LONGEST = 10.0
+"""Up to what period levels are compared where a study leaves it to the frame, s."""
+
+
+def intensity_text(study: Incremental, intensity: float) -> str:
+    """Return an intensity for names and messages: 0.4g, or x1.5 for a factor of the level."""
+    if isinstance(study, LevelFactorStudy):
+        return f"x{intensity:.6g}"
+    return f"{intensity / STANDARD_GRAVITY:.6g}g"
+
+
+def record_intensity(project: Project, study: Incremental, record: Record, period: float | None) -> float:
+    """Return the intensity measure of a record as it is applied with the factor 1, m/s2 or a factor.
+
+    Args:
+        project: the validated project of the variant.
+        study: what the study file says.
+        record: made ready, before scaling.
+        period: of the spectral acceleration where the study does not give it, s.
+
+    Raises:
+        InputError: a period is needed and the frame has none, the project has no hazard with the level, or the record
+            is zero throughout.
+    """
+    if isinstance(study, PeakAccelerationStudy):
+        found = record.pga
+    elif isinstance(study, LevelFactorStudy):
+        if project.hazard is None:
+            raise InputError(
+                f"{project.path}: hazard: this block is missing; `{study.name}` scales records to its levels"
+            )
+        found = 1.0 / factor_of_level(project.hazard, study.level)
+    else:
+        found = _spectral_acceleration(project, study, record, period)
+    if found <= 0.0:
+        raise InputError(f"{record.name}: the record has no {study.intensity} that could be scaled")
+    return found
+
+
+def level_intensity(project: Project, study: Incremental, period: float | None, level: str | None) -> float | None:
+    """Return the intensity measure of a hazard level; None without a level.
+
+    Args:
+        project: the validated project.
+        study: what the study file says.
+        period: of the spectral acceleration, s.
+        level: name of the level.
+    """
+    if level is None or project.hazard is None:
+        return None
+    if isinstance(study, LevelFactorStudy):
+        return factor_of_level(project.hazard, level) / factor_of_level(project.hazard, study.level)
+    at = 0.0 if isinstance(study, PeakAccelerationStudy) else period
+    spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
+    return None if at is None else float(spectrum.acceleration(at))
+
+
+def check_hazard_curves(study: Study) -> None:
+    """Check that levels of hazard curves that are rarer have larger intensities.
+
+    Where the period of the spectral acceleration is not known yet, that of variants, they must at some period.
+
+    Args:
+        study: the validated study, whose hazard is right.
+
+    Raises:
+        InputError: they have not, or a level has no intensity; the message names the place.
+    """
+    for i, item in enumerate(study.incremental):
+        curve = item.life_cycle.hazard_curve if item.life_cycle is not None else None
+        if not isinstance(curve, CurveOfLevels):
+            continue
+        given = item.period if isinstance(item, SpectralAccelerationStudy) else 0.0
+        periods = np.linspace(0.0, LONGEST, 401) if given is None else np.array([given])
+        names = sorted(curve.levels, key=lambda name: curve.levels[name])
+        for before, name in zip(names, names[1:], strict=False):
+            keys = ("incremental", i, "life_cycle", "hazard_curve", "levels", name)
+            try:
+                pair = [_intensities(study.base, item, level, periods) for level in (before, name)]
+                reached = np.isfinite(pair[0]) & np.isfinite(pair[1])
+                if np.all(pair[1][reached] <= pair[0][reached]):
+                    raise InputError(_not_rising(item, curve, before, name, given, pair))
+            except InputError as error:
+                raise InputError(f"{study.where(*keys)}: {keys_text(keys)}: {error}") from error
+
+
+def _intensities(project: Project, item: Incremental, level: str, periods: np.ndarray) -> np.ndarray:
+    """Intensities of a level at periods; nan where there is a choice of periods and the spectrum does not reach."""
+    if isinstance(item, LevelFactorStudy):
+        return np.array([level_intensity(project, item, None, level)])
+    assert project.hazard is not None, "it has the level"
+    spectrum = elastic_spectrum(project.hazard, level).with_damping(DAMPING)
+    reached = periods if periods.size == 1 else periods[periods <= spectrum.last_period]
+    found = np.full(periods.shape, np.nan)
+    found[: reached.size] = spectrum.acceleration(reached)
+    return found
+
+
+def _not_rising(
+    item: Incremental, curve: CurveOfLevels, before: str, name: str, given: float | None, pair: list[np.ndarray]
+) -> str:
+    years = {level: f"{curve.levels[level] / YEAR:g} years" for level in (before, name)}
+    said = f"`{name}` of {years[name]} is no larger than `{before}` of {years[before]}"
+    if given is None:
+        said += " at any period"
+    else:
+        first, second = (float(values[0]) for values in pair)
+        shown = [intensity_text(item, value) for value in (second, first)]
+        at = f" at {given:g} s" if isinstance(item, SpectralAccelerationStudy) else ""
+        said += f"{at} ({shown[0]} and {shown[1]})"
+    return f"{said}; the longer a return period, the larger must be the intensity"
+
+
+def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:
+    """Return T1 of a variant under gravity, s; dampers add their storage stiffness in that mode.
+
+    Args:
+        project: the validated project of the variant.
+        dampers: whether it has its dampers.
+        damper_strain: amplitude of their shear strain; None: small vibrations.
+
+    Raises:
+        AnalysisError: the frame is unstable, or the period cannot be found.
+    """
+    structure = make_structure(project, dampers=dampers)
+    structure.apply_gravity()
+    if not structure.frame.devices:
+        return float(structure.modes(1).period[0])
+    spec = ModalAnalysis(kind="modal", name="T1", dampers=dampers, modes=1, damper_strain=damper_strain)
+    damped = damped_modes(project.model_copy(update={"analyses": (spec,)}), structure, spec)
+    return float(damped.modes.period[0])
+
+
+def _spectral_acceleration(
+    project: Project, study: SpectralAccelerationStudy, record: Record, period: float | None
+) -> float:
+    """Return the pseudo acceleration at 5 % damping of a record as it is applied with the factor 1, m/s2."""
+    period = period if study.period is None else study.period
+    if period is None:
+        raise InputError(f"{project.path}: incremental study `{study.name}`: a frame without masses has no period T1")
+    applied = input_motion(record, 1.0, project.integration.time_step if project.integration else None, 0.0)
+    return float(psa(applied.acceleration, applied.time_step, [period], DAMPING)[0])

@@ -1,0 +1,161 @@
+"""What a history of a frame records, and the group of an archive that becomes of it."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.core import ENERGIES, Channel, Response
+from edesign.project.analysis.outputs import HistoryKind
+from edesign.project.project import Project
+from edesign.study.analysis.buckling import buckling_warnings
+from edesign.study.analysis.collapse import collapse_reason, drift_limits
+from edesign.study.analysis.dampers import core_strain_warnings, strain_warnings
+from edesign.study.analysis.footings import footing_quantities
+from edesign.study.analysis.residual import DEFINITION, residual
+from edesign.study.check.validity import judged, rotation_limits, rotation_names
+from edesign.study.check.warnings import store_warnings
+from edesign.study.results import quantities as q
+from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.recording import SINGLE, channels, coordinate, store, store_run
+from edesign.study.results.requested import requested_quantities
+from edesign.study.results.springs import spring_quantities
+
+
+class HistoryResults:
+    """What one history of a frame records, and its evaluation.
+
+    Args:
+        project: whose `outputs` and `validity` are asked.
+        frame: the model.
+        collapse_drift: drift ratio at which the history ends as collapsed; None: there is none.
+        histories: what is kept over time; None: what the project says.
+        keep_drift: whether the drift of the storeys is kept over time in any case.
+
+    Attributes:
+        channels: for the core. Displacements and drifts have a tail, for the residual response.
+        energies: whether energies are kept over time.
+        limits: at which the history ends, by name of a channel.
+
+    Raises:
+        InputError: a requested output does not exist.
+    """
+
+    def __init__(
+        self,
+        project: Project,
+        frame: FrameModel,
+        collapse_drift: float | None = None,
+        histories: Collection[HistoryKind] | None = None,
+        keep_drift: bool = False,
+    ) -> None:
+        self._project, self._frame, self._group = project, frame, Group()
+        q.coordinates(self._group, frame)
+        self._wanted = project.outputs.histories if histories is None else histories
+        floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
+        self.energies = "energy" in self._wanted
+        self._displacements = replace(q.floor_displacements(frame, floors), tail=True)
+        self._drift = replace(q.storey_drifts(frame, storeys), tail=True)
+        self._drifts = q.line_drifts(frame)
+        self._base = q.base_displacement(frame, floors)
+        self._others = [
+            q.floor_accelerations(frame, floors),
+            q.floor_relative_accelerations(frame),
+            q.storey_shears(frame, storeys),
+            q.base_shear(frame, storeys),
+            *q.member_forces(frame, q.bending_members(frame), "member", history=False),
+            *q.axial_forces(frame),
+            *q.leaning_column(frame),
+            *q.plastic_rotations(frame),
+            *brace_quantities(project, frame, self._group),
+            *spring_quantities(frame, self._group),
+            *footing_quantities(frame, self._group),
+            *q.dampers(frame, "dampers" in self._wanted),
+            *q.base_acceleration(frame, floors),
+            *q.isolator_axial_forces(frame),
+            *(q.support_reactions(frame, self._group) if "supports" in self._wanted else []),
+            *requested_quantities(project, frame, self._group),
+        ]
+        self._names = rotation_names(frame, self._drifts, self._others)
+        drift = replace(self._drift, history=storeys or keep_drift)
+        self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._base, *self._others])
+        self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
+
+    def drift(self, response: Response) -> np.ndarray:
+        """Return the drift ratios of the storeys over time, (nt, storeys), if `keep_drift` was asked for."""
+        return self._drift.values(response)
+
+    def group(self, response: Response, acceleration: np.ndarray, time_step: float, period: float, every: int) -> Group:
+        """Return the results of the history, once.
+
+        Args:
+            response: with `channels`, and a tail of a fundamental period at least.
+            acceleration: of the ground at each step, m/s2.
+            time_step: s.
+            period: fundamental period under gravity, for residual values, s.
+            every: one step in so many was kept over time.
+        """
+        group, frame = self._group, self._frame
+        group.attributes["fundamental_period_s"] = period
+        response, doubts = judged(response, self._project, self._names)
+        reason = "" if doubts is None else collapse_reason(response, self._drifts, q.line_drift_storeys(frame))
+        if reason:
+            response = replace(response, status="failed", reason=reason)
+            group.attributes["collapsed"] = True
+        coordinate(group, "time", response.time, "s", "time from the start of the record")
+        samples = acceleration[::every][: response.time.size]
+        group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
+        store(group, [self._displacements, self._drift, *self._base, *self._others], response, "time", SINGLE)
+        q.store_drift_extremes(group, frame, self._drifts, response)
+        warnings = buckling_warnings(group, self._project, frame)
+        if "damper_strain_max" in group.variables:
+            largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
+            warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
+        warnings += core_strain_warnings(group, frame.devices)
+        warnings += fracture_warnings(group)
+        store_warnings(group, [] if doubts is None else [*doubts, *warnings])
+        _store_energy(group, response, self.energies)
+        if response.status == "completed":
+            floors, drift = (quantity.last_values(response) for quantity in (self._displacements, self._drift))
+            store_residuals(group, floors, drift, time_step, period)
+            for base in self._base:
+                left = residual(base.last_values(response), time_step, period)
+                label = f"residual displacement of the isolated base: {DEFINITION}"
+                group.add("residual_base_displacement", (), left, "m", label)
+        store_run(group, response, "time", "s")
+        return group
+
+
+def store_residuals(
+    group: Group, floors: np.ndarray, drifts: np.ndarray | None, time_step: float, period: float
+) -> None:
+    """Add the residual values of a completed history to its group.
+
+    Args:
+        group: of the history.
+        floors: (nt, floors) displacements at every step, or in the last ones, m.
+        drifts: (nt, storeys) ratios, likewise; None: heights are not known.
+        time_step: s.
+        period: fundamental period under gravity, s.
+    """
+    left = residual(floors, time_step, period)
+    label = f"residual displacement of the floor: {DEFINITION}"
+    group.add("residual_floor_displacement", ("floor",), left, "m", label)
+    group.add("residual_roof_displacement", (), left[-1], "m", f"residual roof displacement: {DEFINITION}")
+    if drifts is not None:
+        label = f"residual drift ratio of the storey: {DEFINITION}"
+        group.add("residual_storey_drift", ("storey",), residual(drifts, time_step, period), "1", label)
+
+
+def _store_energy(group: Group, response: Response, history: bool) -> None:
+    coordinate(group, "energy_term", ENERGIES, "", "term of the energy balance")
+    if history:
+        table = np.array([response.energy[term] for term in ENERGIES]).T
+        group.add("energy", ("time", "energy_term"), table, "J", "energy since the start of the record")
+    if response.energy_final:
+        final = [response.energy_final[term] for term in ENERGIES]
+        group.add("energy_final", ("energy_term",), final, "J", "energy at the end")

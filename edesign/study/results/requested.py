@@ -1,0 +1,154 @@
+"""The histories that a project asks for beyond floors and storeys: member ends, sections, fibres."""
+
+from __future__ import annotations
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel, Member
+from edesign.errors import InputError
+from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
+from edesign.project.analysis.outputs import FibreOutput
+from edesign.project.notation.selections import NumberSelection
+from edesign.project.project import Project
+from edesign.study.results.braces import recorded_braces
+from edesign.study.results.quantities import member_forces, plastic_rotation
+from edesign.study.results.recording import Quantity, Terms, coordinate
+
+
+def requested_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    """Return the quantities behind `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
+
+    Raises:
+        InputError: a member, point or layer does not exist, or the member is elastic and has no sections.
+    """
+    found = []
+    outputs = project.outputs
+    if outputs.members:
+        members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
+        coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
+        found += member_forces(frame, members, "recorded_member", history=True)
+        found += recorded_braces(members, group)
+        found += _rotations(frame, [member if member.kind != "brace" else None for member in members])
+    if outputs.sections:
+        found += _sections(project, frame, group)
+    if outputs.fibres:
+        found += _fibres(project, frame, group)
+    return found
+
+
+def _rotations(frame: FrameModel, members: list[Member | None]) -> list[Quantity]:
+    """Rotations of the ends of members, anticlockwise as the moments on them; None stands for a brace, which has none.
+
+    The plastic part is there if at least one of the members can yield.
+    """
+    shape, dims = (len(members), 2), ("recorded_member", "end")
+    chord = tuple(_chord_rotation(frame, member, end) if member else () for member in members for end in (0, 1))
+    plastic = tuple(plastic_rotation(member, end) if member else () for member in members for end in (0, 1))
+    parts = (
+        ("chord", chord, "chord rotation: rotation of the node against the line between the member's ends"),
+        ("plastic", plastic, "plastic rotation of the member's end: chord rotation less its elastic part"),
+    )
+    return [
+        Quantity(f"member_{part}_rotation", dims, shape, cells, "rad", f"{label}, anticlockwise", history=True, keep=())
+        for part, cells, label in parts
+        if any(cells)
+    ]
+
+
+def _chord_rotation(frame: FrameModel, member: Member, end: int) -> Terms:
+    """Rotation of the node at a member's end against its chord; with hinges inside the member, of small rotations."""
+    inside: Terms = ((1.0, "deformation", member.element, 1 + end),)
+    if len(member.parts) == 1:
+        return inside + tuple((1.0, "deformation", spring.element, 0) for spring in member.springs[end])
+    nodes = [frame.nodes[member.start], frame.nodes[member.end]]
+    (x0, y0), (x1, y1) = (frame.frame.nodes[name] for name in (member.start, member.end))
+    length = ((x1 - x0) ** 2 + (y1 - y0) ** 2) ** 0.5
+    across = (-(y1 - y0) / length**2, (x1 - x0) / length**2)
+    turned = tuple(
+        (sign * share, "displacement", node, degree)
+        for node, sign in zip(nodes, (1.0, -1.0), strict=True)
+        for degree, share in enumerate(across)
+        if share
+    )
+    return ((1.0, "displacement", nodes[end], 2), *turned)
+
+
+def _sections(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    places = {}  # by label, so that what is asked for twice is kept once
+    breaks = breaks_of_members(project.frame, project.loads)
+    for i, asked in enumerate(project.outputs.sections):
+        member = _fibre_member(project, frame, asked.member, ("outputs", "sections", i))
+        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
+            places[f"{member.name}:{point}"] = (member, point)
+    coordinate(group, "section", list(places), "", "section as member:point, from its start")
+    quantities = (
+        ("section_axial_force", "section_force", 0, "N", "axial force of the section, positive in tension"),
+        ("section_moment", "section_force", 1, "N*m", "bending moment of the section"),
+        ("section_strain", "section_deformation", 0, "1", "strain at the section's centroid"),
+        ("section_curvature", "section_deformation", 1, "1/m", "curvature of the section"),
+    )
+    return [
+        Quantity(
+            name,
+            ("section",),
+            (len(places),),
+            tuple(((1.0, kind, member.element, 2 * (point - 1) + at),) for member, point in places.values()),
+            unit,
+            label,
+            history=True,
+            keep=(),
+        )
+        for name, kind, at, unit, label in quantities
+    ]
+
+
+def _fibres(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
+    places = {}  # by label, so that what is asked for twice is kept once
+    breaks = breaks_of_members(project.frame, project.loads)
+    for i, asked in enumerate(project.outputs.fibres):
+        keys = ("outputs", "fibres", i)
+        member = _fibre_member(project, frame, asked.member, keys)
+        assert member.layers is not None
+        layers = _layers(project, asked, member.layers.size, keys)
+        for point in asked.points.numbers(1, points_of_member(project.elements, breaks.get(member.name, ()))):
+            for layer in layers:
+                place = (member.element, (point - 1) * member.layers.size + layer - 1)
+                places[f"{member.name}:{point}:{layer}"] = (*place, member.layers[layer - 1])
+    coordinate(group, "fibre", list(places), "", "layer of fibres as member:point:layer, layers from the bottom")
+    depths = [depth for _, _, depth in places.values()]
+    group.add("fibre_depth", ("fibre",), depths, "m", "height of the layer above the section's centroid")
+    return [
+        Quantity(
+            name,
+            ("fibre",),
+            (len(places),),
+            tuple(((1.0, name, element, at),) for element, at, _ in places.values()),
+            unit,
+            f"{what} of the layer, positive in tension",
+            history=True,
+            keep=(),
+        )
+        for name, unit, what in (("fibre_stress", "Pa", "stress"), ("fibre_strain", "1", "strain"))
+    ]
+
+
+def _layers(project: Project, asked: FibreOutput, last: int, keys: tuple[str | int, ...]) -> tuple[int, ...]:
+    if not isinstance(asked.layers, NumberSelection):
+        return (last,) if asked.layers == "top" else (1,)
+    highest = max((b for _, b in asked.layers.ranges), default=1)
+    if highest > last:
+        where = project.where(*keys, "layers")
+        raise InputError(f"{where}: {asked.member} has {last} layers of fibres, there is no layer {highest}")
+    return asked.layers.numbers(1, last)
+
+
+def _member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+    if name not in frame.members:
+        raise InputError(f"{project.where(*keys)}: there is no member `{name}` in this frame")
+    return frame.members[name]
+
+
+def _fibre_member(project: Project, frame: FrameModel, name: str, keys: tuple[str | int, ...]) -> Member:
+    member = _member(project, frame, name, keys)
+    if member.layers is None:
+        raise InputError(f"{project.where(*keys)}: `{name}` stays elastic, so it has no sections and fibres to record")
+    return member

@@ -1,0 +1,126 @@
+"""What analyses of frames with hinges, joints and springs under the columns record of these."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.building.hinges import END_NAMES, EndSpring, SpringKind
+from edesign.codes.ec3.joints import classified
+from edesign.study.results.recording import Quantity, Terms, coordinate
+
+_KINDS: tuple[SpringKind, ...] = ("hinge", "joint")
+_SUPPORT = (
+    ("support_displacement_x", "displacement", 0, "m", "horizontal displacement of the node from the ground below"),
+    (
+        "support_displacement_y",
+        "displacement",
+        1,
+        "m",
+        "vertical displacement of the node from the ground below, upwards",
+    ),
+    ("support_rotation", "displacement", 2, "rad", "rotation of the supported node, anticlockwise"),
+    ("support_reaction_x", "reaction", 0, "N", "horizontal reaction of the spring"),
+    ("support_reaction_y", "reaction", 1, "N", "vertical reaction of the spring, upwards"),
+    ("support_reaction_moment", "reaction", 2, "N*m", "moment of the spring on the foot, anticlockwise"),
+)
+
+
+def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
+    """Return the hinges or joints of a frame by their names, such as B_1_2:start."""
+    return {
+        f"{member.name}:{END_NAMES[end]}": spring
+        for member in frame.members.values()
+        for end in (0, 1)
+        for spring in member.springs[end]
+        if spring.kind == kind
+    }
+
+
+def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
+    """Return what is recorded of hinges, joints, panel zones and sprung supports; add what they are to a group."""
+    found = []
+    for kind in _KINDS:
+        springs = end_springs(frame, kind)
+        if not springs:
+            continue
+        coordinate(group, kind, list(springs), "", f"{kind} as member:end")
+        _facts(group, kind, list(springs.values()))
+        quantities = [
+            ("moment", "axial_force", "N*m", "moment on the member's end, anticlockwise"),
+            ("rotation", "deformation", "rad", f"rotation of the {kind}, anticlockwise"),
+            ("plastic_rotation", "plastic_rotation", "rad", f"rotation of the {kind} less its elastic part"),
+        ]
+        if kind == "hinge":
+            quantities.append(("strength_left", "strength_left", "1", "yield moment over that at first, weaker side"))
+        for name, what, unit, label in quantities:
+            cells = tuple(((1.0, what, spring.element, 0),) for spring in springs.values())
+            keep = ("final",) if what == "strength_left" else ("max", "min", "final")
+            found.append(Quantity(f"{kind}_{name}", (kind,), (len(cells),), cells, unit, label, keep=keep))
+    return found + _panels(frame, group) + _supports(frame, group)
+
+
+def _facts(group: Group, kind: SpringKind, values: list[EndSpring]) -> None:
+    group.add(f"{kind}_stiffness", (kind,), [s.stiffness for s in values], "N*m/rad", "stiffness at the start")
+    label = "effective yield moment" if kind == "hinge" else "resistance; infinite: it stays elastic"
+    group.add(f"{kind}_M_y", (kind,), [s.M_y for s in values], "N*m", label)
+    if kind == "hinge":
+        for i, name in enumerate(("theta_p", "theta_pc", "theta_u")):
+            label = f"{name} of the hinge, of beams under sagging moments"
+            group.add(f"hinge_{name}", (kind,), [s.rotations[i] for s in values], "rad", label)
+        return
+    classes = [classified(s.stiffness, s.of_member) for s in values]
+    group.add("joint_stiffness_ratio", (kind,), [c.ratio for c in classes], "1", "S_j L_b / (E I_b)")
+    words = np.asarray([c.name for c in classes])
+    group.add("joint_class", (kind,), words, "", "of an unbraced frame by stiffness (EN 1993-1-8, 5.2.2.5)")
+
+
+def _panels(frame: FrameModel, group: Group) -> list[Quantity]:
+    if not frame.panels:
+        return []
+    coordinate(group, "panel", list(frame.panels), "", "panel zone, by the node of its joint")
+    panels = [built.panel for built in frame.panels.values()]
+    for name, unit, label in (
+        ("stiffness", "N*m/rad", "moment over distortion before yield"),
+        ("yield_moment", "N*m", "moment at yield of the web in shear, V_y d_b"),
+        ("full_moment", "N*m", "moment at four times the distortion at yield, V_p d_b"),
+    ):
+        group.add(f"panel_{name}", ("panel",), [getattr(panel, name) for panel in panels], unit, label)
+    shape = (len(panels),)
+    return [
+        Quantity(
+            f"panel_{name}",
+            ("panel",),
+            shape,
+            tuple(((1.0, what, p.element, 0),) for p in frame.panels.values()),
+            unit,
+            label,
+        )
+        for name, what, unit, label in (
+            ("moment", "axial_force", "N*m", "moment of the panel zone, its shear times d_b"),
+            ("distortion", "deformation", "rad", "distortion of the panel zone"),
+            ("plastic_distortion", "plastic_rotation", "rad", "distortion of the panel zone less its elastic part"),
+        )
+    ]
+
+
+def _supports(frame: FrameModel, group: Group) -> list[Quantity]:
+    if not frame.grounds:
+        return []
+    coordinate(group, "sprung_support", list(frame.grounds), "", "name of the node that springs support")
+    found = []
+    for name, what, degree, unit, label in _SUPPORT:
+        cells: list[Terms] = []
+        for node, grounds in frame.grounds.items():
+            ground = grounds[degree]
+            if ground is None:
+                cells.append(())
+            elif what == "displacement":
+                cells.append(tuple((sign, what, at, degree) for sign, at in ((1.0, frame.nodes[node]), (-1.0, ground))))
+            else:
+                cells.append(frame.reaction(node, degree))
+        if any(cells):
+            shape = (len(cells),)
+            found.append(Quantity(name, ("sprung_support",), shape, tuple(cells), unit, f"{label}; 0: no spring there"))
+    return found

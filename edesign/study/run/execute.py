@@ -1,0 +1,223 @@
+"""Carrying a plan out: every analysis into the archive as soon as it is finished, whatever happens on the way."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from functools import cache, partial
+from pathlib import Path
+from typing import Literal
+
+from edesign.archive.dataset import Group
+from edesign.archive.files import source_file
+from edesign.archive.owner import check_owner
+from edesign.archive.writer import ArchiveWriter
+from edesign.errors import EdesignError, Interrupted
+from edesign.stopping import stoppable
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.check.suitability import scale_warnings, variant_periods
+from edesign.study.check.warnings import ATTRIBUTE
+from edesign.study.motions.motions import Motion, match_options, project_motions
+from edesign.study.results.hazard import hazard_groups
+from edesign.study.results.records import failed_criteria, project_record_groups
+from edesign.study.run.backends import Backend
+from edesign.study.run.backends.work import Result, Work
+from edesign.study.run.execution import Execution, Job, Prepared
+from edesign.study.run.interrupt import stop_on_signals
+from edesign.study.run.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
+from edesign.study.run.plan import Task, waves
+from edesign.study.run.progress import Listener, Progress
+from edesign.study.run.provenance import IDENTITY, circumstances
+from edesign.study.run.tasks import analyse, analyse_stripe
+
+MATCHING = "matching"  # what the progress of the fit of the records is called
+
+
+def execute(
+    job: Job,
+    path: Path,
+    listener: Listener,
+    backend: Backend,
+    workers: int,
+    fresh: bool = False,
+    overwrite: bool = False,
+) -> RunSummary:
+    """Run the analyses of a plan and archive them.
+
+    An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run of
+    the same inputs and versions are reused. The histories of incremental studies run in waves, from the lowest
+    intensity; what is skipped after a collapse depends on its chain alone.
+
+    Args:
+        job: what is to be run.
+        path: the archive.
+        listener: of the progress.
+        backend: that does the work.
+        workers: threads for the records.
+        fresh: True discards the results of an interrupted run.
+        overwrite: True replaces the archive of another project too.
+
+    Raises:
+        ArchiveError: the archive cannot be written, or is that of another project; what was archived before stays in
+            the partial file.
+        EdesignError: of the back end or of a design; likewise.
+        Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
+    """
+    started = time.monotonic()
+    job.root.attributes["source_file"] = source_file(job.path, path)
+    check_owner(path, job.root, overwrite)
+    tasks = {task.path: task for task in job.tasks}
+    earlier: dict[str, Outcome] = {}
+
+    def accept(place: str, attributes: Mapping[str, object]) -> bool:
+        if place not in tasks:
+            return place in job.resumable
+        task, status = tasks[place], str(attributes.get("status"))
+        if status != COMPLETED and (task.stripe is None or status != COLLAPSED):
+            return False
+        earlier[place] = Outcome(task.name, status, str(attributes.get("reason") or ""), reused=True)
+        return True
+
+    extra = {"provenance": circumstances()}
+    job.root.attributes[ATTRIBUTE] = list(job.warnings)
+    with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
+        run = Execution(job, listener, backend, workers, writer)
+        if writer.note:
+            run.note(writer.note)
+        kept = [place for place in writer.kept if place in tasks]
+        if kept or run.resumable:
+            found = f", with {_places(run)}" if run.resumable else ""
+            run.note(f"continuing an interrupted run: {len(kept)} of {len(tasks)} analyses are reused{found}")
+        for warning in job.warnings:
+            run.note(f"warning: {warning}")
+        for place in kept:
+            run.ended(earlier[place])
+        with stop_on_signals(run.stop, lambda: run.critical), stoppable(run.stopped):
+            try:
+                _carry_out(run)
+            except KeyboardInterrupt:
+                run.stop.set()
+            except EdesignError as error:
+                if _keep(run):
+                    error.args = (f"{error}; {_kept(run)}",)
+                raise
+            if run.stopped() and len(run.outcomes) < len(tasks):
+                _keep(run)
+                raise Interrupted(_kept_message(run, path))
+            with run.uninterrupted():
+                failed = any(outcome.failed for outcome in run.outcomes.values())
+                writer.finish({"status": FAILED if failed else COMPLETED})
+    outcomes = tuple(run.outcomes[task.name] for task in job.tasks)
+    return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
+
+
+def _carry_out(run: Execution) -> None:
+    for place, group in hazard_groups(run.job.project.hazard):
+        run.archive(place, group)
+    run.motions = _prepare_records(run)
+    if run.stopped():
+        return
+    prepared = run.job.prepare(run)
+    if run.stopped():
+        return
+    _archive_records(run, prepared)
+    fallen: dict[str, str] = {}  # why the rest of a chain is skipped
+    for wave in waves(run.job.tasks):
+        for task, stripe in ((task, task.stripe) for task in wave if task.stripe is not None):
+            if stripe.chain in fallen:  # also what an interrupted run has computed, if a failure below it fell now
+                skipped = Group(attributes={"status": SKIPPED})
+                _archive(run, task, Result(task.name, skipped, fallen[stripe.chain]))
+        _perform(run, [task for task in wave if task.name not in run.outcomes], prepared)
+        if run.stopped():
+            return
+        for task in wave:
+            if task.stripe is not None and run.outcomes[task.name].status == COLLAPSED:
+                fallen[task.stripe.chain] = f"collapsed at {task.name.removeprefix(f'{task.stripe.chain}.')}"
+
+
+def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
+    """Run analyses that do not depend on each other, and archive each as soon as it is finished."""
+    works = []
+    for task in tasks:
+        try:
+            project, spec = prepared(task)
+        except EdesignError as error:
+            _archive(run, task, Result(task.name, reason=str(error)))
+            continue
+        how = analyse if task.stripe is None else analyse_stripe
+        motions = run.motions.get(task.record or ""), run.motions.get(task.vertical_record or "")
+        works.append(Work(task.name, how, (project, spec, *motions)))
+    by_name = {task.name: task for task in tasks}
+    for result in run.results(works):
+        _archive(run, by_name[result.key], result)
+
+
+def _prepare_records(run: Execution) -> dict[str, Motion]:
+    """Fit the records to the spectrum where the project says so."""
+    started = time.monotonic()
+    project, recordings = run.job.project, run.job.recordings
+    fits = [name for name in recordings if match_options(project, name) is not None]
+    done: list[str] = []
+
+    def tell(event: Literal["start", "advance", "end"], message: str = "") -> None:
+        if fits:
+            seconds, fraction = time.monotonic() - started, len(done) / len(recordings)
+            run.tell(Progress(event, MATCHING, 0, len(run.job.tasks), fraction, message, seconds))
+
+    def each(motion: Motion) -> None:
+        done.append(motion.name)
+        tell("advance")
+
+    tell("start")
+    period = cache(partial(fundamental_period, project))
+    motions = project_motions(project, recordings, period, run.workers, each, run.stopped)
+    tell("end", f"{len([name for name in fits if name in motions])} of {len(fits)} records")
+    return motions
+
+
+def _archive_records(run: Execution, prepared: Prepared) -> None:
+    """Archive the records with what is doubtful about their use, which the periods of designed frames decide too."""
+    project, motions = run.job.project, run.motions
+    warnings = scale_warnings(project, run.job.tasks, motions)
+    for name, texts in warnings.items():
+        for text in texts:
+            run.note(f"warning: records {name}: {text}")
+    period = cache(partial(fundamental_period, project))
+    for place, group in project_record_groups(project, motions, period, variant_periods(run, prepared), warnings):
+        run.archive(place, group)
+        for text in failed_criteria(group.attributes["name"], group):
+            run.note(f"warning: {text}")
+
+
+def _archive(run: Execution, task: Task, result: Result) -> None:
+    group = result.value if isinstance(result.value, Group) else Group(attributes={"status": FAILED})
+    status = str(group.attributes.get("status", COMPLETED))
+    if task.stripe is not None and group.attributes.get("collapsed"):
+        status = COLLAPSED  # what the study looks for
+    reason = result.reason or str(group.attributes.get("reason") or "")
+    attributes = {**group.attributes, **task.labels, "status": status, "reason": reason}
+    run.archive(task.path, Group(group.coords, group.variables, attributes))
+    run.ended(Outcome(task.name, status, reason, seconds=result.seconds))
+
+
+def _keep(run: Execution) -> bool:
+    """Leave the partial file if there is something in it that the next run can use; tell whether there is."""
+    if run.outcomes or run.resumable:
+        return True
+    run.writer.discard()
+    return False
+
+
+def _kept_message(run: Execution, path: Path) -> str:
+    if not run.outcomes and not run.resumable:
+        return f"interrupted before an analysis was finished; {path} is unchanged"
+    return f"interrupted: {_kept(run)}; the same command with {run.job.path} goes on from there (--fresh starts anew)"
+
+
+def _kept(run: Execution) -> str:
+    others = f", with {_places(run)}," if run.resumable else ""
+    return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {run.writer.partial}"
+
+
+def _places(run: Execution) -> str:
+    return " and ".join(run.resumable)

@@ -1,0 +1,142 @@
+"""A run under way: what is to be run, and the state that its threads share."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal
+
+from edesign.archive.dataset import Group
+from edesign.archive.writer import ArchiveWriter
+from edesign.ground_motion.sources import Found
+from edesign.project.analysis.analyses import PlannedAnalysis
+from edesign.project.project import Project
+from edesign.study.motions.motions import Motion
+from edesign.study.run.backends import Backend
+from edesign.study.run.backends.work import Result, Work
+from edesign.study.run.outcome import Outcome
+from edesign.study.run.plan import Task
+from edesign.study.run.progress import Listener, Progress
+
+Prepared = Callable[[Task], tuple[Project, PlannedAnalysis]]
+"""Gives the frame and the analysis of a task; raises an EdesignError if it cannot be run."""
+
+
+@dataclass(frozen=True)
+class Job:
+    """What is to be run.
+
+    Attributes:
+        path: of the project or study file.
+        project: whose records are used.
+        tasks: the plan.
+        recordings: what the plan needs, by reference.
+        root: of the archive.
+        warnings: doubts about the input, for the user and the archive.
+        prepare: called once the records are ready, before the first task.
+        resumable: places of other groups in the archive that an interrupted run may have left.
+        damper_strains: shear strain at which the dampers of a variant count for its period, where its design says it.
+    """
+
+    path: Path
+    project: Project
+    tasks: tuple[Task, ...]
+    recordings: Mapping[str, Found]
+    root: Group
+    warnings: tuple[str, ...]
+    prepare: Callable[[Execution], Prepared]
+    resumable: tuple[str, ...] = ()
+    damper_strains: Mapping[str, float | None] = field(default_factory=dict)
+
+
+@dataclass
+class Execution:
+    """The state of a run that its threads share."""
+
+    job: Job
+    listener: Listener
+    backend: Backend
+    workers: int
+    writer: ArchiveWriter
+    stop: threading.Event = field(default_factory=threading.Event)
+    motions: Mapping[str, Motion] = field(default_factory=dict)
+    outcomes: dict[str, Outcome] = field(default_factory=dict)
+    notes: list[str] = field(default_factory=list)
+    critical: bool = False
+    resumable: tuple[str, ...] = ()
+    _lock: threading.RLock = field(default_factory=threading.RLock)
+
+    def __post_init__(self) -> None:
+        self._places = {task.name: place for place, task in enumerate(self.job.tasks, start=1)}
+        self.writer.tell = self.note
+        self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
+
+    def tell(self, report: Progress) -> None:
+        """Hand a report to the listener, one at a time."""
+        with self._lock:
+            self.listener(report)
+
+    def note(self, message: str) -> None:
+        """Tell the user something that also stands in the summary."""
+        self.notes.append(message)
+        self.say(message)
+
+    def say(self, message: str) -> None:
+        """Tell the user how far something is; it does not stand in the summary."""
+        self.tell(Progress("note", message=message, count=len(self._places)))
+
+    def stopped(self) -> bool:
+        """Whether the user wants the run to stop."""
+        return self.stop.is_set()
+
+    def progress(self, name: str, done: int, total: int) -> None:
+        """Report how far an analysis is."""
+        self._report("advance", name, done / total if total else 1.0)
+
+    def started(self, name: str) -> None:
+        """Report the start of an analysis."""
+        self._report("start", name)
+
+    def ended(self, outcome: Outcome) -> None:
+        """Report the end of an analysis of the plan."""
+        self.outcomes[outcome.name] = outcome
+        message = outcome.status + (f": {outcome.reason}" if outcome.reason else "")
+        self._report("reuse" if outcome.reused else "end", outcome.name, 1.0, message, outcome.seconds)
+
+    def _report(
+        self,
+        event: Literal["start", "advance", "end", "reuse"],
+        name: str,
+        fraction: float = 0.0,
+        message: str = "",
+        seconds: float = 0.0,
+    ) -> None:
+        place = self._places.get(name, 0)
+        self.tell(Progress(event, name, place, len(self._places), fraction, message, seconds))
+
+    def results(self, works: Sequence[Work]) -> Iterator[Result]:
+        """Have work done by the back end; what was interrupted is left out, and nothing starts after a stop."""
+        if self.stopped():
+            return
+        for result in self.backend.results(works, self, self.started):
+            if not result.interrupted:
+                yield result
+
+    def archive(self, path: str, group: Group) -> None:
+        """Write a group, which a second Ctrl-C does not interrupt."""
+        with self.uninterrupted():
+            self.writer.write(path, group)
+        if path in self.job.resumable:
+            self.resumable = tuple(dict.fromkeys((*self.resumable, path)))
+
+    @contextmanager
+    def uninterrupted(self) -> Iterator[None]:
+        """Hold back a second Ctrl-C while the archive is written."""
+        self.critical = True
+        try:
+            yield
+        finally:
+            self.critical = False

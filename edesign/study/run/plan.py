@@ -1,0 +1,164 @@
+"""The plan of a run: which analyses, in which order."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.project_records import references
+from edesign.project.analysis.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
+from edesign.project.project import Project
+from edesign.project.reading.problems import did_you_mean
+from edesign.project.records.records import RecordSet
+from edesign.study.results.kinds import ANALYSES
+from edesign.study.run.pushover_parts import pushover_parts
+
+
+@dataclass(frozen=True)
+class Stripe:
+    """The place of a history in an incremental study.
+
+    A chain is one record at all intensities on one variant; from a collapse on the rest of it is not run.
+
+    Attributes:
+        incremental: name of the study.
+        intensity: value of its intensity measure.
+        step: index of the intensity, from 0 for the lowest.
+        chain: unique name of the chain, which the names of its histories begin with.
+    """
+
+    incremental: str
+    intensity: float
+    step: int
+    chain: str
+
+
+@dataclass(frozen=True)
+class Task:
+    """One analysis of a plan.
+
+    Attributes:
+        order: its place in the plan of the whole project, from 0.
+        spec: what the project file says about it; of a history of a suite the part of one recording.
+        entry: name of the analysis in the project file.
+        variant: of the study that it is of, "" in a run of a project.
+        temperature_C: of the dampers, where the plan says it.
+        details: whether its histories are kept whole.
+        stripe: of a history of an incremental study.
+    """
+
+    order: int
+    spec: PlannedAnalysis
+    entry: str
+    variant: str = ""
+    temperature_C: float | None = None
+    details: bool = False
+    stripe: Stripe | None = None
+
+    @property
+    def name(self) -> str:
+        """The unique name of the analysis."""
+        return self.spec.name
+
+    @property
+    def path(self) -> str:
+        """Where its results lie in the archive."""
+        return f"{ANALYSES}/{self.name}"
+
+    @property
+    def record(self) -> str | None:
+        """Reference of the record that it needs."""
+        return getattr(self.spec, "record", None)
+
+    @property
+    def vertical_record(self) -> str | None:
+        """Reference of the record of its vertical motion, if that is another one."""
+        vertical = getattr(self.spec, "vertical", None)
+        return None if vertical is None else vertical.record
+
+    @property
+    def labels(self) -> dict[str, str | int | float | None]:
+        """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable).
+
+        In a study also temperature_C, and incremental and intensity.
+        """
+        found: dict[str, str | int | float | None] = {"order": self.order, **labels(self.spec)}
+        if self.variant:
+            found["temperature_C"] = self.temperature_C
+        if self.stripe is not None:
+            found |= {"incremental": self.stripe.incremental, "intensity": self.stripe.intensity}
+        return found
+
+
+def labels(spec: PlannedAnalysis) -> dict[str, str | None]:
+    """Return name, kind, variant, record and level of an analysis; None where there is none."""
+    return {
+        "name": spec.name,
+        "kind": spec.kind,
+        "variant": spec.variant or None,
+        "record": getattr(spec, "record", None),
+        "level": getattr(spec, "level", None) or None,
+    }
+
+
+def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
+    """List the analyses of a project in its order; a history of a suite becomes one of each recording.
+
+    Args:
+        project: the validated project.
+        only: names to which the plan is restricted, of the project file or of the plan; all if empty.
+
+    Raises:
+        InputError: a name in `only` is not an analysis of the project, two analyses get the same name, or a suite
+            cannot be read.
+    """
+    named = [(part, spec.name) for spec in project.analyses for part in _parts(project, spec)]
+    tasks = tuple(Task(order, spec, entry) for order, (spec, entry) in enumerate(named))
+    first: dict[str, Task] = {}
+    for task in tasks:
+        other = first.setdefault(task.name, task)
+        if other is not task:
+            at = next(i for i, spec in enumerate(project.analyses) if spec.name == task.entry)
+            raise InputError(
+                f"{project.where('analyses', at, 'name')}: analyses[{at}].name: the analyses `{other.entry}` and "
+                f"`{task.entry}` both lead to one named `{task.name}`; rename one of them"
+            )
+    return selected(tasks, only, project.path)
+
+
+def waves(tasks: Iterable[Task]) -> list[list[Task]]:
+    """Sort a plan into what may run side by side: all that is no incremental study, then intensity by intensity."""
+    found: dict[int, list[Task]] = defaultdict(list)
+    for task in tasks:
+        found[-1 if task.stripe is None else task.stripe.step].append(task)
+    return [found[step] for step in sorted(found)]
+
+
+def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Task, ...]:
+    """Restrict a plan to names of its analyses or entries; all if there are none.
+
+    Raises:
+        InputError: a name is of none.
+    """
+    names = list(dict.fromkeys(name for task in tasks for name in (task.entry, task.name)))
+    for name in only:
+        if name not in names:
+            hint = did_you_mean(name, names)
+            known = ", ".join(dict.fromkeys(task.entry for task in tasks))
+            raise InputError(f"{path}: no analysis is named {name!r}{hint} (there are: {known})")
+    return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
+
+
+def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:
+    """The analysis itself, for a suite one named ANALYSIS.ID for each of its recordings, or the parts of a pushover."""
+    if isinstance(spec, PushoverAnalysis):
+        return pushover_parts(spec, tuple(project.hazard_levels))
+    if not isinstance(spec, HistoryAnalysis) or not isinstance(project.records.get(spec.record), RecordSet):
+        return [spec]
+    return [
+        spec.model_copy(update={"name": f"{spec.name}.{reference.partition('/')[2]}", "record": reference})
+        for reference in references(project, spec.record)
+    ]

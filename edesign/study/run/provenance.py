@@ -1,0 +1,162 @@
+"""Where results come from: versions, checksums, and the moment and machine, which are kept apart from the results."""
+
+from __future__ import annotations
+
+import hashlib
+import platform
+from collections.abc import Mapping
+from datetime import UTC, datetime
+from importlib import metadata
+from pathlib import Path
+
+import numpy as np
+import scipy
+
+import edesign
+from edesign import core
+from edesign._version import __version__
+from edesign.archive.dataset import Group
+from edesign.damper.law_file import WHAT
+from edesign.damper.property_table import property_table_content
+from edesign.ground_motion.seismic_action.files import hazard_files
+from edesign.project.actions.hazard_base import Hazard
+from edesign.project.dampers.designs import ElastomerDesign, FileProperties
+from edesign.project.project import Project
+from edesign.project.study.study import Study
+from edesign.study.results.kinds import STUDY
+
+IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
+"""Root attributes that decide whether results of an interrupted run may be reused: all that results depend on."""
+
+CODE = (".py", ".so", ".pyd", ".csv", ".yaml", ".json")  # of files that results depend on; tables of codes, laws too
+
+
+def code_checksum() -> str:
+    """Return the SHA-256 of the installed package, so that results of two states of one version are never mixed."""
+    package = Path(edesign.__file__).parent
+    checksum = hashlib.sha256()
+    for path in sorted(path for path in package.rglob("*") if path.suffix in CODE and path.is_file()):
+        content = hashlib.sha256(path.read_bytes()).hexdigest()
+        checksum.update(f"{path.relative_to(package).as_posix()} {content}\n".encode())
+    return checksum.hexdigest()
+
+
+def input_checksum(project: Project, records: Mapping[str, str]) -> str:
+    """Return the SHA-256 of all that a run reads.
+
+    Args:
+        project: its text counts, and the files of its laws of dampers and of its hazard.
+        records: SHA-256 of the samples of each record, by name.
+    """
+    parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
+    parts += [_checksum(file, content) for file, content in _law_files(project).values()]
+    parts += [_checksum(file, content) for file, content in hazard_files(project.hazard).values()]
+    return hashlib.sha256("\n".join(parts).encode()).hexdigest()
+
+
+def study_root_group(study: Study, planned: list[str], records: Mapping[str, str]) -> Group:
+    """Return the root of a study's archive: that of its project, and the text of the study file.
+
+    Args:
+        study: from `load_study`.
+        planned: names of the analyses.
+        records: SHA-256 of the samples of each record that is used, by name.
+    """
+    group = root_group(study.base, planned, records)
+    group.attributes |= {"kind": STUDY, "title": study.title, "study_file": study.path.name}
+    group.attributes["project_checksum"] = study.checksum
+    tables = {
+        name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))
+        for name, design in study.designs.items()
+        if isinstance(design, ElastomerDesign) and isinstance(design.properties, FileProperties)
+    }
+    parts = [study.checksum, str(group.attributes["input_checksum"]), *(_checksum(*table) for table in tables.values())]
+    group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()
+    group.add("study_text", (), study.text, "", "text of the study file")
+    for name, table in tables.items():
+        _add_file(group, f"properties_text_{name}", "property table", *table)
+    return group
+
+
+def _law_files(project: Project) -> dict[str, tuple[str, bytes]]:
+    """Name and content of the files of laws, by law."""
+    laws = project.dampers.laws if project.dampers is not None else {}
+    return {
+        name: (law.file, project.yaml_content(law.file, WHAT)) for name, law in laws.items() if law.file is not None
+    }
+
+
+def _checksum(file: str, content: bytes) -> str:
+    return f"{Path(file).name} {hashlib.sha256(content).hexdigest()}"
+
+
+def _add_file(group: Group, name: str, what: str, file: str, content: bytes) -> None:
+    group.add(name, (), content.decode("utf-8-sig", errors="replace"), "", f"text of the {what} {file}")
+
+
+def add_hazard_files(group: Group, hazard: Hazard | None) -> None:
+    """Add the texts of the files that a hazard names to the root of an archive."""
+    for name, file in hazard_files(hazard).items():
+        _add_file(group, name, "hazard file", *file)
+
+
+def root_group(project: Project, planned: list[str], records: Mapping[str, str]) -> Group:
+    """Return the root of an archive: texts of the project and its law files, checksums, versions, planned analyses.
+
+    Args:
+        project: from `load_project`.
+        planned: names of the analyses.
+        records: SHA-256 of the samples of each record that is used, by name.
+    """
+    group = Group(
+        attributes={
+            "title": project.title,
+            "project_file": project.path.name,
+            "project_checksum": project.checksum,
+            "input_checksum": input_checksum(project, records),
+            "record_checksums": dict(records),
+            **versions(),
+            "planned": planned,
+            "status": "running",
+        }
+    )
+    group.add("project_text", (), project.text, "", "text of the project file")
+    for name, file in _law_files(project).items():
+        _add_file(group, f"law_text_{name}", "law file", *file)
+    add_hazard_files(group, project.hazard)
+    return group
+
+
+def versions() -> dict[str, str]:
+    """Return what identifies the program that computes: versions, and the checksum of the package."""
+    return {
+        "edesign_version": __version__,
+        "core_version": core.version(),
+        "code_checksum": code_checksum(),
+        "libraries": ", ".join(f"{name} {version}" for name, version in libraries().items()),
+    }
+
+
+def libraries() -> dict[str, str]:
+    """Return the versions of what also computes numbers: their results may differ in the last digits."""
+    return {
+        "numpy": np.__version__,
+        "scipy": scipy.__version__,
+        "pint": metadata.version("pint"),
+        "processor": platform.machine(),
+    }
+
+
+def circumstances() -> Group:
+    """Return moment, machine and versions of others: all that may differ between runs with equal results."""
+    from edesign.archive.hdf5 import library_versions  # it loads h5py, which a check does not need
+
+    return Group(
+        attributes={
+            "created": datetime.now(UTC).isoformat(timespec="seconds"),
+            "python_version": platform.python_version(),
+            "numpy_version": np.__version__,
+            "platform": platform.platform(),
+            **library_versions(),
+        }
+    )

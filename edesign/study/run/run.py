@@ -1,0 +1,124 @@
+"""Run a project or a study: every analysis of the plan, each into the archive as soon as it is finished."""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from edesign.project.project import Project
+from edesign.project.study.study import Study
+from edesign.study.analysis.incremental import study_stripes
+from edesign.study.check.advice import project_warnings, study_warnings, unjudged
+from edesign.study.check.check import check_inputs, check_study_inputs
+from edesign.study.design.study_designs import study_designs
+from edesign.study.motions.choosing import study_with_choices, with_choices
+from edesign.study.results.kinds import DESIGNS
+from edesign.study.run.backends import make_backend
+from edesign.study.run.execute import execute
+from edesign.study.run.execution import Execution, Job, Prepared
+from edesign.study.run.outcome import Outcome, RunSummary
+from edesign.study.run.plan import make_plan
+from edesign.study.run.progress import Listener, silent
+from edesign.study.run.provenance import root_group, study_root_group
+from edesign.study.run.study_plan import make_study_plan
+from edesign.study.variants import variant_strain
+
+__all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_study"]
+
+
+def run_project(
+    project: Project,
+    archive_path: str | os.PathLike[str] | None = None,
+    progress: Listener | None = None,
+    workers: int = 1,
+    only: Sequence[str] = (),
+    fresh: bool = False,
+    backend: str = "threads",
+    scheduler: str | None = None,
+    overwrite: bool = False,
+) -> RunSummary:
+    """Run the analyses of a project and archive them.
+
+    An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run
+    of the same project, inputs and versions are reused. Results depend neither on `backend` nor on `workers`.
+
+    Args:
+        project: from `load_project`.
+        archive_path: the archive; by default what the project says, with the names appended if `only` selects some.
+        progress: called with a `Progress` at every step worth telling, from one thread at a time.
+        workers: number of analyses that run at the same time.
+        only: names of the analyses to run; all if empty.
+        fresh: True discards the results of an interrupted run.
+        backend: "serial", "threads", or "dask".
+        scheduler: address of a dask scheduler, such as tcp://host:8786; None: a cluster on this machine.
+        overwrite: True replaces the archive of another project too; that of this project is replaced anyway.
+
+    Returns:
+        Where the archive is and how each analysis ended.
+
+    Raises:
+        InputError: an unknown name in `only`, a record that cannot be read, a frame that cannot be built.
+        ArchiveError: the archive cannot be written, or is that of another project; what was archived before stays in
+            the partial file.
+        Interrupted: stopped by the user (Ctrl-C) or by SIGTERM; finished analyses stay in the partial file.
+    """
+    path = Path(archive_path) if archive_path is not None else default_archive_path(project, only)
+    project = with_choices(project.afresh(), None if fresh else path)
+    plan = make_plan(project, only)
+    recordings = check_inputs(project, [task.spec for task in plan])
+    checksums = {name: found.record.checksum for name, found in recordings.items()}
+    root = root_group(project, [task.name for task in plan], checksums)
+    warnings = tuple(project_warnings(project, {name: item.record for name, item in recordings.items()}))
+
+    def prepare(run: Execution) -> Prepared:
+        return lambda task: (project, task.spec)
+
+    job = Job(project.path, project, plan, recordings, root, warnings, prepare)
+    with make_backend(backend, workers, scheduler) as made:
+        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
+
+
+def run_study(
+    study: Study,
+    archive_path: str | os.PathLike[str] | None = None,
+    progress: Listener | None = None,
+    workers: int = 1,
+    only: Sequence[str] = (),
+    fresh: bool = False,
+    backend: str = "threads",
+    scheduler: str | None = None,
+    overwrite: bool = False,
+) -> RunSummary:
+    """Make the designs of a study, run its analyses, and archive all of it; otherwise as `run_project`.
+
+    A design that fails is archived with its history, and the analyses of its variants fail with its reason.
+    """
+    path = Path(archive_path) if archive_path is not None else default_archive_path(study, only)
+    study = study_with_choices(study.afresh(), None if fresh else path)
+    plan = make_study_plan(study, only)
+    recordings = check_study_inputs(study, plan)
+    checksums = {name: found.record.checksum for name, found in recordings.items()}
+    root = study_root_group(study, [task.name for task in plan], checksums)
+    resumable = tuple(f"{DESIGNS}/{name}" for name in study.designs)
+    warnings = study_warnings(study, plan, {name: item.record for name, item in recordings.items()})
+    warnings += [] if only else unjudged(study, plan)
+
+    def prepare(run: Execution) -> Prepared:
+        frames = study_designs(study, run)
+        return frames if run.stopped() else study_stripes(study, run, frames)
+
+    strains = {name: variant_strain(study, name) for name in study.variants}
+    job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
+    with make_backend(backend, workers, scheduler) as made:
+        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
+
+
+def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> Path:
+    """Return where a run writes: what the file says; with `only`, an archive beside it that spares the full one."""
+    path = source.archive_path
+    if not only:
+        return path
+    asked = re.sub(r"[^\w.+-]", "_", "+".join(only))  # names that do not exist, which the plan refuses, may be paths
+    return path.with_name(f"{path.stem}.{asked[:80]}{path.suffix}")

@@ -1,0 +1,161 @@
+"""The plan of a study: every variant x level x record x temperature, and variant x record x intensity."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from edesign.errors import InputError
+from edesign.ground_motion.project_records import references
+from edesign.project.analysis.analyses import GravityAnalysis, HistoryAnalysis, ModalAnalysis, PushoverAnalysis
+from edesign.project.analysis.pushover import Pushover, Pushovers
+from edesign.project.reading.problems import keys_text, unknown_name
+from edesign.project.study.incremental import Incremental, LevelFactorStudy
+from edesign.project.study.study import Histories, Study
+from edesign.study.motions.intensity import intensity_text
+from edesign.study.run.plan import Stripe, Task, selected
+from edesign.study.run.pushover_parts import pushover_parts
+from edesign.study.variants import variant_strain
+
+MODES, GRAVITY = "modes", "gravity"
+USUAL_MODES = 3
+
+
+def make_study_plan(study: Study, only: Sequence[str] = ()) -> tuple[Task, ...]:
+    """List the analyses of a study: modes and gravity of each variant, pushovers, histories, incremental studies.
+
+    Args:
+        study: the validated study.
+        only: names to which the plan is restricted: analyses, or VARIANT.LEVEL or VARIANT.STUDY for all their
+            histories, VARIANT.PUSHOVER for all its parts; all if empty.
+
+    Raises:
+        InputError: a name in `only` or a recording does not exist, or two histories are the same.
+    """
+    tasks: list[Task] = []
+    for name in study.variants:
+        tasks += _of_variant(study, name)
+    names = {task.name for task in tasks}
+    blocks = [(("pushovers", i), _of_pushovers(study, item)) for i, item in enumerate(study.pushovers)]
+    blocks += [(("histories", i), _of_histories(study, i, item)) for i, item in enumerate(study.histories)]
+    blocks += [(("incremental", i), _of_incremental(study, i, item)) for i, item in enumerate(study.incremental)]
+    for keys, block in blocks:
+        for task in block:
+            if task.name in names:
+                raise InputError(
+                    f"{study.where(*keys)}: {keys_text(keys)}: there is an analysis `{task.name}` already; "
+                    "leave one of them out"
+                )
+            names.add(task.name)
+            tasks.append(task)
+    return selected([replace(task, order=i) for i, task in enumerate(tasks)], only, study.path)
+
+
+def _of_variant(study: Study, name: str) -> Iterator[Task]:
+    variant, modal = study.variants[name], study.modal
+    dampers = variant.dampers != "none"
+    if study.base.masses is not None:
+        spec = ModalAnalysis.model_construct(
+            kind="modal",
+            name=f"{name}.{MODES}",
+            variant=name,
+            dampers=dampers,
+            modes=modal.modes if modal.modes is not None else USUAL_MODES,
+            state=modal.state,
+            damper_strain=variant_strain(study, name),
+        )
+        yield Task(0, spec, spec.name, name)
+    gravity = GravityAnalysis.model_construct(kind="gravity", name=f"{name}.{GRAVITY}", variant=name, dampers=dampers)
+    yield Task(0, gravity, gravity.name, name)
+
+
+def _of_pushovers(study: Study, pushovers: Pushovers) -> Iterator[Task]:
+    values = {key: getattr(pushovers, key) for key in Pushover.model_fields}
+    for variant in study.variants_of(pushovers):
+        entry, dampers = f"{variant}.{pushovers.name}", study.variants[variant].dampers != "none"
+        spec = PushoverAnalysis.model_construct(kind="pushover", name=entry, variant=variant, dampers=dampers, **values)
+        for part in pushover_parts(spec, tuple(study.base.hazard_levels)):
+            yield Task(0, part, entry, variant)
+
+
+def _of_histories(study: Study, index: int, histories: Histories) -> Iterator[Task]:
+    wanted = recordings(study, histories.records, ("histories", index, "records"))
+    details = study.outputs.details
+    whole = recordings(study, details.records, ("outputs", "details", "records")) if details is not None else ()
+    for variant in study.variants_of(histories):
+        for temperature_C in histories.temperatures or (None,):
+            for level in histories.levels or ("",):
+                warm = [f"{temperature_C:g}C"] if temperature_C is not None else []
+                entry = ".".join([variant, *warm, *([level] if level else [])])
+                for reference in wanted:
+                    name = f"{entry}.{reference.rpartition('/')[2]}"
+                    spec = _history(study, histories, name, variant, reference, level)
+                    yield Task(0, spec, entry, variant, temperature_C, reference in whole)
+
+
+def _of_incremental(study: Study, index: int, incremental: Incremental) -> Iterator[Task]:
+    wanted = recordings(study, incremental.records, ("incremental", index, "records"))
+    for variant in study.variants_of(incremental):
+        entry = f"{variant}.{incremental.name}"
+        level = incremental.level if isinstance(incremental, LevelFactorStudy) else ""
+        for reference in wanted:
+            chain = f"{entry}.{reference.rpartition('/')[2]}"
+            for step, intensity in enumerate(incremental.intensities):
+                name = f"{chain}.{intensity_text(incremental, intensity)}"
+                spec = _history(study, incremental, name, variant, reference, level)
+                yield Task(0, spec, entry, variant, stripe=Stripe(incremental.name, intensity, step, chain))
+
+
+def _history(
+    study: Study, asked: Histories | Incremental, name: str, variant: str, reference: str, level: str
+) -> HistoryAnalysis:
+    return HistoryAnalysis.model_construct(
+        kind="history",
+        name=name,
+        variant=variant,
+        dampers=study.variants[variant].dampers != "none",
+        record=reference,
+        free_vibration=asked.free_vibration,
+        wave_passage=asked.wave_passage,
+        collapse_drift=asked.collapse_drift,
+        level=level,
+        vertical=asked.vertical if isinstance(asked, Histories) else None,
+    )
+
+
+def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) -> tuple[str, ...]:
+    """References of recordings: a record itself, all of a suite, or one of a suite as SUITE/ID.
+
+    Raises:
+        InputError: a suite has no such recording; the message names the place in the study file.
+    """
+    found: list[str] = []
+    for i, name in enumerate(names):
+        record, _, recording = name.partition("/")
+        known = references(study.base, record)
+        if recording and name not in known:
+            if known == (record,):
+                message = f"`{record}` is a single record, not a suite; write `{record}`"
+            else:
+                message = unknown_name("recording", recording, [key.partition("/")[2] for key in known])
+            raise InputError(f"{study.where(*keys, i)}: {keys_text(keys)}: {message}")
+        found += [reference for reference in ([name] if recording else known) if reference not in found]
+    return tuple(found)
+
+
+def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
+    """Names of the designs that the variants of a plan have, in the order of the file."""
+    wanted = {study.variants[task.variant].design for task in plan}
+    return tuple(name for name in study.designs if name in wanted)
+
+
+def verification_records(study: Study, name: str) -> tuple[str, ...]:
+    """References of the recordings that a design of a study is verified with."""
+    verify = study.designs[name].verify
+    return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
+
+
+def histories_of_a_round(study: Study, name: str) -> int:
+    """How many histories one round of a design's verification takes: its recordings at all its levels."""
+    verify = study.designs[name].verify
+    return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0
