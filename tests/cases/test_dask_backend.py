@@ -17,15 +17,15 @@ from pathlib import Path
 
 import pytest
 from cases.small_frame import write
-from unit.study import toy_works
-from unit.study.toy_works import WAIT, Listener, await_file, check_mixed, mixed_works, process_of, run_all, same
+from unit.study import toy_calls
+from unit.study.toy_calls import WAIT, Listener, await_file, check_mixed, mixed_calls, process_of, run_all, same
 
 import edesign
 from edesign.building.project_file import load_project
 from edesign.errors import AnalysisError, InputError
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
-from edesign.study.run.backends import Backend, Result, Work, make_backend
+from edesign.study.run.backends import Backend, Call, Result, make_backend
 from edesign.study.run.plan import make_plan
 
 distributed = pytest.importorskip("distributed")
@@ -43,7 +43,7 @@ def backend() -> Iterator[Backend]:
 
 
 def test_values_and_failures_are_those_of_one_process(backend: Backend) -> None:
-    found = run_all(backend, [*mixed_works(), Work("unsendable", toy_works.unsendable)])
+    found = run_all(backend, [*mixed_calls(), Call("unsendable", toy_calls.unsendable)])
     assert "internal error" in found.pop("unsendable").reason
     check_mixed(found)
 
@@ -52,8 +52,8 @@ def test_an_analysis_gives_the_same_bits(backend: Backend, tmp_path: Path) -> No
     project = load_project(write(tmp_path))
     plan = make_plan(project)
     motions = project_motions(project, check_inputs(project, [task.spec for task in plan]), lambda: None)
-    works = [Work(task.name, toy_works.analysis, (project, task.spec, motions.get(task.record or ""))) for task in plan]
-    here, there = run_all(make_backend("serial"), works), run_all(backend, works)
+    calls = [Call(task.name, toy_calls.analysis, (project, task.spec, motions.get(task.record or ""))) for task in plan]
+    here, there = run_all(make_backend("serial"), calls), run_all(backend, calls)
     assert set(here) == set(there) == {"modes", "push", "shake"}
     for name, result in here.items():
         assert not result.reason and not there[name].reason
@@ -62,7 +62,7 @@ def test_an_analysis_gives_the_same_bits(backend: Backend, tmp_path: Path) -> No
 
 
 def test_workers_compute_with_one_thread_of_linear_algebra(backend: Backend) -> None:
-    assert set(run_all(backend, [Work("blas", toy_works.blas_threads)])["blas"].value or []) == {1}
+    assert set(run_all(backend, [Call("blas", toy_calls.blas_threads)])["blas"].value or []) == {1}
 
 
 def test_only_this_run_is_let_in(backend: Backend) -> None:
@@ -109,19 +109,19 @@ def _plain_answer(port: int) -> bytes:
 def test_works_run_at_the_same_time_and_tell_their_progress(backend: Backend, tmp_path: Path) -> None:
     """Each waits until all have begun, in processes of their own; they end when the first has told its progress."""
     listener = Listener()
-    works = [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abc"]
-    results = backend.results(works, _stop_at_progress(listener, {"a", "b"}), listener.started)
+    calls = [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "abc"]
+    results = backend.results(calls, _stop_at_progress(listener, {"a", "b"}), listener.started)
     assert sorted(result.key for result in results if result.interrupted) == ["a", "b"]
     assert {path.name for path in tmp_path.iterdir()} == {"a.began", "a.ended", "b.began", "b.ended"}
     assert sorted(listener.begun) == ["a", "b"]  # nothing begins after a stop
-    assert run_all(backend, [Work("later", toy_works.after, (tmp_path, 3))])["later"].value == 3
+    assert run_all(backend, [Call("later", toy_calls.after, (tmp_path, 3))])["later"].value == 3
 
 
 def test_closing_the_generator_ends_what_runs(backend: Backend, tmp_path: Path) -> None:
     listener = Listener()
-    works = [Work("first", toy_works.after, (tmp_path / "b.began", 1))]
-    works += [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "bcd"]
-    results = backend.results(works, listener, listener.started)
+    calls = [Call("first", toy_calls.after, (tmp_path / "b.began", 1))]
+    calls += [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "bcd"]
+    results = backend.results(calls, listener, listener.started)
     assert next(results).value == 1
     results.close()
     assert (tmp_path / "b.ended").exists() and not (tmp_path / "d.began").exists()
@@ -130,7 +130,7 @@ def test_closing_the_generator_ends_what_runs(backend: Backend, tmp_path: Path) 
 def test_a_killed_worker_loses_nothing(backend: Backend, tmp_path: Path) -> None:
     """The process of a work is killed while it runs; the work is done by another."""
     listener, mark = Listener(), tmp_path / "mark"
-    works = [Work(f"w{i}", toy_works.process, (tmp_path, f"w{i}", mark)) for i in range(3)]
+    calls = [Call(f"w{i}", toy_calls.process, (tmp_path, f"w{i}", mark)) for i in range(3)]
     victim = 0
 
     def started(key: str) -> None:
@@ -141,18 +141,18 @@ def test_a_killed_worker_loses_nothing(backend: Backend, tmp_path: Path) -> None
             os.kill(victim, signal.SIGKILL)
             mark.touch()
 
-    found = {result.key: result for result in backend.results(works, listener, started)}
+    found = {result.key: result for result in backend.results(calls, listener, started)}
     assert sorted(found) == ["w0", "w1", "w2"] == sorted(listener.begun)
     assert all(not result.reason and result.value not in (None, victim) for result in found.values())
 
 
 @pytest.mark.slow
 def test_a_work_that_kills_its_workers_fails_alone(backend: Backend, tmp_path: Path) -> None:
-    works = [
-        Work("always", toy_works.dies, (tmp_path, "always", 99)),
-        Work("once", toy_works.dies, (tmp_path, "once", 1)),
+    calls = [
+        Call("always", toy_calls.dies, (tmp_path, "always", 99)),
+        Call("once", toy_calls.dies, (tmp_path, "once", 1)),
     ]
-    found = run_all(backend, [*works, *mixed_works()])
+    found = run_all(backend, [*calls, *mixed_calls()])
     assert found.pop("once").value == "once after 1"
     always = found.pop("always")
     assert always.value is None and "the process that computed it died each time" in always.reason
@@ -167,7 +167,7 @@ def test_a_scheduler_elsewhere(
     from edesign.study.run.backends import dask_cluster, dask_session
 
     place = tmp_path / "scheduler.json"
-    waits = Work("never", toy_works.until_stopped, (tmp_path, "never"))
+    waits = Call("never", toy_calls.until_stopped, (tmp_path, "never"))
     with _process(tmp_path, ROOT, "dask_scheduler", "--port", "0", "--scheduler-file", place) as scheduler:
         await_file(place, least=1)  # it is there before it is written
         address = json.loads(place.read_text(encoding="utf-8"))["address"]
@@ -180,13 +180,13 @@ def test_a_scheduler_elsewhere(
             with pytest.raises(AnalysisError, match=f"{address} has had no workers for"):
                 list(backend.results([waits], Listener(), lambda key: process.kill()))
         with _process(tmp_path, ROOT, "dask_worker", *worker), make_backend("dask", 1, address) as backend:
-            check_mixed(run_all(backend, mixed_works()))
+            check_mixed(run_all(backend, mixed_calls()))
             with _process(tmp_path, _stranger(tmp_path), "dask_worker", *worker, "--name", "stranger"):
                 _refused(backend, tmp_path)
             results: list[Result] = []
-            works = [Work("done", toy_works.after, (tmp_path, 1)), waits]
+            calls = [Call("done", toy_calls.after, (tmp_path, 1)), waits]
             with pytest.raises(AnalysisError, match=f"connection to the dask scheduler {address} was lost"):
-                for result in backend.results(works, Listener(), lambda key: None):
+                for result in backend.results(calls, Listener(), lambda key: None):
                     results.append(result)
                     scheduler.kill()
             assert [result.value for result in results] == [1]
@@ -203,11 +203,11 @@ def _stranger(folder: Path) -> Path:
 
 
 def _refused(backend: Backend, folder: Path) -> None:
-    """Works go on being computed until the stranger has joined, then it is named."""
+    """Calls go on being computed until the stranger has joined, then it is named."""
     end = time.monotonic() + WAIT
     with pytest.raises(InputError, match=r"the worker tcp://\S+ would give results of another program: the code"):
         while time.monotonic() < end:
-            run_all(backend, [Work("quick", toy_works.after, (folder, 1))])
+            run_all(backend, [Call("quick", toy_calls.after, (folder, 1))])
 
 
 def test_there_is_no_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -225,15 +225,15 @@ def test_there_is_no_scheduler(monkeypatch: pytest.MonkeyPatch) -> None:
 INTERRUPTED = """\
 import sys
 from pathlib import Path
-from unit.study.toy_works import Listener, after, until_stopped
-from edesign.study.run.backends import Work, make_backend
+from unit.study.toy_calls import Listener, after, until_stopped
+from edesign.study.run.backends import Call, make_backend
 from edesign.study.run.interrupt import stop_on_signals
 
 if __name__ == "__main__":
     folder, listener = Path(sys.argv[1]), Listener()
-    works = [Work("done", after, (folder, 1))] + [Work(name, until_stopped, (folder, name)) for name in "abc"]
+    calls = [Call("done", after, (folder, 1))] + [Call(name, until_stopped, (folder, name)) for name in "abc"]
     with stop_on_signals(listener.stop), make_backend("dask", 2) as backend:
-        for result in backend.results(works, listener, listener.started):
+        for result in backend.results(calls, listener, listener.started):
             print(result.key, result.interrupted, flush=True)
 """
 
@@ -286,7 +286,7 @@ def _environment(code: Path) -> dict[str, str]:
 
 
 def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
-    """A listener that stops when it was told the progress of some works."""
+    """A listener that stops when it was told the progress of some calls."""
     tell = listener.progress
 
     def progress(key: str, done: int, total: int) -> None:

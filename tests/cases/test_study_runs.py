@@ -28,8 +28,8 @@ from edesign.ground_motion.response_spectrum import psa
 from edesign.report.summary import summarise
 from edesign.study.design import study_designs
 from edesign.study.run import run as runs
+from edesign.study.run.backends.call import Call, Control, Result, Results
 from edesign.study.run.backends.serial import SerialBackend
-from edesign.study.run.backends.work import Control, Result, Results, Work
 from edesign.study.run.progress import Progress
 from edesign.study.run.run import run_study
 
@@ -81,7 +81,7 @@ def statuses(path: Path) -> dict[str, str]:
 
 
 @dataclass(frozen=True)
-class Call:
+class CommandResult:
     """What a call of the command line came to."""
 
     code: int
@@ -89,17 +89,17 @@ class Call:
     err: str
 
 
-Caller = Callable[..., Call]
+Caller = Callable[..., CommandResult]
 
 
 @pytest.fixture
 def call(capsys: pytest.CaptureFixture[str]) -> Caller:
     """The command line in this process, which spares the start of another."""
 
-    def run(*words: str | Path) -> Call:
+    def run(*words: str | Path) -> CommandResult:
         capsys.readouterr()
         code = main([str(word) for word in words])
-        return Call(code, *capsys.readouterr())
+        return CommandResult(code, *capsys.readouterr())
 
     return run
 
@@ -430,8 +430,8 @@ class Losing(SerialBackend):
     def __init__(self, after: int, error: Exception) -> None:
         self.left, self.error = after, error
 
-    def results(self, works: Sequence[Work], control: Control, started: Callable[[str], None]) -> Results:
-        for result in super().results(works, control, started):
+    def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
+        for result in super().results(calls, control, started):
             if not self.left:
                 raise self.error
             self.left -= 1
@@ -470,8 +470,8 @@ def test_a_back_end_that_is_lost_takes_nothing_with_it(
 class Failing(SerialBackend):
     """A back end whose process dies over one history of the first round, and over none later."""
 
-    def results(self, works: Sequence[Work], control: Control, started: Callable[[str], None]) -> Results:
-        for result in super().results(works, control, started):
+    def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
+        for result in super().results(calls, control, started):
             dead = result.key == "added.1.DBE.set/second"
             yield Result(result.key, reason="not enough memory") if dead else result
 

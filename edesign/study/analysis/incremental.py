@@ -18,12 +18,12 @@ from edesign.project.study.study import Study
 from edesign.study.motions.intensity import first_period, level_intensity, record_intensity
 from edesign.study.results.kinds import INCREMENTAL
 from edesign.study.results.recording import coordinate
-from edesign.study.run.execution import Execution, Prepared
 from edesign.study.run.plan import Task
+from edesign.study.run.state import Prepared, RunState
 from edesign.study.variants import variant_strain
 
 
-def study_stripes(study: Study, run: Execution, frames: Prepared) -> Prepared:
+def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
     """Archive what is said of each incremental study of the plan; return what also scales the records of its histories.
 
     T1 of a variant is computed once, and so is the intensity measure of a record on a variant.

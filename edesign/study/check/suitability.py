@@ -17,7 +17,7 @@ from edesign.study.motions.motions import Motion
 from edesign.study.run.plan import Task
 
 if TYPE_CHECKING:  # it loads h5py, which a check does not need
-    from edesign.study.run.execution import Execution, Prepared
+    from edesign.study.run.state import Prepared, RunState
 
 
 def scale_warnings(
@@ -64,7 +64,7 @@ def _motion(motions: Mapping[str, Motion], name: str, member: str) -> Motion:
     return motions[f"{name}/{member}"] if f"{name}/{member}" in motions else motions[name]
 
 
-def variant_periods(run: Execution, prepared: Prepared) -> dict[str, dict[str, float]]:
+def variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, float]]:
     """Return T1 under gravity of the frames with dampers that each fitted suite acts on, s, by suite and label.
 
     The label is the variant, with the temperature of its dampers where the plan gives one, or `with dampers` of a

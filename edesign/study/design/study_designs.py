@@ -20,11 +20,11 @@ from edesign.study.check.criteria import kept_for_verification, too_few_motions
 from edesign.study.design.design import DesignResult, run_design
 from edesign.study.placement.placement import run_placement
 from edesign.study.results.kinds import DESIGNS
-from edesign.study.run.backends.work import Work
-from edesign.study.run.execution import Execution, Prepared
+from edesign.study.run.analyses import analyse
+from edesign.study.run.backends.call import Call
 from edesign.study.run.plan import Task, labels
+from edesign.study.run.state import Prepared, RunState
 from edesign.study.run.study_plan import histories_of_a_round, verification_records, wanted_designs
-from edesign.study.run.tasks import analyse
 from edesign.study.variants import variant_project
 
 
@@ -36,7 +36,7 @@ class _Lost(EdesignError):
         self.error = error
 
 
-def study_designs(study: Study, run: Execution) -> Prepared:
+def study_designs(study: Study, run: RunState) -> Prepared:
     """Make the designs that the plan needs; return what gives each task its frame."""
     wanted = wanted_designs(study, run.job.tasks)
     made: dict[str, DesignResult] = {}
@@ -76,7 +76,7 @@ def study_designs(study: Study, run: Execution) -> Prepared:
     return prepared
 
 
-def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult:
+def _design(study: Study, name: str, order: int, run: RunState) -> DesignResult:
     """Make a design, going on from what an interrupted run left of it; every round is archived when it is known."""
     place, spec = f"{DESIGNS}/{name}", study.designs[name]
     verify = spec.verify
@@ -138,13 +138,13 @@ def _design(study: Study, name: str, order: int, run: Execution) -> DesignResult
 
 
 def _respond(
-    study: Study, name: str, verify: AnyVerify, wanted: Sequence[tuple[int, Dampers]], run: Execution
+    study: Study, name: str, verify: AnyVerify, wanted: Sequence[tuple[int, Dampers]], run: RunState
 ) -> Iterator[dict[str, Group]]:
     """The histories that rounds of a design are judged by, round by round; they are not archived.
 
     Rounds that are wanted together share the workers; each is yielded as soon as it and those before it are complete.
     """
-    works: list[Work] = []
+    calls: list[Call] = []
     specs: dict[str, HistoryAnalysis] = {}
     keys: dict[int, list[str]] = {}
     outputs = kept_for_verification(study, verify)
@@ -162,11 +162,11 @@ def _respond(
                 )
                 specs[spec.name] = spec
                 keys.setdefault(number, []).append(spec.name)
-                works.append(Work(spec.name, analyse, (project, spec, run.motions[reference], None)))
+                calls.append(Call(spec.name, analyse, (project, spec, run.motions[reference], None)))
     found: dict[str, Group] = {}
     open_rounds = list(keys.values())
     try:
-        for result in run.results(works):
+        for result in run.results(calls):
             failed = Group(attributes={"status": "failed", "reason": result.reason})
             group = result.value if isinstance(result.value, Group) else failed
             group.attributes |= labels(specs[result.key])

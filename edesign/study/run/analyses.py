@@ -1,4 +1,4 @@
-"""Run one analysis of a project."""
+"""Run one analysis of a project, as who wants it calls it and as a back end does."""
 
 from __future__ import annotations
 
@@ -74,3 +74,27 @@ def _run(
     if isinstance(spec, TargetAnalysis):
         return run_target(project, spec, progress, stop)
     return run_pushover(project, spec, progress, stop)
+
+
+def analyse(
+    project: Project,
+    spec: PlannedAnalysis,
+    motion: Motion | None,
+    vertical: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one analysis, as a back end calls it."""
+    return run_analysis(project, spec, progress=progress, stop=stop, motion=motion, vertical=vertical)
+
+
+def analyse_stripe(
+    project: Project,
+    spec: PlannedAnalysis,
+    motion: Motion | None,
+    vertical: Motion | None,
+    progress: Callable[[int, int], None],
+    stop: Callable[[], bool],
+) -> Group:
+    """Run one history of an incremental study, as a back end calls it; nothing over time is kept."""
+    return analyse(project, spec, motion, vertical, progress, stop).without("time")

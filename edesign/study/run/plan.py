@@ -9,12 +9,18 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.project_records import references
-from edesign.project.analysis.analyses import Analysis, HistoryAnalysis, PlannedAnalysis, PushoverAnalysis
+from edesign.project.analysis.analyses import (
+    Analysis,
+    HistoryAnalysis,
+    PlannedAnalysis,
+    PushoverAnalysis,
+    TargetAnalysis,
+)
+from edesign.project.analysis.pushover import pattern_name
 from edesign.project.project import Project
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.records import RecordSet
 from edesign.study.results.kinds import ANALYSES
-from edesign.study.run.pushover_parts import pushover_parts
 
 
 @dataclass(frozen=True)
@@ -162,3 +168,29 @@ def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:
         spec.model_copy(update={"name": f"{spec.name}.{reference.partition('/')[2]}", "record": reference})
         for reference in references(project, spec.record)
     ]
+
+
+def pushover_parts(spec: PushoverAnalysis, hazard_levels: tuple[str, ...]) -> list[PushoverAnalysis | TargetAnalysis]:
+    """Return the pushovers of each pattern and direction, each followed by those to its target displacements.
+
+    Several patterns stand in the names as `push.uniform`, both directions as `push.right`, targets as `push.n2.DBE`.
+
+    Args:
+        spec: of one or several patterns, in one or both directions.
+        hazard_levels: names of all levels, for which targets are found where `spec` names none.
+    """
+    found: list[PushoverAnalysis | TargetAnalysis] = []
+    for pattern in spec.pattern:
+        for direction in spec.directions:
+            name = [spec.name]
+            name += [pattern_name(pattern)] * (len(spec.pattern) > 1) + [direction] * (len(spec.directions) > 1)
+            one = spec.model_copy(update={"name": ".".join(name), "pattern": (pattern,), "direction": direction})
+            found.append(one)
+            values = {key: getattr(one, key) for key in PushoverAnalysis.model_fields if key not in ("kind", "name")}
+            for method in spec.targets:
+                for level in spec.levels if spec.levels is not None else hazard_levels:
+                    place = ".".join((one.name, method, level))
+                    found.append(
+                        TargetAnalysis.model_construct(kind="target", name=place, method=method, level=level, **values)
+                    )
+    return found

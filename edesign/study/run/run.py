@@ -16,12 +16,12 @@ from edesign.study.design.study_designs import study_designs
 from edesign.study.motions.choosing import study_with_choices, with_choices
 from edesign.study.results.kinds import DESIGNS
 from edesign.study.run.backends import make_backend
-from edesign.study.run.execute import execute
-from edesign.study.run.execution import Execution, Job, Prepared
 from edesign.study.run.outcome import Outcome, RunSummary
 from edesign.study.run.plan import make_plan
 from edesign.study.run.progress import Listener, silent
 from edesign.study.run.provenance import root_group, study_root_group
+from edesign.study.run.run_plan import run_plan
+from edesign.study.run.state import Job, Prepared, RunState
 from edesign.study.run.study_plan import make_study_plan
 from edesign.study.variants import variant_strain
 
@@ -72,12 +72,12 @@ def run_project(
     root = root_group(project, [task.name for task in plan], checksums)
     warnings = tuple(project_warnings(project, {name: item.record for name, item in recordings.items()}))
 
-    def prepare(run: Execution) -> Prepared:
+    def prepare(run: RunState) -> Prepared:
         return lambda task: (project, task.spec)
 
     job = Job(project.path, project, plan, recordings, root, warnings, prepare)
     with make_backend(backend, workers, scheduler) as made:
-        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
+        return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)
 
 
 def run_study(
@@ -105,14 +105,14 @@ def run_study(
     warnings = study_warnings(study, plan, {name: item.record for name, item in recordings.items()})
     warnings += [] if only else unjudged(study, plan)
 
-    def prepare(run: Execution) -> Prepared:
+    def prepare(run: RunState) -> Prepared:
         frames = study_designs(study, run)
         return frames if run.stopped() else study_stripes(study, run, frames)
 
     strains = {name: variant_strain(study, name) for name in study.variants}
     job = Job(study.path, study.base, plan, recordings, root, tuple(warnings), prepare, resumable, strains)
     with make_backend(backend, workers, scheduler) as made:
-        return execute(job, path, progress or silent, made, workers, fresh, overwrite)
+        return run_plan(job, path, progress or silent, made, workers, fresh, overwrite)
 
 
 def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> Path:

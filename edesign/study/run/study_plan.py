@@ -13,8 +13,7 @@ from edesign.project.reading.problems import keys_text, unknown_name
 from edesign.project.study.incremental import Incremental, LevelFactorStudy
 from edesign.project.study.study import Histories, Study
 from edesign.study.motions.intensity import intensity_text
-from edesign.study.run.plan import Stripe, Task, selected
-from edesign.study.run.pushover_parts import pushover_parts
+from edesign.study.run.plan import Stripe, Task, pushover_parts, selected
 from edesign.study.variants import variant_strain
 
 MODES, GRAVITY = "modes", "gravity"

@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 import pytest
 from cases import suite_project
-from unit.study import toy_works
-from unit.study.toy_works import Listener, check_mixed, mixed_works, run_all
+from unit.study import toy_calls
+from unit.study.toy_calls import Listener, check_mixed, mixed_calls, run_all
 
 from edesign.building.project_file import load_project
 from edesign.errors import InputError
 from edesign.study.check.check import check_inputs
 from edesign.study.motions.motions import project_motions
-from edesign.study.run.backends import Backend, Work, make_backend
+from edesign.study.run.backends import Backend, Call, make_backend
 from edesign.study.run.backends.state import refusal
 from edesign.study.run.plan import make_plan
 
@@ -34,7 +34,7 @@ def backend(request: pytest.FixtureRequest) -> Backend:
 
 def test_values_and_failures(backend: Backend) -> None:
     with backend:
-        check_mixed(run_all(backend, mixed_works()))
+        check_mixed(run_all(backend, mixed_calls()))
 
 
 def test_one_thread_of_linear_algebra(backend: Backend) -> None:
@@ -42,24 +42,24 @@ def test_one_thread_of_linear_algebra(backend: Backend) -> None:
     from threadpoolctl import threadpool_limits
 
     with backend, threadpool_limits(limits=2, user_api="blas"):
-        assert set(run_all(backend, [Work("blas", toy_works.blas_threads)])["blas"].value or []) == {1}
+        assert set(run_all(backend, [Call("blas", toy_calls.blas_threads)])["blas"].value or []) == {1}
 
 
 def test_the_serial_one_keeps_the_order_and_waits_to_be_asked() -> None:
     backend, listener = make_backend("serial"), Listener()
-    results = backend.results(mixed_works(), listener, listener.started)
+    results = backend.results(mixed_calls(), listener, listener.started)
     assert listener.begun == []
     assert next(results).key == "numbers 0" and listener.begun == ["numbers 0"]
     assert listener.told == [("numbers 0", 1, 2), ("numbers 0", 2, 2)]
-    assert [result.key for result in results] == [work.key for work in mixed_works()][1:]
+    assert [result.key for result in results] == [work.key for work in mixed_calls()][1:]
 
 
 def test_results_come_as_they_are_ready(tmp_path: Path) -> None:
     """The first work waits for a mark that is made when the result of the second is there."""
     mark, listener = tmp_path / "mark", Listener()
-    works = [Work("slow", toy_works.after, (mark, 1)), Work("quick", toy_works.after, (tmp_path, 2))]
+    calls = [Call("slow", toy_calls.after, (mark, 1)), Call("quick", toy_calls.after, (tmp_path, 2))]
     keys = []
-    for result in make_backend("threads", 2).results(works, listener, listener.started):
+    for result in make_backend("threads", 2).results(calls, listener, listener.started):
         keys.append(result.key)
         mark.touch()
     assert keys == ["quick", "slow"]
@@ -73,12 +73,12 @@ def test_a_stop_ends_what_runs_and_begins_nothing(backend: Backend, tmp_path: Pa
         if len(listener.begun) == getattr(backend, "workers", 1):
             listener.stop.set()
 
-    works = [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abcdef"]
-    results = list(backend.results(works, listener, started))
+    calls = [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "abcdef"]
+    results = list(backend.results(calls, listener, started))
     running = list("abc")[: getattr(backend, "workers", 1)]
     assert sorted(result.key for result in results) == running and all(result.interrupted for result in results)
     assert listener.begun == running
-    assert list(backend.results(works, listener, started)) == []
+    assert list(backend.results(calls, listener, started)) == []
 
 
 def test_closing_the_generator_waits_for_what_runs(tmp_path: Path) -> None:
@@ -89,11 +89,11 @@ def test_closing_the_generator_waits_for_what_runs(tmp_path: Path) -> None:
         if {"a", "b"} <= set(listener.begun):
             both.set()
 
-    works = [Work("first", toy_works.after, (tmp_path, 1))]
-    works += [Work(name, toy_works.until_stopped, (tmp_path, name)) for name in "abcdef"]
-    results = make_backend("threads", 2).results(works, listener, started)
+    calls = [Call("first", toy_calls.after, (tmp_path, 1))]
+    calls += [Call(name, toy_calls.until_stopped, (tmp_path, name)) for name in "abcdef"]
+    results = make_backend("threads", 2).results(calls, listener, started)
     assert next(results).value == 1
-    assert both.wait(toy_works.WAIT)
+    assert both.wait(toy_calls.WAIT)
     results.close()
     for name in "ab":
         assert not (tmp_path / f"{name}.began").exists() or (tmp_path / f"{name}.ended").exists()
@@ -106,12 +106,12 @@ def test_an_error_of_the_listener_is_not_taken_for_one_of_the_work() -> None:
 
     for backend in (make_backend("serial"), make_backend("threads", 2)):
         with pytest.raises(OSError, match="nobody listens"):
-            list(backend.results(mixed_works(), Listener(), started))
+            list(backend.results(mixed_calls(), Listener(), started))
 
 
 def test_works_that_cannot_be_told_apart_are_refused(backend: Backend) -> None:
     with pytest.raises(ValueError, match="same key"):
-        list(backend.results([Work("a", toy_works.fails, ("x",))] * 2, Listener(), print))
+        list(backend.results([Call("a", toy_calls.fails, ("x",))] * 2, Listener(), print))
 
 
 @pytest.mark.parametrize(

@@ -1,16 +1,16 @@
-"""Back ends of a run: where and how many works are computed at the same time. Results do not depend on them."""
+"""Back ends of a run: where and how many calls are computed at the same time. Results do not depend on them."""
 
 from __future__ import annotations
 
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
+from edesign.study.run.backends.call import Backend, Call, Control, Result
 from edesign.study.run.backends.serial import SerialBackend
 from edesign.study.run.backends.threads import ThreadsBackend
-from edesign.study.run.backends.work import Backend, Control, Result, Work
 
 BACKENDS = ("serial", "threads", "dask")
 
-__all__ = ["BACKENDS", "Backend", "Control", "Result", "Work", "make_backend"]
+__all__ = ["BACKENDS", "Backend", "Control", "Result", "Call", "make_backend"]
 
 
 def make_backend(name: str, workers: int = 1, scheduler: str | None = None) -> Backend:

@@ -1,4 +1,4 @@
-"""Works in the processes of a dask cluster: one on this machine, or one that a scheduler elsewhere leads."""
+"""Calls in the processes of a dask cluster: one on this machine, or one that a scheduler elsewhere leads."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ import dask
 import distributed
 
 from edesign.errors import InputError
+from edesign.study.run.backends.call import Call, Control, Results, check_keys
 from edesign.study.run.backends.dask_session import Session
 from edesign.study.run.backends.state import program_state, refusal
-from edesign.study.run.backends.work import Control, Results, Work, check_keys
 
 CONNECT = 30.0  # s
 JOIN = 60.0  # s, for the first worker
-DEATHS = 1  # of workers of our own on which a work may have been before it is looked at alone
+DEATHS = 1  # of workers of our own on which a call may have been before it is looked at alone
 
 
 class DaskBackend:
-    """Runs works on the workers of a dask scheduler.
+    """Runs calls on the workers of a dask scheduler.
 
     Args:
         workers: processes of a cluster on this machine, each of one thread.
@@ -60,20 +60,20 @@ class DaskBackend:
         self._client = None
         self._stack.close()
 
-    def results(self, works: Sequence[Work], control: Control, started: Callable[[str], None]) -> Results:
+    def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
         """Yield results as they are ready; see `Backend`.
 
         Raises:
             InputError: a worker's program is not that of this process.
             AnalysisError: the scheduler or all workers were lost.
         """
-        check_keys(works)
+        check_keys(calls)
         if self._client is None:
             raise RuntimeError("the back end must be entered first")
-        if not works or control.stopped():
+        if not calls or control.stopped():
             return
         _check_workers(self._client)
-        with Session(self._client, self._address, works, control, started) as session:
+        with Session(self._client, self._address, calls, control, started) as session:
             yield from session.results()
 
 

@@ -1,4 +1,4 @@
-"""Works under way on a dask cluster: which are handed out, what comes back, and what becomes of killed workers."""
+"""Calls under way on a dask cluster: which are handed out, what comes back, and what becomes of killed workers."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ from distributed import Client, Future
 from distributed.scheduler import KilledWorker
 
 from edesign.errors import AnalysisError, InputError
+from edesign.study.run.backends.call import Call, Control, Result, Results, internal_error, log
 from edesign.study.run.backends.dask_worker import Share, pack, run_remote
 from edesign.study.run.backends.state import program_state
-from edesign.study.run.backends.work import Control, Result, Results, Work, internal_error, log
 
 ASK_EVERY = 0.2  # s, for a wish to stop
 COUNT_EVERY = 1.0  # s, the workers
@@ -35,22 +35,22 @@ DIED = (
 class Session:
     """One call for results on a cluster.
 
-    Only as many works are with the scheduler as there are threads on the workers, so nothing waits on a worker that may
-    die, and a stop has little to take back. dask computes anew what was lost with a worker. A work that has been on
+    Only as many calls are with the scheduler as there are threads on the workers, so nothing waits on a worker that may
+    die, and a stop has little to take back. dask computes anew what was lost with a worker. A call that has been on
     several workers as they died is not guilty for that: another may have been beside it. It is put aside and run alone
     when all others have ended; if workers die again, it fails.
     """
 
     def __init__(
-        self, client: Client, address: str, works: Sequence[Work], control: Control, started: Callable[[str], None]
+        self, client: Client, address: str, calls: Sequence[Call], control: Control, started: Callable[[str], None]
     ) -> None:
         self.client = client
         self.control = control
         self.started = started
         self.share = f"edesign-{uuid.uuid4().hex}"
-        self.waiting = deque(works)
-        self.suspects: deque[Work] = deque()
-        self.running: dict[Future, Work] = {}
+        self.waiting = deque(calls)
+        self.suspects: deque[Call] = deque()
+        self.running: dict[Future, Call] = {}
         self._address = address
         self._alone = False
         self._stopping = False
@@ -59,7 +59,7 @@ class Session:
         self._ended: set[str] = set()
         self._threads = 0
         self._counted = self._peopled = -float("inf")
-        self._pickles, self._packed = pack(list(works))
+        self._pickles, self._packed = pack(list(calls))
 
     def __enter__(self) -> Session:
         self.client.subscribe_topic(self.share, self._hear)
@@ -112,36 +112,36 @@ class Session:
             self._alone = True
             self._submit(self.suspects.popleft())
 
-    def _submit(self, work: Work) -> None:
+    def _submit(self, call: Call) -> None:
         future = self.client.submit(
-            run_remote, self.share, work.key, self._packed[work.key], key=f"{work.key}-{uuid.uuid4().hex}", pure=False
+            run_remote, self.share, call.key, self._packed[call.key], key=f"{call.key}-{uuid.uuid4().hex}", pure=False
         )
-        self.running[future] = work
+        self.running[future] = call
         future.add_done_callback(self._events.put)
 
     def _take(self, future: Future) -> Result | None:
-        """Return the result of a work that has ended, None if that is to be computed anew."""
-        work = self.running.pop(future)
+        """Return the result of a call that has ended, None if that is to be computed anew."""
+        call = self.running.pop(future)
         try:
             result: Result = pickle.loads(future.result())
         except KilledWorker:
             if self._alone:
-                result = Result(work.key, reason=DIED)
+                result = Result(call.key, reason=DIED)
             else:
-                self.suspects.append(work)
+                self.suspects.append(call)
                 return None
         except (CancelledError, OSError) as error:
             raise self._lost() from error
         except InputError:  # a worker of another program
             raise
-        except Exception as error:  # one work must not take the others with it
+        except Exception as error:  # one call must not take the others with it
             self._check_connection()
-            log.exception("analysis %s", work.key)
-            result = Result(work.key, reason=internal_error(error))
+            log.exception("analysis %s", call.key)
+            result = Result(call.key, reason=internal_error(error))
         if result.interrupted and not self._stopping:
             result = replace(result, value=None, interrupted=False, reason=internal_error(LookupError(self.share)))
-        self._tell(work.key, 0, 0)
-        self._ended.add(work.key)
+        self._tell(call.key, 0, 0)
+        self._ended.add(call.key)
         return result
 
     def _await_running(self) -> None:
@@ -156,7 +156,7 @@ class Session:
         self._events.put(event[1])
 
     def _tell(self, key: str, done: int, total: int) -> None:
-        """Pass on what a worker told; a work that is computed anew does not begin again."""
+        """Pass on what a worker told; a call that is computed anew does not begin again."""
         if key in self._ended:
             return
         if key not in self._begun:

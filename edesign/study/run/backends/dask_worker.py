@@ -12,21 +12,21 @@ from typing import Any
 from distributed import Worker, WorkerPlugin, get_worker
 
 from edesign.errors import InputError
+from edesign.study.run.backends.call import Call, Result, internal_error, log, perform
 from edesign.study.run.backends.state import program_state, refusal
-from edesign.study.run.backends.work import Result, Work, internal_error, log, perform
 
-TELL_EVERY = 0.5  # s, between reports of one work
+TELL_EVERY = 0.5  # s, between reports of one call
 
 Packed = bytes | int  # a pickle, or the number of one that all workers hold
 
 
 class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
-    """What works have in common, sent once to each worker; when it is taken away, they are to stop.
+    """What calls have in common, sent once to each worker; when it is taken away, they are to stop.
 
     Attributes:
         name: of this share, unique.
         state: of the program that wants the results.
-        pickles: the arguments that several works have.
+        pickles: the arguments that several calls have.
         level: of edesign's log, so that a worker tells as much as the client would.
     """
 
@@ -62,11 +62,11 @@ class _RemoteControl:
 
 
 def run_remote(name: str, key: str, packed: tuple[Packed, ...]) -> bytes:
-    """Run a work on this worker.
+    """Run a call on this worker.
 
     Args:
         name: of the share.
-        key: of the work.
+        key: of the call.
         packed: its function and arguments.
 
     Returns:
@@ -86,8 +86,8 @@ def run_remote(name: str, key: str, packed: tuple[Packed, ...]) -> bytes:
         raise InputError(message)
     pickles = share.pickles
     run, *arguments = (pickle.loads(pickles[item] if isinstance(item, int) else item) for item in packed)
-    threadpool_limits(limits=1, user_api="blas")  # for good: works in other threads of this worker rely on it
-    result = perform(Work(key, run, tuple(arguments)), _RemoteControl(name, key))
+    threadpool_limits(limits=1, user_api="blas")  # for good: calls in other threads of this worker rely on it
+    result = perform(Call(key, run, tuple(arguments)), _RemoteControl(name, key))
     return _pickled(result)
 
 
@@ -98,15 +98,15 @@ def _pickled(result: Result) -> bytes:
         return pickle.dumps(replace(result, value=None, reason=internal_error(error)))
 
 
-def pack(works: list[Work]) -> tuple[list[bytes], dict[str, tuple[Packed, ...]]]:
-    """Pickle functions and arguments, those that several works have once.
+def pack(calls: list[Call]) -> tuple[list[bytes], dict[str, tuple[Packed, ...]]]:
+    """Pickle functions and arguments, those that several calls have once.
 
     Returns:
-        The pickles that are shared; by key of the work its function and arguments, numbers standing for shared ones.
+        The pickles that are shared; by key of the call its function and arguments, numbers standing for shared ones.
     """
     users: dict[int, int] = {}
-    for work in works:
-        for item in work.arguments:
+    for call in calls:
+        for item in call.arguments:
             users[id(item)] = users.get(id(item), 0) + 1
     shared: list[bytes] = []
     places: dict[int, int] = {}
@@ -120,4 +120,4 @@ def pack(works: list[Work]) -> tuple[list[bytes], dict[str, tuple[Packed, ...]]]
         shared.append(content)
         return places.setdefault(id(item), len(shared) - 1)
 
-    return shared, {work.key: tuple(packed(item) for item in (work.run, *work.arguments)) for work in works}
+    return shared, {call.key: tuple(packed(item) for item in (call.run, *call.arguments)) for call in calls}

@@ -1,4 +1,4 @@
-"""Several works at the same time, in threads; the core leaves Python's lock while it computes."""
+"""Several calls at the same time, in threads; the core leaves Python's lock while it computes."""
 
 from __future__ import annotations
 
@@ -7,32 +7,32 @@ from collections.abc import Callable, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 
 from edesign.one_thread import one_thread
-from edesign.study.run.backends.work import Control, LocalBackend, Result, Results, Work, check_keys, perform
+from edesign.study.run.backends.call import Call, Control, LocalBackend, Result, Results, check_keys, perform
 
 ASK_EVERY = 0.2  # s, for a wish to stop
 
 
 class ThreadsBackend(LocalBackend):
-    """Runs works in threads."""
+    """Runs calls in threads."""
 
     name = "threads"
 
     def __init__(self, workers: int) -> None:
         self.workers = workers
 
-    def results(self, works: Sequence[Work], control: Control, started: Callable[[str], None]) -> Results:
-        """Yield results as they are ready, those ready at the same time in the order of the works; see `Backend`."""
-        check_keys(works)
+    def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
+        """Yield results as they are ready, those ready at the same time in the order of the calls; see `Backend`."""
+        check_keys(calls)
         own = _Closable(control)
 
-        def begin(work: Work) -> Result | None:
+        def begin(call: Call) -> Result | None:
             if own.stopped():
                 return None
-            started(work.key)
-            return perform(work, own)
+            started(call.key)
+            return perform(call, own)
 
         with one_thread(), ThreadPoolExecutor(self.workers, thread_name_prefix="edesign") as pool:
-            waiting: dict[Future[Result | None], int] = {pool.submit(begin, work): i for i, work in enumerate(works)}
+            waiting: dict[Future[Result | None], int] = {pool.submit(begin, call): i for i, call in enumerate(calls)}
             try:
                 while waiting:
                     done, _ = wait(waiting, timeout=ASK_EVERY, return_when=FIRST_COMPLETED)

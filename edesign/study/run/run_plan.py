@@ -20,20 +20,20 @@ from edesign.study.check.warnings import ATTRIBUTE
 from edesign.study.motions.motions import Motion, match_options, project_motions
 from edesign.study.results.hazard import hazard_groups
 from edesign.study.results.records import failed_criteria, project_record_groups
+from edesign.study.run.analyses import analyse, analyse_stripe
 from edesign.study.run.backends import Backend
-from edesign.study.run.backends.work import Result, Work
-from edesign.study.run.execution import Execution, Job, Prepared
+from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.interrupt import stop_on_signals
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
 from edesign.study.run.plan import Task, waves
 from edesign.study.run.progress import Listener, Progress
 from edesign.study.run.provenance import IDENTITY, circumstances
-from edesign.study.run.tasks import analyse, analyse_stripe
+from edesign.study.run.state import Job, Prepared, RunState
 
 MATCHING = "matching"  # what the progress of the fit of the records is called
 
 
-def execute(
+def run_plan(
     job: Job,
     path: Path,
     listener: Listener,
@@ -52,7 +52,7 @@ def execute(
         job: what is to be run.
         path: the archive.
         listener: of the progress.
-        backend: that does the work.
+        backend: that runs the analyses.
         workers: threads for the records.
         fresh: True discards the results of an interrupted run.
         overwrite: True replaces the archive of another project too.
@@ -81,7 +81,7 @@ def execute(
     extra = {"provenance": circumstances()}
     job.root.attributes[ATTRIBUTE] = list(job.warnings)
     with ArchiveWriter(path, job.root, IDENTITY, None if fresh else accept, extra) as writer:
-        run = Execution(job, listener, backend, workers, writer)
+        run = RunState(job, listener, backend, workers, writer)
         if writer.note:
             run.note(writer.note)
         kept = [place for place in writer.kept if place in tasks]
@@ -94,7 +94,7 @@ def execute(
             run.ended(earlier[place])
         with stop_on_signals(run.stop, lambda: run.critical), stoppable(run.stopped):
             try:
-                _carry_out(run)
+                _run_tasks(run)
             except KeyboardInterrupt:
                 run.stop.set()
             except EdesignError as error:
@@ -111,7 +111,7 @@ def execute(
     return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
 
 
-def _carry_out(run: Execution) -> None:
+def _run_tasks(run: RunState) -> None:
     for place, group in hazard_groups(run.job.project.hazard):
         run.archive(place, group)
     run.motions = _prepare_records(run)
@@ -127,7 +127,7 @@ def _carry_out(run: Execution) -> None:
             if stripe.chain in fallen:  # also what an interrupted run has computed, if a failure below it fell now
                 skipped = Group(attributes={"status": SKIPPED})
                 _archive(run, task, Result(task.name, skipped, fallen[stripe.chain]))
-        _perform(run, [task for task in wave if task.name not in run.outcomes], prepared)
+        _run_wave(run, [task for task in wave if task.name not in run.outcomes], prepared)
         if run.stopped():
             return
         for task in wave:
@@ -135,9 +135,9 @@ def _carry_out(run: Execution) -> None:
                 fallen[task.stripe.chain] = f"collapsed at {task.name.removeprefix(f'{task.stripe.chain}.')}"
 
 
-def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
+def _run_wave(run: RunState, tasks: Sequence[Task], prepared: Prepared) -> None:
     """Run analyses that do not depend on each other, and archive each as soon as it is finished."""
-    works = []
+    calls = []
     for task in tasks:
         try:
             project, spec = prepared(task)
@@ -146,13 +146,13 @@ def _perform(run: Execution, tasks: Sequence[Task], prepared: Prepared) -> None:
             continue
         how = analyse if task.stripe is None else analyse_stripe
         motions = run.motions.get(task.record or ""), run.motions.get(task.vertical_record or "")
-        works.append(Work(task.name, how, (project, spec, *motions)))
+        calls.append(Call(task.name, how, (project, spec, *motions)))
     by_name = {task.name: task for task in tasks}
-    for result in run.results(works):
+    for result in run.results(calls):
         _archive(run, by_name[result.key], result)
 
 
-def _prepare_records(run: Execution) -> dict[str, Motion]:
+def _prepare_records(run: RunState) -> dict[str, Motion]:
     """Fit the records to the spectrum where the project says so."""
     started = time.monotonic()
     project, recordings = run.job.project, run.job.recordings
@@ -175,7 +175,7 @@ def _prepare_records(run: Execution) -> dict[str, Motion]:
     return motions
 
 
-def _archive_records(run: Execution, prepared: Prepared) -> None:
+def _archive_records(run: RunState, prepared: Prepared) -> None:
     """Archive the records with what is doubtful about their use, which the periods of designed frames decide too."""
     project, motions = run.job.project, run.motions
     warnings = scale_warnings(project, run.job.tasks, motions)
@@ -189,7 +189,7 @@ def _archive_records(run: Execution, prepared: Prepared) -> None:
             run.note(f"warning: {text}")
 
 
-def _archive(run: Execution, task: Task, result: Result) -> None:
+def _archive(run: RunState, task: Task, result: Result) -> None:
     group = result.value if isinstance(result.value, Group) else Group(attributes={"status": FAILED})
     status = str(group.attributes.get("status", COMPLETED))
     if task.stripe is not None and group.attributes.get("collapsed"):
@@ -200,7 +200,7 @@ def _archive(run: Execution, task: Task, result: Result) -> None:
     run.ended(Outcome(task.name, status, reason, seconds=result.seconds))
 
 
-def _keep(run: Execution) -> bool:
+def _keep(run: RunState) -> bool:
     """Leave the partial file if there is something in it that the next run can use; tell whether there is."""
     if run.outcomes or run.resumable:
         return True
@@ -208,16 +208,16 @@ def _keep(run: Execution) -> bool:
     return False
 
 
-def _kept_message(run: Execution, path: Path) -> str:
+def _kept_message(run: RunState, path: Path) -> str:
     if not run.outcomes and not run.resumable:
         return f"interrupted before an analysis was finished; {path} is unchanged"
     return f"interrupted: {_kept(run)}; the same command with {run.job.path} goes on from there (--fresh starts anew)"
 
 
-def _kept(run: Execution) -> str:
+def _kept(run: RunState) -> str:
     others = f", with {_places(run)}," if run.resumable else ""
     return f"{len(run.outcomes)} of {len(run.job.tasks)} analyses are finished{others} and kept in {run.writer.partial}"
 
 
-def _places(run: Execution) -> str:
+def _places(run: RunState) -> str:
     return " and ".join(run.resumable)

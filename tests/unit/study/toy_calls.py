@@ -1,4 +1,4 @@
-"""Works that do what a test wants, as functions that other processes find; what they tell lies in a folder."""
+"""Calls that do what a test wants, as functions that other processes find; what they tell lies in a folder."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from edesign.project.analysis.analyses import Analysis
 from edesign.project.project import Project
 from edesign.study.motions.motions import Motion
 from edesign.study.run.analyses import run_analysis
-from edesign.study.run.backends import Backend, Result, Work
+from edesign.study.run.backends import Backend, Call, Result
 
 WAIT = 60.0  # s, until a test is taken to hang
 
@@ -50,7 +50,7 @@ def unsendable(**_: Any) -> Any:
 
 
 def until_stopped(folder: Path, name: str, *, progress: Callable[[int, int], None], stop: Callable[[], bool]) -> Group:
-    """Work on until it is told to stop, then say so."""
+    """Call on until it is told to stop, then say so."""
     (folder / f"{name}.began").touch()
     end = time.monotonic() + WAIT
     step = 0
@@ -135,22 +135,22 @@ class Listener:
         return self.stop.is_set()
 
 
-def run_all(backend: Backend, works: Sequence[Work]) -> dict[str, Result]:
+def run_all(backend: Backend, calls: Sequence[Call]) -> dict[str, Result]:
     """Results by key, each asked to have been told as begun before."""
     listener = Listener()
     found: dict[str, Result] = {}
-    for result in backend.results(works, listener, listener.started):
+    for result in backend.results(calls, listener, listener.started):
         assert result.key in listener.begun and result.key not in found
         found[result.key] = result
     assert len(listener.begun) == len(set(listener.begun)), "begun twice"
     return found
 
 
-def mixed_works() -> list[Work]:
-    """Six works with numbers as their results, which share an argument, and four that fail."""
+def mixed_calls() -> list[Call]:
+    """Six calls with numbers as their results, which share an argument, and four that fail."""
     shared = np.linspace(1.0, 2.0, 1000)
-    works = [Work(f"numbers {seed}", numbers, (seed, shared)) for seed in range(6)]
-    return works[:3] + [Work(kind, fails, (kind,)) for kind in ("known", "memory", "fault")] + works[3:]
+    calls = [Call(f"numbers {seed}", numbers, (seed, shared)) for seed in range(6)]
+    return calls[:3] + [Call(kind, fails, (kind,)) for kind in ("known", "memory", "fault")] + calls[3:]
 
 
 def check_mixed(found: dict[str, Result]) -> None:

@@ -1,4 +1,4 @@
-"""A piece of work, how it ended, and what a back end that runs many of them has to do."""
+"""A call, how it ended, and what a back end that runs many of them has to do."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ log = logging.getLogger("edesign")
 
 
 @dataclass(frozen=True)
-class Work:
+class Call:
     """A call whose result is wanted.
 
     Attributes:
         key: its unique name.
         run: a function of a module (so that other processes find it), called as
             `run(*arguments, progress=..., stop=...)`.
-        arguments: anything that can be pickled. What several works share should be the same object, so that it
+        arguments: anything that can be pickled. What several calls share should be the same object, so that it
             travels once.
     """
 
@@ -35,10 +35,10 @@ class Work:
 
 @dataclass(frozen=True)
 class Result:
-    """How a piece of work ended.
+    """How a call ended.
 
     Attributes:
-        key: of the work.
+        key: of the call.
         value: what it returned, None if it failed or did not begin.
         reason: of the failure, "" if there was none.
         interrupted: whether it was stopped before its end.
@@ -53,34 +53,34 @@ class Result:
 
 
 Results = Generator[Result, None, None]
-"""Results as they are ready; closing it before its end stops the works."""
+"""Results as they are ready; closing it before its end stops the calls."""
 
 
 class Control(Protocol):
-    """What the one who wants the results tells and is told while the work goes on, from any thread."""
+    """What the one who wants the results tells and is told while the call goes on, from any thread."""
 
     def progress(self, key: str, done: int, total: int) -> None:
-        """Hear how far a work is."""
+        """Hear how far a call is."""
 
     def stopped(self) -> bool:
-        """Whether the work shall end."""
+        """Whether the call shall end."""
 
 
 class Backend(Protocol):
-    """Runs works; a context manager that holds the processes it needs."""
+    """Runs calls; a context manager that holds the processes it needs."""
 
     name: str
 
-    def results(self, works: Sequence[Work], control: Control, started: Callable[[str], None]) -> Results:
+    def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
         """Yield results as they are ready; what they are does not depend on the back end.
 
-        Nothing begins after `control.stopped()`, and works that did not begin have no result. Closing the generator
+        Nothing begins after `control.stopped()`, and calls that did not begin have no result. Closing the generator
         ends what runs and waits for it.
 
         Args:
-            works: each with its own key.
+            calls: each with its own key.
             control: asked for a stop, told the progress.
-            started: called with the key when a work begins, before its progress.
+            started: called with the key when a call begins, before its progress.
         """
 
     def __enter__(self) -> Self: ...
@@ -98,30 +98,30 @@ class LocalBackend:
         return None
 
 
-def perform(work: Work, control: Control) -> Result:
-    """Run a work; whatever goes wrong in it becomes the reason of a failed result."""
+def perform(call: Call, control: Control) -> Result:
+    """Run a call; whatever goes wrong in it becomes the reason of a failed result."""
     began = time.monotonic()
     if control.stopped():
-        return Result(work.key, interrupted=True)
+        return Result(call.key, interrupted=True)
     value, reason = None, ""
 
     def progress(done: int, total: int) -> None:
-        control.progress(work.key, done, total)
+        control.progress(call.key, done, total)
 
     try:
         with stoppable(control.stopped):
-            value = work.run(*work.arguments, progress=progress, stop=control.stopped)
+            value = call.run(*call.arguments, progress=progress, stop=control.stopped)
     except Stopped:
-        return Result(work.key, interrupted=True, seconds=time.monotonic() - began)
+        return Result(call.key, interrupted=True, seconds=time.monotonic() - began)
     except EdesignError as error:
         reason = str(error)
     except MemoryError:
         reason = NO_MEMORY
     except Exception as error:  # one analysis must not take the others with it
-        log.exception("analysis %s", work.key)
+        log.exception("analysis %s", call.key)
         reason = internal_error(error)
     interrupted = getattr(value, "attributes", {}).get("status") == INTERRUPTED
-    return Result(work.key, value, reason, interrupted, time.monotonic() - began)
+    return Result(call.key, value, reason, interrupted, time.monotonic() - began)
 
 
 def internal_error(error: Exception) -> str:
@@ -129,11 +129,11 @@ def internal_error(error: Exception) -> str:
     return f"internal error, please report it ({type(error).__name__}: {error})"
 
 
-def check_keys(works: Sequence[Work]) -> None:
-    """Refuse works that could not be told apart.
+def check_keys(calls: Sequence[Call]) -> None:
+    """Refuse calls that could not be told apart.
 
     Raises:
         ValueError: two have the same key.
     """
-    if len({work.key for work in works}) < len(works):
-        raise ValueError("two works have the same key")
+    if len({call.key for call in calls}) < len(calls):
+        raise ValueError("two calls have the same key")

@@ -16,7 +16,7 @@ from edesign.project.analysis.analyses import PlannedAnalysis
 from edesign.project.project import Project
 from edesign.study.motions.motions import Motion
 from edesign.study.run.backends import Backend
-from edesign.study.run.backends.work import Result, Work
+from edesign.study.run.backends.call import Call, Result
 from edesign.study.run.outcome import Outcome
 from edesign.study.run.plan import Task
 from edesign.study.run.progress import Listener, Progress
@@ -47,13 +47,13 @@ class Job:
     recordings: Mapping[str, Found]
     root: Group
     warnings: tuple[str, ...]
-    prepare: Callable[[Execution], Prepared]
+    prepare: Callable[[RunState], Prepared]
     resumable: tuple[str, ...] = ()
     damper_strains: Mapping[str, float | None] = field(default_factory=dict)
 
 
 @dataclass
-class Execution:
+class RunState:
     """The state of a run that its threads share."""
 
     job: Job
@@ -117,11 +117,11 @@ class Execution:
         place = self._places.get(name, 0)
         self.tell(Progress(event, name, place, len(self._places), fraction, message, seconds))
 
-    def results(self, works: Sequence[Work]) -> Iterator[Result]:
-        """Have work done by the back end; what was interrupted is left out, and nothing starts after a stop."""
+    def results(self, calls: Sequence[Call]) -> Iterator[Result]:
+        """Have calls made by the back end; what was interrupted is left out, and nothing starts after a stop."""
         if self.stopped():
             return
-        for result in self.backend.results(works, self, self.started):
+        for result in self.backend.results(calls, self, self.started):
             if not result.interrupted:
                 yield result
 
