@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, PrivateAttr, Tag
+from pydantic import Discriminator, Field, PrivateAttr, Tag
 from pydantic_core import PydanticCustomError
 
 from edesign.damper.effects_file import EffectsError, read_effects
@@ -22,14 +22,16 @@ from edesign.damper.test_files import (
 )
 from edesign.damper.test_record import Use
 from edesign.project.dampers.dampers import Effect
-from edesign.project.notation.temperature import parse_temperature
+from edesign.project.notation.temperature import TEMPERATURE_TEXT, parse_temperature
 from edesign.project.notation.units import (
     FREQUENCY,
     LENGTH,
     PositiveTime,
     parse_quantity,
     parse_ratio,
+    written_ratio,
 )
+from edesign.project.notation.written import SchemaMaker, Written, given, one_or_list_of, quantity, ratio
 from edesign.project.reading.base import Model, by_key, refuse
 from edesign.project.reading.file_bytes import is_file
 from edesign.project.reading.problems import FileProblems, Problems
@@ -55,7 +57,7 @@ def parse_frequency(value: Any) -> float:
     return parse_quantity(value, FREQUENCY, "positive")
 
 
-def _several(parse: Callable[[Any], float]) -> BeforeValidator:
+def _several(parse: Callable[[Any], float], schema: SchemaMaker) -> Written:
     """One value or a list of them."""
 
     def read(value: Any) -> tuple[float, ...]:
@@ -71,17 +73,23 @@ def _several(parse: Callable[[Any], float]) -> BeforeValidator:
                 raise refuse(error.message(), i) from None
         return tuple(found)
 
-    return BeforeValidator(read)
+    return Written(read, one_or_list_of(schema))
 
 
-Frequency = Annotated[float, BeforeValidator(parse_frequency)]
-Frequencies = Annotated[tuple[float, ...], _several(parse_frequency)]
+Frequency = Annotated[float, Written(parse_frequency, quantity(FREQUENCY, "positive"))]
+Frequencies = Annotated[tuple[float, ...], _several(parse_frequency, quantity(FREQUENCY, "positive"))]
 Strains = Annotated[
-    tuple[float, ...], _several(lambda value: parse_ratio(value, 0.0, LARGEST_STRAIN, low_allowed=False))
+    tuple[float, ...],
+    _several(
+        lambda value: parse_ratio(value, 0.0, LARGEST_STRAIN, low_allowed=False),
+        ratio(0.0, LARGEST_STRAIN, low_allowed=False),
+    ),
 ]
-Displacements = Annotated[tuple[float, ...], _several(lambda value: parse_quantity(value, LENGTH, "positive"))]
-Temperatures = Annotated[tuple[float, ...], _several(parse_temperature)]
-CelsiusList = Annotated[tuple[float, ...], _several(parse_celsius)]
+Displacements = Annotated[
+    tuple[float, ...], _several(lambda value: parse_quantity(value, LENGTH, "positive"), quantity(LENGTH, "positive"))
+]
+Temperatures = Annotated[tuple[float, ...], _several(parse_temperature, TEMPERATURE_TEXT)]
+CelsiusList = Annotated[tuple[float, ...], _several(parse_celsius, given({"type": "number"}))]
 
 
 class _Test(Model):
@@ -147,7 +155,7 @@ TestPlan = Annotated[
 class Noise(Model):
     """White noise of the force channel: its standard deviation as a share of the peak force of each test."""
 
-    force: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0))]
+    force: Annotated[float, written_ratio(0.0, 1.0)]
     seed: Annotated[int, Field(ge=0)]
 
 

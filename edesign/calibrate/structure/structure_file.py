@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
 from edesign.calibrate.problem import Use
 from edesign.calibrate.structure.damping import DampingKind
@@ -19,18 +19,28 @@ from edesign.project.notation.units import (
     PositiveRatio,
     PositiveStiffness,
     parse_quantity,
+    units_of,
+    written,
 )
+from edesign.project.notation.written import OF_ONE, Inner, Json, Written
 from edesign.project.reading.base import Model
 from edesign.project.reading.problems import Problems
 
 _DASHPOT = Kind("damping coefficient", "N*s/m", "100 kN*s/m")
-Dashpot = Annotated[float, BeforeValidator(lambda value: parse_quantity(value, _DASHPOT, "not negative"))]
+Dashpot = Annotated[float, written(_DASHPOT, "not negative")]
 Mode = Annotated[int, Field(ge=1)]
 
 
-def _unit(kind: Kind) -> BeforeValidator:
+def _unit(kind: Kind) -> Written:
     """A unit, which becomes its factor to SI."""
-    return BeforeValidator(lambda value: parse_quantity(f"1 {value}", kind))
+
+    def schema(_inner: Inner) -> Json:
+        from edesign.project.notation.unit_patterns import unit_pattern
+
+        said = {"title": f"unit of {kind.name}", "examples": sorted(units_of(kind)), OF_ONE: kind.unit}
+        return {"type": "string", "pattern": rf"^\s*(?:{unit_pattern(kind)})\s*$", **said}
+
+    return Written(lambda value: parse_quantity(f"1 {value}", kind), schema)
 
 
 class DampingBlock(Model):

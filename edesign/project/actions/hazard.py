@@ -18,6 +18,7 @@ from edesign.project.notation.units import (
     PositiveTime,
     parse_ratio,
 )
+from edesign.project.notation.written import Written, given, ratio
 from edesign.project.reading.base import Model, by_key, refuse
 from edesign.project.reading.problems import Keys
 
@@ -38,7 +39,7 @@ def _behaviour_factor(value: Any) -> float:
     return parse_ratio(value, 1.0, math.inf)
 
 
-BehaviourFactor = Annotated[float, BeforeValidator(_behaviour_factor)]
+BehaviourFactor = Annotated[float, Written(_behaviour_factor, ratio(1.0, math.inf))]
 
 
 class SpectrumParameters(Model):
@@ -70,7 +71,10 @@ class EC8Hazard(Hazard):
 
     code: Literal["ec8-2004"]
     country: Annotated[str, Field(min_length=1)] | None = None
-    zone: Annotated[str, BeforeValidator(_zone)] | None = None
+    zone: (
+        Annotated[str, Written(_zone, given({"title": "number or name of a zone", "type": ["integer", "string"]}))]
+        | None
+    ) = None
     a_gR: PositiveAcceleration | None = None
     ground: Literal["A", "B", "C", "D", "E"]
     spectrum: Annotated[Literal[1, 2], BeforeValidator(_spectrum_type)]

@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field, PrivateAttr
+from pydantic import Field, PrivateAttr
 
 from edesign.errors import InputError
 from edesign.project.notation.units import TIME, PositiveRatio, parse_quantity, parse_ratio
+from edesign.project.notation.written import NUMBER, Written, ratio, text
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import Keys
 
@@ -30,9 +31,14 @@ def _years(value: Any) -> float:
     return seconds
 
 
-Probability = Annotated[float, BeforeValidator(_probability)]
+Probability = Annotated[float, Written(_probability, ratio(0.0, 1.0, low_allowed=False, high_allowed=False))]
 """Of exceedance, between 0 and 1."""
-Years = Annotated[float, BeforeValidator(_years)]
+Years = Annotated[
+    float,
+    Written(
+        _years, text("time of a year or more", rf"{NUMBER}\s*(?:years?|days?|weeks?|months?|h|min|s)", "475 years")
+    ),
+]
 """A time of a year or more, s."""
 
 

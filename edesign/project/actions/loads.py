@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
 from edesign.project.frame.members import BeamPlaces, ColumnPlaces
 from edesign.project.notation.positions import Place, Places
 from edesign.project.notation.selections import ALL_LINES, Lines, Numbers
 from edesign.project.notation.units import AREA_LOAD, LINE_LOAD, AreaLoad, Factor, Force, PositiveLength, parse_quantity
+from edesign.project.notation.written import Written, either, items, quantity
 from edesign.project.reading.base import Model, refuse
 
 
@@ -47,8 +47,11 @@ def _line_loads(value: Any) -> tuple[float, float]:
     return found[0], found[1]
 
 
-LineLoad = Annotated[float, BeforeValidator(_line_load)]
-LineLoads = Annotated[tuple[float, float], BeforeValidator(_line_loads)]
+LineLoad = Annotated[float, Written(_line_load, quantity(LINE_LOAD))]
+LineLoads = Annotated[
+    tuple[float, float],
+    Written(_line_loads, either(quantity(LINE_LOAD), items(quantity(LINE_LOAD), quantity(LINE_LOAD)))),
+]
 """N/m at the start and at the end."""
 
 

@@ -7,6 +7,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Field
 
 from edesign.project.notation.units import Factor, PositiveFactor, PositiveRatio, PositiveTime, UnitRatio, parse_ratio
+from edesign.project.notation.written import Written, items, ratio
 from edesign.project.reading.base import Model, refuse
 
 ImportanceClass = Literal["I", "II", "III", "IV"]
@@ -32,7 +33,7 @@ def by_importance(value: Any) -> Any:
     return value
 
 
-Psi = Annotated[tuple[float, float, float], BeforeValidator(_psi)]
+Psi = Annotated[tuple[float, float, float], Written(_psi, items(*(ratio(0.0, 1.0),) * 3))]
 """psi_0, psi_1 and psi_2."""
 
 

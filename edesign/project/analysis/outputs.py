@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
-from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumberSelection, parse_numbers
+from edesign.project.notation.selections import ALL_NUMBERS, SELECTED_NUMBERS, Numbers, NumberSelection, parse_numbers
+from edesign.project.notation.written import Written, words_or
 from edesign.project.reading.base import Model, refuse
 
 HistoryKind = Literal["floors", "storeys", "energy", "dampers", "supports"]
@@ -33,7 +34,9 @@ class FibreOutput(Model):
 
     member: str
     points: Numbers = ALL_NUMBERS
-    layers: Annotated[NumberSelection | Edge, BeforeValidator(_layers)] = ALL_NUMBERS
+    layers: Annotated[NumberSelection | Edge, Written(_layers, words_or(SELECTED_NUMBERS, "top", "bottom"))] = (
+        ALL_NUMBERS
+    )
 
 
 class Outputs(Model):

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import ModeNumber
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.units import Factor, PositiveRatio, PushedDrift
+from edesign.project.notation.written import Written, one_or_list
 from edesign.project.reading.base import Model, by_shape
 
 Steps = Annotated[int, Field(ge=1, le=1_000_000)]
@@ -61,11 +62,11 @@ class Pushover(Model):
     are taken from, by default that of the hazard. `site_class` is of ASCE/SEI 41, by default by the ground type.
     """
 
-    pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), BeforeValidator(several)]
+    pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), Written(several, one_or_list)]
     direction: Literal["right", "left", "both"] = "right"
     roof_drift: PushedDrift | None = None
     steps: Steps = PUSHOVER_STEPS
-    targets: Annotated[tuple[Method, ...], BeforeValidator(several)] = ()
+    targets: Annotated[tuple[Method, ...], Written(several, one_or_list)] = ()
     levels: Names | None = None
     damping: PositiveRatio | None = None
     site_class: SiteClass | None = None

@@ -6,9 +6,17 @@ import math
 import re
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
-from edesign.project.notation.units import Factor, PositiveFactor, PositiveLength, PositiveRatio, UnitRatio, parse_ratio
+from edesign.project.notation.units import (
+    Factor,
+    PositiveFactor,
+    PositiveLength,
+    PositiveRatio,
+    parse_ratio,
+    written_ratio,
+)
+from edesign.project.notation.written import Written, as_kept, either, given, ratio, text, words_or
 from edesign.project.reading.base import Model, refuse
 
 SystemType = Literal["moment_frame", "concentric_diagonal", "concentric_v"]
@@ -91,7 +99,7 @@ class System(Model):
     """
 
     type: SystemType
-    q: Annotated[Literal["table"] | float, BeforeValidator(_q)] = "table"
+    q: Annotated[Literal["table"] | float, Written(_q, words_or(ratio(1.0, math.inf), "table"))] = "table"
     alpha_u_over_alpha_1: Annotated[float, Field(ge=1.0, le=1.6)] | None = None
 
 
@@ -112,7 +120,10 @@ class Drift(Model):
     nu: PositiveRatio = 0.5
 
 
-ShareOfSpan = Annotated[float | None, BeforeValidator(_share_of_span)]
+_OVER_SPAN = text("share of the span", r"1 ?/ ?[0-9]{1,6}(?:\.[0-9]+)?", "1/250")
+ShareOfSpan = Annotated[
+    float | None, Written(_share_of_span, words_or(either(_OVER_SPAN, ratio(0.0, 1.0, False, False)), "none"))
+]
 
 
 class BeamDeflections(Model):
@@ -149,7 +160,9 @@ class Fundamental(Model):
     loads are favourable (gamma_G,inf) and variable ones absent, as for uplift.
     """
 
-    expression: Annotated[Literal["6.10", "6.10a/b"], BeforeValidator(_expression)] = "6.10"
+    expression: Annotated[
+        Literal["6.10", "6.10a/b"], Written(_expression, given({"enum": ["6.10", 6.1, "6.10a/b"]}))
+    ] = "6.10"
     favourable: bool = False
 
 
@@ -186,7 +199,10 @@ class MemberChecks(Model):
     interaction: Literal["annex_a", "annex_b"] = "annex_b"
     buckling_length: BucklingLength = BucklingLength()
     lateral_restraint: LateralRestraint = LateralRestraint()
-    yield_by_thickness: Annotated[Literal["en10025-2", "table-3.1"] | None, BeforeValidator(_by_thickness)] = None
+    yield_by_thickness: Annotated[
+        Literal["en10025-2", "table-3.1"] | None,
+        Written(_by_thickness, given({"enum": ["en10025-2", "table-3.1", True, False]})),
+    ] = None
     doubler_plates: bool = True
 
 
@@ -245,15 +261,15 @@ class Design(Model):
     regular_in_plan: Literal["auto"] | bool = "auto"
     regular_in_elevation: Literal["auto"] | bool = "auto"
     combination: Literal["cqc", "srss"] = "cqc"
-    damping: Annotated[float, BeforeValidator(lambda value: parse_ratio(value, 0.0, 1.0, False, False))] = 0.05
-    modes: Annotated[Literal["auto"] | int, BeforeValidator(_modes)] = "auto"
-    accidental_torsion: Annotated[UnitRatio, BeforeValidator(_torsion)] = 0.05
+    damping: Annotated[float, written_ratio(0.0, 1.0, False, False)] = 0.05
+    modes: Annotated[Literal["auto"] | int, Written(_modes, as_kept)] = "auto"
+    accidental_torsion: Annotated[float, Written(_torsion, words_or(ratio(0.0, 1.0), "none"))] = 0.05
     torsion_by: Literal["static_moments", "shifted_masses"] = "static_moments"
-    directions: Annotated[Literal["srss"] | float, BeforeValidator(_directions)] = 0.3
+    directions: Annotated[Literal["srss"] | float, Written(_directions, words_or(ratio(0.0, 1.0), "srss"))] = 0.3
     imperfections: Literal["sway", "none"] = "sway"
     second_order: Literal["amplify", "none"] = "amplify"
     displacement: Literal["elastic_cap", "q_times_d_e"] = "elastic_cap"
-    drift: Annotated[Drift, BeforeValidator(_drift)] = Drift()
+    drift: Annotated[Drift, Written(_drift, words_or(as_kept, "none"))] = Drift()
     fundamental: Fundamental = Fundamental()
     serviceability: Serviceability = Serviceability()
     partial_factors: PartialFactors = PartialFactors()

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator
-
 from edesign.project.building.names import Direction
 from edesign.project.building.places import ALL_COLUMN_LINES, ALL_FRAMES, ColumnLines, Frames
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
 from edesign.project.notation.several import ShortName
 from edesign.project.notation.units import ROTATIONAL_STIFFNESS, held
+from edesign.project.notation.written import Written, as_kept, either, quantity, words_or
 from edesign.project.reading.base import Model
 
 BraceKind = Literal["rising", "falling", "alternating", "cross", "chevron", "v"]
@@ -71,7 +70,9 @@ class BeamRun(BeamPlaces):
 
     section: str
     material: str
-    ends: Annotated[Ends, BeforeValidator(_ends)] = Ends()
+    ends: Annotated[
+        Ends, Written(_ends, either(as_kept, words_or(quantity(ROTATIONAL_STIFFNESS, "positive"), "rigid", "pinned")))
+    ] = Ends()
     group: ShortName | None = None
 
 

@@ -7,11 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator
-
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.notation.names import line_index
-from edesign.project.notation.selections import ALL_NUMBERS, Numbers
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, selection
+from edesign.project.notation.written import Written
 from edesign.project.reading.base import Model, refuse
 
 _END = r"([A-Z]{0,2})([0-9]{0,3})"
@@ -121,9 +120,35 @@ def _panels(value: Any) -> Any:
     return (value,) if isinstance(value, dict) else value
 
 
-ColumnLines = Annotated[ColumnLineSelection, BeforeValidator(parse_column_lines)]
-Frames = Annotated[FrameSelection, BeforeValidator(parse_frames)]
-Bays = Annotated[tuple[Panels, ...], BeforeValidator(_panels)]
+ColumnLines = Annotated[
+    ColumnLineSelection,
+    Written(
+        parse_column_lines,
+        selection(
+            "selection of column lines",
+            r"(?=[A-Z0-9])[A-Z]{0,2}[0-9]{0,3}(?:\s*-\s*[A-Z]{0,2}[0-9]{0,3})?",
+            ("all",),
+            "`all`, `A2`, `A`, `2` or `A1-C2`",
+            True,
+        ),
+    ),
+]
+Frames = Annotated[
+    FrameSelection,
+    Written(
+        parse_frames,
+        selection(
+            "selection of frames",
+            r"[XY]?(?:[A-Z]{1,2}|[0-9]{1,3})(?:\s*-\s*[XY]?(?:[A-Z]{1,2}|[0-9]{1,3}))?",
+            ("all",),
+            "`all`, `2`, `A`, `A-C` or `[X1, X4]`",
+            True,
+        ),
+    ),
+]
+Bays = Annotated[
+    tuple[Panels, ...], Written(_panels, lambda inner: {"anyOf": [{"const": "all"}, inner()["items"], inner()]})
+]
 
 ALL_COLUMN_LINES = ColumnLineSelection()
 ALL_FRAMES = FrameSelection()

@@ -5,13 +5,22 @@ from __future__ import annotations
 import re
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, ValidationInfo, field_validator
+from pydantic import (
+    ConfigDict,
+    Discriminator,
+    Field,
+    Tag,
+    ValidationInfo,
+    WithJsonSchema,
+    field_validator,
+)
 
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
+from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, add_limits, parse_limit
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.notation.several import several
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
+from edesign.project.notation.written import Written, given, one_or_list, text, words_or
 from edesign.project.reading.base import Model, keys_in, refuse
 from edesign.project.reading.problems import as_seen, unknown_name
 
@@ -68,7 +77,7 @@ def _statistic(value: Any) -> Any:
     return f"{float(match[1]):g}%"
 
 
-Names = Annotated[tuple[str, ...], BeforeValidator(_some_names)]
+Names = Annotated[tuple[str, ...], Written(_some_names, one_or_list)]
 
 
 class _Criterion(Model):
@@ -81,7 +90,9 @@ class _Criterion(Model):
     name: CriterionName
     variants: Names = ()
     levels: Names = ()
-    statistic: Annotated[str, BeforeValidator(_statistic)] = "mean"
+    statistic: Annotated[
+        str, Written(_statistic, words_or(text("percentile", _PERCENTILE.pattern, "84 %"), *PLAIN_STATISTICS))
+    ] = "mean"
     share: PositiveRatio | None = None
     storeys: Numbers = ALL_NUMBERS
 
@@ -91,6 +102,10 @@ class _Criterion(Model):
         return False
 
 
+_NAMED_KINDS = {**MEASURE_KINDS, **{short: MEASURE_KINDS[name] for short, name in SHORT_NAMES.items()}}
+_Limit = Annotated[float, WithJsonSchema({"title": "limit with its unit", "type": ["number", "string"]})]
+
+
 class MeasureCriterion(_Criterion):
     """Limits of a response measure, in SI.
 
@@ -98,9 +113,11 @@ class MeasureCriterion(_Criterion):
     `least` alone is a requirement.
     """
 
-    measure: Annotated[str, BeforeValidator(_measure)]
-    most: float | None = None
-    least: float | None = None
+    model_config = ConfigDict(json_schema_extra=lambda schema: add_limits(schema, "measure", _NAMED_KINDS))
+
+    measure: Annotated[str, Written(_measure, given({"enum": sorted({*SHORT_NAMES, *MEASURE_KINDS})}))]
+    most: _Limit | None = None
+    least: _Limit | None = None
     members: Names = ()
 
     @property
@@ -122,9 +139,15 @@ class QuantityCriterion(_Criterion):
     are chosen. `frequency` (Hz) and `damping` are of an oscillator on a floor, `term` is one of the energy balance.
     """
 
-    quantity: Annotated[str, BeforeValidator(_quantity)]
-    most: float | None = None
-    least: float | None = None
+    model_config = ConfigDict(
+        json_schema_extra=lambda schema: add_limits(
+            schema, "quantity", {name: of.kind for name, of in QUANTITIES.items()}
+        )
+    )
+
+    quantity: Annotated[str, Written(_quantity, given({"enum": sorted(QUANTITIES)}))]
+    most: _Limit | None = None
+    least: _Limit | None = None
     floors: Numbers = ALL_NUMBERS
     members: Names = ()
     dampers: Names = ()

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 from edesign.project.notation.units import ACCELERATION, FORCE, LENGTH, ROTATION, Kind, parse_quantity, parse_ratio
+from edesign.project.notation.written import Json, quantity, ratio
 
 RATIO = Kind("ratio", "1", "1.3 %")
 MULTIPLE = Kind("multiple", "", "12")
@@ -61,3 +63,25 @@ def parse_limit(kind: Kind, value: Any) -> float:
     if kind in (RATIO, MULTIPLE):
         return parse_ratio(value, 0.0, float("inf"))
     return parse_quantity(value, kind, "not negative")
+
+
+def limit_schema(kind: Kind) -> Json:
+    """Return the JSON schema of what `parse_limit` reads."""
+    make = ratio(0.0, float("inf")) if kind in (RATIO, MULTIPLE) else quantity(kind, "not negative")
+    return make(dict)
+
+
+def add_limits(schema: Json, key: str, kinds: Mapping[str, Kind]) -> None:
+    """Say in a schema which limits, `most` and `least`, belong to which value of a key.
+
+    Args:
+        schema: of a criterion; is changed.
+        key: of the criterion: "measure".
+        kinds: the quantity that limits are of by value of the key.
+    """
+    schema["allOf"] = []
+    for kind in dict.fromkeys(kinds.values()):
+        names = sorted(name for name, of in kinds.items() if of == kind)
+        limits = {side: limit_schema(kind) for side in ("most", "least")}
+        chosen = {"properties": {key: {"enum": names}}, "required": [key]}
+        schema["allOf"].append({"if": chosen, "then": {"properties": limits}})

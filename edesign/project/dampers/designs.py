@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BaseModel, BeforeValidator, Discriminator, Field, Tag
+from pydantic import BaseModel, Discriminator, Field, Tag
 
 from edesign.project.analysis.damping import State
 from edesign.project.dampers.placement import PlacementDesign
@@ -25,6 +25,7 @@ from edesign.project.notation.units import (
     UnitRatio,
     parse_ratio,
 )
+from edesign.project.notation.written import Written, ratio, words_or
 from edesign.project.reading.base import Model, by_key, by_shape, keys_in, plain_or_list, refuse
 from edesign.project.reading.problems import did_you_mean, listed
 
@@ -145,7 +146,10 @@ class _ElastomerDesign(_Design):
 
     layers: Count | None = None
     properties: Properties = "law"
-    strain: Annotated[float | Literal["spectrum", "histories"], BeforeValidator(_strain)]
+    strain: Annotated[
+        float | Literal["spectrum", "histories"],
+        Written(_strain, words_or(ratio(0.0, math.inf, low_allowed=False), *FOLLOWED)),
+    ]
     frequency: (
         Annotated[
             Annotated[PositiveFrequency, Tag("?plain")]

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import AfterValidator, BeforeValidator, Field
+from pydantic import AfterValidator, Field
 
 from edesign.project.frame.sections import SectionAxis
 from edesign.project.notation.units import ROTATIONAL_STIFFNESS, PositiveFactor, held, parse_ratio
+from edesign.project.notation.written import Written, ratio, words_or
 from edesign.project.reading.base import Model, refuse
 
 CAMBER = 1e-3
@@ -53,7 +54,9 @@ class BraceBuckling(Model):
     a rotational stiffness such as that of a gusset plate (N m/rad). `elements` None: by the ends.
     """
 
-    camber: Annotated[float | Literal["ec3"], BeforeValidator(_camber)] = CAMBER
+    camber: Annotated[
+        float | Literal["ec3"], Written(_camber, words_or(ratio(0.0, LARGEST_CAMBER, low_allowed=False), "ec3"))
+    ] = CAMBER
     axis: SectionAxis = "weak"
     ends: Annotated[
         Literal["pinned", "fixed"] | float,

@@ -9,11 +9,12 @@ import re
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 from pydantic_core import PydanticCustomError
 
 from edesign.project.notation.several import several
 from edesign.project.notation.units import LENGTH, parse_quantity, parse_ratio
+from edesign.project.notation.written import Written, either, one_or_list, quantity, ratio, text
 from edesign.project.reading.base import refuse
 
 _FRACTION = re.compile(r"\s*([0-9]{1,6})\s*/\s*([0-9]{1,6})\s*")
@@ -68,6 +69,7 @@ def parse_position(value: Any) -> Position:
         raise refuse(f"{message}; a share of the length is written like `1/3`, `0.25` or `30 %`") from None
 
 
-Place = Annotated[Position, BeforeValidator(parse_position)]
-Places = Annotated[tuple[Place, ...], Field(min_length=1), BeforeValidator(several)]
+_SHARE = text("share of the length", r"[0-9]{1,6}\s*/\s*[0-9]{1,6}", "1/3")
+Place = Annotated[Position, Written(parse_position, either(ratio(0.0, 1.0), _SHARE, quantity(LENGTH, "not negative")))]
+Places = Annotated[tuple[Place, ...], Field(min_length=1), Written(several, one_or_list)]
 """One place, or a list of them."""

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator
-
 from edesign.project.notation.names import line_index
+from edesign.project.notation.written import SHARED, SchemaMaker, Written, given
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
 
@@ -92,9 +91,53 @@ def parse_lines(value: Any) -> LineSelection:
     return LineSelection(tuple(_line_range(item, at) for item, at in _items(value, "A-D")))
 
 
-Numbers = Annotated[NumberSelection, BeforeValidator(parse_numbers)]
-NumbersOrNone = Annotated[NumberSelection, BeforeValidator(parse_numbers_or_none)]
-Lines = Annotated[LineSelection, BeforeValidator(parse_lines)]
+def selection(title: str, one: str, words: Sequence[str], example: str, numbers: bool) -> SchemaMaker:
+    """Return what makes the schema of a selection.
+
+    Args:
+        title: what is selected.
+        one: expression of an item that is text.
+        words: that stand alone.
+        example: for people.
+        numbers: whether an item may be a plain number.
+    """
+    item: dict[str, Any] = {
+        "type": "string",
+        "pattern": rf"^\s*(?:{one})\s*$",
+        "patternErrorMessage": f"a {title} is written like {example}",
+    }
+    alone = {**item, "pattern": rf"^\s*(?:{'|'.join([*words, one])})\s*$"}
+    number: list[dict[str, Any]] = [{"type": "integer", "minimum": 0}] if numbers else []
+    each = {"anyOf": [item, *number]} if numbers else item
+    several = {"type": "array", "minItems": 1, "items": each}
+    shown = re.findall(r"`(\w+-\w+)`", example)[:1]
+    return given({"title": title, "anyOf": [alone, *number, several], "examples": shown, SHARED: title})
+
+
+_NUMBERS = r"[0-9]{1,6}(?:\s*-\s*[0-9]{1,6})?"
+_SHOWN = "`all`, `3`, `1-4` or `[1, 3, 5-7]`"
+SELECTED_NUMBERS = selection("selection of numbers", _NUMBERS, ("all",), _SHOWN, True)
+Numbers = Annotated[NumberSelection, Written(parse_numbers, SELECTED_NUMBERS)]
+NumbersOrNone = Annotated[
+    NumberSelection,
+    Written(
+        parse_numbers_or_none,
+        selection("selection of numbers, or none", _NUMBERS, ("all", "none"), f"`none`, {_SHOWN}", True),
+    ),
+]
+Lines = Annotated[
+    LineSelection,
+    Written(
+        parse_lines,
+        selection(
+            "selection of lines",
+            r"[A-Z]{1,3}(?:\s*-\s*[A-Z]{1,3})?",
+            ("all",),
+            "`all`, `B`, `A-D` or `[A, C-D]`",
+            False,
+        ),
+    ),
+]
 
 ALL_NUMBERS = NumberSelection(is_all=True)
 NO_NUMBERS = NumberSelection()

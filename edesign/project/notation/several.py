@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
+
+from edesign.project.notation.written import Written, one_or_list
 
 
 def several(value: Any) -> Any:
@@ -12,6 +14,6 @@ def several(value: Any) -> Any:
     return value if isinstance(value, (list, tuple)) else (value,)
 
 
-Names = Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(several)]
+Names = Annotated[tuple[str, ...], Field(min_length=1), Written(several, one_or_list)]
 ShortName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_+-]*$", max_length=24)]
 """Of which names of analyses are made, with points between them."""

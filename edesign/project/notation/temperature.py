@@ -6,8 +6,7 @@ import math
 import re
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator
-
+from edesign.project.notation.written import NUMBER, Written, text
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
 
@@ -38,5 +37,6 @@ def parse_temperature(value: Any) -> float:
     return round(result, 9)  # 293.15 K is 20 degC
 
 
-Temperature = Annotated[float, BeforeValidator(parse_temperature)]
+TEMPERATURE_TEXT = text("temperature", rf"{NUMBER}\s*(?:degC|°C|K)", "20 degC", "293.15 K")
+Temperature = Annotated[float, Written(parse_temperature, TEMPERATURE_TEXT)]
 """degC."""

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from functools import cache, lru_cache
 from typing import TYPE_CHECKING, Annotated, Any, Literal
 
-from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
+from edesign.project.notation.written import Written, quantity, ratio, words_or
 from edesign.project.reading.base import refuse
 from edesign.project.reading.problems import as_seen
 
@@ -157,7 +157,7 @@ def parse_signed_ratio(value: Any) -> float:
     return result
 
 
-def held(kind: Kind, what: str, *words: str) -> BeforeValidator:
+def held(kind: Kind, what: str, *words: str) -> Written:
     """Return what reads one of some words, or a stiffness greater than zero.
 
     Args:
@@ -174,7 +174,7 @@ def held(kind: Kind, what: str, *words: str) -> BeforeValidator:
         except ValueError as error:
             raise refuse(f"{what}: {error}") from None
 
-    return BeforeValidator(read)
+    return Written(read, words_or(quantity(kind, "positive"), *words))
 
 
 def a(noun: str) -> str:
@@ -306,59 +306,62 @@ def _dimensions(dimensionality: Any) -> str:
     return " * ".join(parts) if parts else "1"
 
 
-def _of(kind: Kind, sign: Sign = "any") -> BeforeValidator:
-    return BeforeValidator(lambda value: parse_quantity(value, kind, sign))
+def written(kind: Kind, sign: Sign = "any") -> Written:
+    """Return what reads a quantity of a kind."""
+    return Written(lambda value: parse_quantity(value, kind, sign), quantity(kind, sign))
 
 
-def _ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> BeforeValidator:
-    return BeforeValidator(lambda value: parse_ratio(value, low, high, low_allowed, high_allowed))
+def written_ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> Written:
+    """Return what reads a ratio between two bounds."""
+    bounds = (low, high, low_allowed, high_allowed)
+    return Written(lambda value: parse_ratio(value, *bounds), ratio(*bounds))
 
 
-Length = Annotated[float, _of(LENGTH)]
-PositiveLength = Annotated[float, _of(LENGTH, "positive")]
-NotNegativeLength = Annotated[float, _of(LENGTH, "not negative")]
-PositiveArea = Annotated[float, _of(AREA, "positive")]
-PositiveInertia = Annotated[float, _of(INERTIA, "positive")]
-Force = Annotated[float, _of(FORCE)]
-NotNegativeForce = Annotated[float, _of(FORCE, "not negative")]
-PositiveForce = Annotated[float, _of(FORCE, "positive")]
-PositiveMoment = Annotated[float, _of(MOMENT, "positive")]
-Rotation = Annotated[float, _of(ROTATION, "not negative")]
-PositiveRotation = Annotated[float, _of(ROTATION, "positive")]
-LineLoad = Annotated[float, _of(LINE_LOAD)]
-AreaLoad = Annotated[float, _of(AREA_LOAD)]
-PositiveStiffness = Annotated[float, _of(STIFFNESS, "positive")]
-PositiveRotationalStiffness = Annotated[float, _of(ROTATIONAL_STIFFNESS, "positive")]
-PositiveStress = Annotated[float, _of(STRESS, "positive")]
-Mass = Annotated[float, _of(MASS, "not negative")]
-PositiveMass = Annotated[float, _of(MASS, "positive")]
-PositiveDensity = Annotated[float, _of(DENSITY, "positive")]
-PositiveTime = Annotated[float, _of(TIME, "positive")]
-Duration = Annotated[float, _of(TIME, "not negative")]
-PositiveFrequency = Annotated[float, _of(FREQUENCY, "positive")]
-PositiveVelocity = Annotated[float, _of(VELOCITY, "positive")]
-PositiveAcceleration = Annotated[float, _of(ACCELERATION, "positive")]
-PositiveRatio = Annotated[float, _ratio(0.0, 1.0, low_allowed=False)]
+Length = Annotated[float, written(LENGTH)]
+PositiveLength = Annotated[float, written(LENGTH, "positive")]
+NotNegativeLength = Annotated[float, written(LENGTH, "not negative")]
+PositiveArea = Annotated[float, written(AREA, "positive")]
+PositiveInertia = Annotated[float, written(INERTIA, "positive")]
+Force = Annotated[float, written(FORCE)]
+NotNegativeForce = Annotated[float, written(FORCE, "not negative")]
+PositiveForce = Annotated[float, written(FORCE, "positive")]
+PositiveMoment = Annotated[float, written(MOMENT, "positive")]
+Rotation = Annotated[float, written(ROTATION, "not negative")]
+PositiveRotation = Annotated[float, written(ROTATION, "positive")]
+LineLoad = Annotated[float, written(LINE_LOAD)]
+AreaLoad = Annotated[float, written(AREA_LOAD)]
+PositiveStiffness = Annotated[float, written(STIFFNESS, "positive")]
+PositiveRotationalStiffness = Annotated[float, written(ROTATIONAL_STIFFNESS, "positive")]
+PositiveStress = Annotated[float, written(STRESS, "positive")]
+Mass = Annotated[float, written(MASS, "not negative")]
+PositiveMass = Annotated[float, written(MASS, "positive")]
+PositiveDensity = Annotated[float, written(DENSITY, "positive")]
+PositiveTime = Annotated[float, written(TIME, "positive")]
+Duration = Annotated[float, written(TIME, "not negative")]
+PositiveFrequency = Annotated[float, written(FREQUENCY, "positive")]
+PositiveVelocity = Annotated[float, written(VELOCITY, "positive")]
+PositiveAcceleration = Annotated[float, written(ACCELERATION, "positive")]
+PositiveRatio = Annotated[float, written_ratio(0.0, 1.0, low_allowed=False)]
 """Greater than 0, at most 1."""
-BucklingLengthFactor = Annotated[float, _ratio(0.1, 1.0)]
+BucklingLengthFactor = Annotated[float, written_ratio(0.1, 1.0)]
 """At least 0.1, at most 1. Fixed ends make 0.5, and each half between holds half of what it was. At a tenth even a bar
 of a non-dimensional slenderness of 2 over its length has 0.2, at which EN 1993-1-1, 6.3.1.2(4), lets buckling be
 ignored: a brace with less does not buckle, and needs no model of it."""
-PushedDrift = Annotated[float, _ratio(1e-6, 1.0)]
+PushedDrift = Annotated[float, written_ratio(1e-6, 1.0)]
 """At least 1e-6, at most 1. Steel frames yield at a drift near 0.5 %, so at 1e-6 the base shear is 2e-4 of the
 strength; of forces that are in equilibrium to 1e-7 of the largest that leaves three digits."""
-LeastBrace = Annotated[float, _ratio(0.001, math.inf)]
+LeastBrace = Annotated[float, written_ratio(0.001, math.inf)]
 """At least 0.001. A damper behind such a brace adds 0.025 % of damping at most, (sqrt(1 + r) - 1) / 2. That is 1/30 of
 the least that EN 1991-1-4, Table F.2, has for a steel building, 0.8 % (delta_s = 0.05): it is none."""
-Hardening = Annotated[float, _ratio(0.0, 1.0, high_allowed=False)]
+Hardening = Annotated[float, written_ratio(0.0, 1.0, high_allowed=False)]
 """At least 0, less than 1."""
-UnitRatio = Annotated[float, _ratio(0.0, 1.0)]
+UnitRatio = Annotated[float, written_ratio(0.0, 1.0)]
 """At least 0, at most 1."""
-PoissonRatio = Annotated[float, _ratio(0.0, 0.5)]
+PoissonRatio = Annotated[float, written_ratio(0.0, 0.5)]
 """At least 0, at most 0.5, that of saturated clay which keeps its volume."""
-PositiveFactor = Annotated[float, _ratio(0.0, math.inf, low_allowed=False)]
+PositiveFactor = Annotated[float, written_ratio(0.0, math.inf, low_allowed=False)]
 """Greater than 0."""
-Factor = Annotated[float, _ratio(0.0, math.inf)]
+Factor = Annotated[float, written_ratio(0.0, math.inf)]
 """At least 0."""
-SignedFactor = Annotated[float, BeforeValidator(parse_signed_ratio)]
+SignedFactor = Annotated[float, Written(parse_signed_ratio, ratio(-math.inf, math.inf))]
 """Above or below 0."""

@@ -12,6 +12,7 @@ from pydantic import BeforeValidator, ConfigDict, Discriminator, Field, Tag
 from edesign.project.actions.hazard_base import LevelName
 from edesign.project.notation.several import several
 from edesign.project.notation.units import LENGTH, TIME, VELOCITY, Factor, PositiveTime, parse_quantity
+from edesign.project.notation.written import SchemaMaker, Written, either, given, items, one_or_list, quantity, text
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import as_seen
 from edesign.project.records.matching import FactorBounds, Matching
@@ -51,10 +52,11 @@ def _periods(value: Any) -> Any:
     return tuple(value)
 
 
-AnyPeriod = Annotated[Period, BeforeValidator(_period)]
+_MULTIPLES = text("multiple of T_1", r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)\s*T_1", "0.2 T_1")
+AnyPeriod = Annotated[Period, Written(_period, either(quantity(TIME, "positive"), _MULTIPLES))]
 
 
-def _range(read: Any, example: str) -> BeforeValidator:
+def _range(read: Any, example: str, end: SchemaMaker) -> Written:
     """Two ends of a range, the lower one first."""
 
     def check(value: Any) -> Any:
@@ -65,7 +67,7 @@ def _range(read: Any, example: str) -> BeforeValidator:
             raise refuse(f"`{value[0]}` and `{value[1]}`: the lower one stands first, for example `{example}`")
         return (low, high)
 
-    return BeforeValidator(check)
+    return Written(check, items(end, end))
 
 
 def _magnitude(value: Any) -> float:
@@ -133,13 +135,29 @@ class Limits(Model):
     Moment magnitude, closest `distance` to the rupture (m), `v_s30` (m/s), and whether it has a velocity pulse.
     """
 
-    magnitude: Annotated[tuple[float, float], _range(_magnitude, "[6, 7.5]")] | None = None
+    magnitude: (
+        Annotated[
+            tuple[float, float],
+            _range(_magnitude, "[6, 7.5]", given({"type": "number", "minimum": 0.0, "maximum": 10.0})),
+        ]
+        | None
+    ) = None
     distance: (
-        Annotated[tuple[float, float], _range(lambda v: parse_quantity(v, LENGTH, "not negative"), "[5 km, 50 km]")]
+        Annotated[
+            tuple[float, float],
+            _range(
+                lambda v: parse_quantity(v, LENGTH, "not negative"), "[5 km, 50 km]", quantity(LENGTH, "not negative")
+            ),
+        ]
         | None
     ) = None
     v_s30: (
-        Annotated[tuple[float, float], _range(lambda v: parse_quantity(v, VELOCITY, "positive"), "[180 m/s, 360 m/s]")]
+        Annotated[
+            tuple[float, float],
+            _range(
+                lambda v: parse_quantity(v, VELOCITY, "positive"), "[180 m/s, 360 m/s]", quantity(VELOCITY, "positive")
+            ),
+        ]
         | None
     ) = None
     pulse: bool | None = None
@@ -158,7 +176,7 @@ class ChosenRecords(Model):
     model_config = ConfigDict(populate_by_name=False)  # the key is `from` alone
 
     choose: Annotated[int, Field(ge=1)]
-    sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), BeforeValidator(several)]
+    sources: Annotated[tuple[Source, ...], Field(alias="from", min_length=1), Written(several, one_or_list)]
     T_1: PositiveTime | None = None
     level: LevelName | None = None
     periods: Annotated[tuple[AnyPeriod, AnyPeriod], BeforeValidator(_periods)] | None = None

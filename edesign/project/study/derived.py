@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Field
+from pydantic import Field
 
 from edesign.project.criteria.measures import SHORT_NAMES
 from edesign.project.notation.several import Names, ShortName, several
+from edesign.project.notation.written import Written, given, one_or_list_of
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import as_seen, unknown_name
 
@@ -38,7 +39,7 @@ class Vary(Model):
     variants: Names
     place: Annotated[str, Field(min_length=1)]
     values: Annotated[tuple[Any, ...], Field(min_length=1)]
-    measures: Annotated[tuple[str, ...], BeforeValidator(_measures)] = ()
+    measures: Annotated[tuple[str, ...], Written(_measures, one_or_list_of(given({"enum": sorted(SHORT_NAMES)})))] = ()
 
 
 @dataclass(frozen=True)

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
 from edesign.project.actions.hazard_base import LevelName
 from edesign.project.analysis.wave_passage import WavePassage
-from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, parse_limit
+from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, limit_schema, parse_limit
 from edesign.project.notation.several import Names, ShortName
 from edesign.project.notation.units import Duration, PositiveAcceleration, PositiveFactor, PositiveRatio, PositiveTime
+from edesign.project.notation.written import SHARED, Inner, Json, Written
 from edesign.project.reading.base import Model, by_key, by_shape, refuse
 from edesign.project.reading.problems import unknown_name
 from edesign.project.study.life_cycle import LifeCycle
@@ -39,6 +40,13 @@ def _limit(value: Any) -> Any:
     if limit == 0.0:
         raise refuse(f"`{given}` must be greater than zero")
     return Limit(measure=SHORT_NAMES[name], value=limit)
+
+
+def _limit_schema(_inner: Inner) -> Json:
+    kinds = {name: limit_schema(MEASURE_KINDS[SHORT_NAMES[name]]) for name in sorted(SHORT_NAMES)}
+    alone = {"minProperties": 1, "maxProperties": 1}
+    said = {"title": "Limit", SHARED: "response measure with its limit"}
+    return {**said, "type": "object", "properties": kinds, "additionalProperties": False, **alone}
 
 
 class _Range(Model):
@@ -87,7 +95,7 @@ class _Incremental(Model):
     levels: Accelerations | Factors
     level: LevelName | None = None
     collapse_drift: PositiveRatio = 0.10
-    limits: dict[ShortName, Annotated[Limit, BeforeValidator(_limit)]] = {}
+    limits: dict[ShortName, Annotated[Limit, Written(_limit, _limit_schema)]] = {}
     free_vibration: Duration = 0.0
     wave_passage: WavePassage | None = None
     life_cycle: LifeCycle | None = None

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Literal
 
-from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag
+from pydantic import AfterValidator, Discriminator, Field, PrivateAttr, Tag, WithJsonSchema
 
 from edesign.project.criteria.measures import SHORT_NAMES
 from edesign.project.notation.units import PositiveFactor
@@ -63,7 +63,7 @@ class ResponseRow(Model):
     `storeys` and `members` restrict a measure of storeys or members to some of them.
     """
 
-    measure: Annotated[Text, AfterValidator(_known_measure)]
+    measure: Annotated[Text, AfterValidator(_known_measure), WithJsonSchema({"enum": sorted(SHORT_NAMES)})]
     storeys: Annotated[tuple[Annotated[int, Field(ge=1)], ...], Field(min_length=1)] | None = None
     members: Annotated[tuple[Text, ...], Field(min_length=1)] | None = None
     label: Text

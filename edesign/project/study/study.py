@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, Literal
 
-from pydantic import BeforeValidator, Field, PrivateAttr
+from pydantic import Field, PrivateAttr
 
 from edesign.project.analysis.analyses import VerticalMotion
 from edesign.project.analysis.damping import ModeNumber, State
@@ -19,6 +19,7 @@ from edesign.project.dampers.designs import Bounds, Design
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio
+from edesign.project.notation.written import Written, one_or_list
 from edesign.project.project import Identifier, Project
 from edesign.project.reading.base import FormatVersion, Model
 from edesign.project.reading.file_model import FileModel
@@ -26,7 +27,7 @@ from edesign.project.reading.values import KeyPath
 from edesign.project.study.derived import Derived, Side, Vary, derived_name
 from edesign.project.study.incremental import Incremental
 
-Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), BeforeValidator(several)]
+Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), Written(several, one_or_list)]
 
 
 class Variant(Model):

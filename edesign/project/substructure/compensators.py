@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import Annotated, Any, Literal
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import Discriminator, Field, Tag
 
 from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio, PositiveStiffness, PositiveTime
+from edesign.project.notation.written import Written, as_kept, words_or
 from edesign.project.reading.base import Model, by_key
 from edesign.project.substructure.quantities import (
     Alpha,
@@ -124,7 +125,7 @@ class _AdaptiveTimeSeries(Model):
 
     initial: Alpha = (1.0, 0.010, 6e-5)
     threshold: NoNegativeLength = 1e-4
-    filter: Annotated[Filter | None, BeforeValidator(_no_filter)] = Filter()
+    filter: Annotated[Filter | None, Written(_no_filter, words_or(as_kept, "none"))] = Filter()
     limits: AlphaLimits = AlphaLimits()
     rates: AlphaRates = AlphaRates()
     derivatives: Derivatives = "model"

@@ -6,10 +6,10 @@ import re
 from collections.abc import Callable
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator
 from pydantic_core import PydanticCustomError
 
-from edesign.project.notation.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity
+from edesign.project.notation.units import FORCE, FREQUENCY, LENGTH, TIME, Kind, Sign, parse_quantity, written
+from edesign.project.notation.written import NUMBER, Written, either, given, items, one_or_list_of, quantity, text
 from edesign.project.reading.base import refuse
 
 MOST_DELAY = 1.0
@@ -82,41 +82,36 @@ def parse_steps(value: Any) -> int:
     return int(match[1])
 
 
-def quantity(kind: Kind, sign: Sign = "any") -> Parser:
-    """Return what reads a quantity of one kind."""
-    return lambda value: parse_quantity(value, kind, sign)
-
-
-def each(parsers: tuple[Parser, ...], example: str, fewest: int | None = None) -> BeforeValidator:
-    """Return what reads a list whose items have parsers of their own.
+def each(readers: tuple[Written, ...], example: str, fewest: int | None = None) -> Written:
+    """Return what reads a list whose items have readers of their own.
 
     Args:
-        parsers: of the items.
+        readers: of the items.
         example: of such a list, for messages.
-        fewest: items that are needed; None: as many as there are parsers.
+        fewest: items that are needed; None: as many as there are readers.
     """
-    least = len(parsers) if fewest is None else fewest
-    count = str(least) if least == len(parsers) else f"{least} to {len(parsers)}"
+    least = len(readers) if fewest is None else fewest
+    count = str(least) if least == len(readers) else f"{least} to {len(readers)}"
 
     def read(value: Any) -> tuple[float, ...]:
-        if not isinstance(value, (tuple, list)) or not least <= len(value) <= len(parsers):
+        if not isinstance(value, (tuple, list)) or not least <= len(value) <= len(readers):
             raise refuse(f"a list of {count} values is needed, for example `{example}`")
-        return tuple(_item(parse, value, i) for i, parse in enumerate(parsers[: len(value)]))
+        return tuple(_item(one.read, value, i) for i, one in enumerate(readers[: len(value)]))
 
-    return BeforeValidator(read)
+    return Written(read, items(*(one.schema for one in readers), fewest=least))
 
 
-def several(parse: Parser) -> BeforeValidator:
+def several(reader: Written) -> Written:
     """Return what reads one value, or a list of one and more."""
 
     def read(value: Any) -> tuple[float, ...]:
         if not isinstance(value, (tuple, list)):
-            return (parse(value),)
+            return (reader.read(value),)
         if not value:
             raise refuse("the list is empty")
-        return tuple(_item(parse, value, i) for i in range(len(value)))
+        return tuple(_item(reader.read, value, i) for i in range(len(value)))
 
-    return BeforeValidator(read)
+    return Written(read, one_or_list_of(reader.schema))
 
 
 def _item(parse: Parser, values: Any, i: int) -> float:
@@ -126,37 +121,42 @@ def _item(parse: Parser, values: Any, i: int) -> float:
         raise refuse(error.message(), i) from None
 
 
-Delay = Annotated[float, BeforeValidator(parse_delay)]
-Hertz = Annotated[float, BeforeValidator(parse_frequency)]
-Rate = Annotated[float, BeforeValidator(parse_rate)]
-NoNegativeRate = Annotated[float, BeforeValidator(lambda value: parse_rate(value, "not negative"))]
-TimeRate = Annotated[float, BeforeValidator(quantity(TIME_RATE, "positive"))]
-TimeSquaredRate = Annotated[float, BeforeValidator(quantity(TIME_SQUARED_RATE, "positive"))]
-PositiveVelocityPerForce = Annotated[float, BeforeValidator(quantity(VELOCITY_PER_FORCE, "positive"))]
-NoNegativeLength = Annotated[float, BeforeValidator(quantity(LENGTH, "not negative"))]
-NoNegativeForce = Annotated[float, BeforeValidator(quantity(FORCE, "not negative"))]
-NoNegativeDashpot = Annotated[float, BeforeValidator(quantity(DASHPOT, "not negative"))]
-Steps = Annotated[int, BeforeValidator(parse_steps)]
+_DELAY = Written(parse_delay, quantity(TIME, "not negative"))
+_HERTZ = Written(parse_frequency, quantity(FREQUENCY, "positive"))
+_FROM_ZERO = Written(lambda value: parse_frequency(value, "not negative"), quantity(FREQUENCY, "not negative"))
+_RATE_TEXT = text("change in a second", rf"{NUMBER}\s*(?:1 ?)?/ ?(?:ms|s|min)", RATE.example)
+_NUMBER = Written(parse_number, given({"type": "number"}))
+_STEPS_TEXT = text("number of main steps", r"[0-9]{1,6}\s*(?:steps?)?", "1 step")
 
-Hertzes = Annotated[tuple[float, ...], several(parse_frequency)]
-Band = Annotated[
-    tuple[float, float], each((lambda v: parse_frequency(v, "not negative"), parse_frequency), "[0.1 Hz, 5 Hz]")
-]
-SweepBand = Annotated[tuple[float, float], each((parse_frequency,) * 2, "[0.5 Hz, 10 Hz]")]
-NumberRange = Annotated[tuple[float, float], each((parse_number,) * 2, "[0.7, 1.3]")]
-TimeRange = Annotated[tuple[float, float], each((quantity(TIME, "not negative"),) * 2, "[0 ms, 40 ms]")]
+Delay = Annotated[float, _DELAY]
+Hertz = Annotated[float, _HERTZ]
+Rate = Annotated[float, Written(parse_rate, _RATE_TEXT)]
+NoNegativeRate = Annotated[float, Written(lambda value: parse_rate(value, "not negative"), _RATE_TEXT)]
+TimeRate = Annotated[float, written(TIME_RATE, "positive")]
+TimeSquaredRate = Annotated[float, written(TIME_SQUARED_RATE, "positive")]
+PositiveVelocityPerForce = Annotated[float, written(VELOCITY_PER_FORCE, "positive")]
+NoNegativeLength = Annotated[float, written(LENGTH, "not negative")]
+NoNegativeForce = Annotated[float, written(FORCE, "not negative")]
+NoNegativeDashpot = Annotated[float, written(DASHPOT, "not negative")]
+Steps = Annotated[int, Written(parse_steps, either(given({"type": "integer", "minimum": 0}), _STEPS_TEXT))]
+
+Hertzes = Annotated[tuple[float, ...], several(_HERTZ)]
+Band = Annotated[tuple[float, float], each((_FROM_ZERO, _HERTZ), "[0.1 Hz, 5 Hz]")]
+SweepBand = Annotated[tuple[float, float], each((_HERTZ,) * 2, "[0.5 Hz, 10 Hz]")]
+NumberRange = Annotated[tuple[float, float], each((_NUMBER,) * 2, "[0.7, 1.3]")]
+TimeRange = Annotated[tuple[float, float], each((written(TIME, "not negative"),) * 2, "[0 ms, 40 ms]")]
 TimeSquaredRange = Annotated[
-    tuple[float, float], each((quantity(TIME_SQUARED, "not negative"),) * 2, "[0 s^2, 8e-4 s^2]")
+    tuple[float, float], each((written(TIME_SQUARED, "not negative"),) * 2, "[0 s^2, 8e-4 s^2]")
 ]
 Alpha = Annotated[
     tuple[float, float, float],
-    each((parse_number, quantity(TIME), quantity(TIME_SQUARED)), "[1.0, 10 ms, 6e-5 s^2]"),
+    each((_NUMBER, written(TIME), written(TIME_SQUARED)), "[1.0, 10 ms, 6e-5 s^2]"),
 ]
 """a0 (-), a1 (s), a2 (s2): command = a0 x + a1 x' + a2 x''."""
 AlphaList = Annotated[
     tuple[float, ...],
     each(
-        (parse_number, quantity(TIME), quantity(TIME_SQUARED), quantity(TIME_CUBED)),
+        (_NUMBER, written(TIME), written(TIME_SQUARED), written(TIME_CUBED)),
         "[1.0, 10 ms, 6e-5 s^2, 2e-7 s^3]",
         fewest=2,
     ),
