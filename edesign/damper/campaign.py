@@ -43,7 +43,17 @@ class CampaignError(FileProblems):
 
 
 class TestEntry(Model):
-    """A test: its CSV file, relative to the campaign file; its temperature unless the file has a column of it."""
+    """A test of the specimen.
+
+    Attributes:
+        file: CSV file of the test, relative to the campaign file.
+        title: title for people.
+        temperature: ambient temperature; without the key the mean of the file's column.
+        temperature_C: ambient temperature in degC, as a plain number, in place of `temperature`.
+        use: whether laws are fitted to the test, or it is only compared.
+        start: how the test starts, in place of `start` of the file.
+        start_ramp: time from rest to the first sample, with `start: at_rest`.
+    """
 
     __test__ = False  # no test of pytest
 
@@ -62,7 +72,16 @@ class TestEntry(Model):
 
 
 class CampaignFile(Model):
-    """A campaign file."""
+    """A campaign file: tests of one damper, in the order in which they were made.
+
+    Attributes:
+        title: title of the report.
+        specimen: what was tested.
+        law: law that is thought to describe the specimen; without the key none.
+        start: how the tests start.
+        start_ramp: time from rest to the first sample, with `start: at_rest`; without the key one sampling interval.
+        tests: tests in the order in which they were made.
+    """
 
     title: str = ""
     specimen: SpecimenBlock

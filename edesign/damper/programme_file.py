@@ -93,7 +93,16 @@ CelsiusList = Annotated[tuple[float, ...], _several(parse_celsius, given({"type"
 
 
 class _Test(Model):
-    """What all tests share. `strain` or `displacement` is the largest amplitude; a list makes a test of each value."""
+    """What all tests share; a list makes a test of each value.
+
+    Attributes:
+        strain: largest shear strain, one or a list; this key or `displacement`.
+        displacement: largest displacement, one or a list; this key or `strain`.
+        temperature: temperature, one or a list.
+        temperature_C: temperature in degC, as plain numbers, in place of `temperature`.
+        title: title for people.
+        use: whether laws are fitted to the test, or it is only compared.
+    """
 
     strain: Strains | None = None
     displacement: Displacements | None = None
@@ -109,7 +118,15 @@ class _Test(Model):
 
 
 class SineTest(_Test):
-    """Steady sines between ramps (thesis 3.2)."""
+    """Steady sines between ramps (thesis 3.2).
+
+    Attributes:
+        type: steady sines between ramps.
+        frequency: frequency, or a list of them.
+        cycles: steady cycles.
+        ramp_up: cycles in which the amplitude grows, in halves.
+        ramp_down: cycles in which the amplitude falls, in halves.
+    """
 
     type: Literal["sine"]
     frequency: Frequencies
@@ -119,7 +136,13 @@ class SineTest(_Test):
 
 
 class SweepTest(_Test):
-    """Amplitude sweeps (thesis 4.4); `blend`: cycles over which the amplitude changes."""
+    """Amplitude sweeps (thesis 4.4).
+
+    Attributes:
+        type: amplitude sweep.
+        frequency: frequency, or a list of them.
+        blend: cycles over which the amplitude changes.
+    """
 
     type: Literal["sweep"]
     frequency: Frequencies
@@ -127,7 +150,15 @@ class SweepTest(_Test):
 
 
 class RandomTest(_Test):
-    """Band-limited noise; `level` says whether the amplitude is the peak or the rms; one test of each seed."""
+    """Band-limited noise; one test of each amplitude.
+
+    Attributes:
+        type: band-limited noise.
+        band: least and largest frequency.
+        duration: length of the test.
+        seed: seed of the noise.
+        level: whether the amplitude is the peak or the root mean square.
+    """
 
     type: Literal["random"]
     band: tuple[Frequency, Frequency]
@@ -137,7 +168,13 @@ class RandomTest(_Test):
 
 
 class RecordTest(_Test):
-    """A displacement history from a CSV file, scaled to the amplitude as its peak if one is given."""
+    """A displacement history from a CSV file.
+
+    Attributes:
+        type: displacement history of a file.
+        file: CSV file of time and displacement, relative to the programme; scaled to the amplitude as its peak if one
+            is given.
+    """
 
     type: Literal["record"]
     file: Text
@@ -153,20 +190,38 @@ TestPlan = Annotated[
 
 
 class Noise(Model):
-    """White noise of the force channel: its standard deviation as a share of the peak force of each test."""
+    """White noise of the force channel.
+
+    Attributes:
+        force: standard deviation of the noise over the peak force of each test.
+        seed: seed of the noise.
+    """
 
     force: Annotated[float, written_ratio(0.0, 1.0)]
     seed: Annotated[int, Field(ge=0)]
 
 
 class VirtualLaw(LawBlock):
-    """The law of the virtual specimen; `effects` are in its forces, but not in the law that the campaign names."""
+    """The law of the virtual specimen.
+
+    Attributes:
+        effects: effects in the forces of the specimen, which the law that the campaign names does not have.
+    """
 
     effects: tuple[Effect, ...] = ()
 
 
 class Programme(Model):
-    """A checked programme of tests; made by `load_programme`."""
+    """A programme of tests for the virtual rig.
+
+    Attributes:
+        title: title of the campaign that is made.
+        specimen: the virtual specimen.
+        law: the law of the specimen.
+        sampling_rate: samples a second.
+        noise: noise of the force channel; without the key there is none.
+        tests: tests in their order.
+    """
 
     title: str = ""
     specimen: SpecimenBlock

@@ -26,7 +26,13 @@ def _kelvin(value: Any) -> float:
 
 
 class Ferry(Model):
-    """Ferry's shift, Eq. 4.33."""
+    """Ferry's shift, Eq. 4.33.
+
+    Attributes:
+        p1: parameter p1 of the shift.
+        p2: parameter p2 of the shift, a difference of temperatures.
+        reference: reference temperature.
+    """
 
     p1: Factor
     p2: Annotated[float, Written(_kelvin, text("difference of temperatures", rf"{_NUMBER}\s*(?:K|degC|°C)", "50 K"))]
@@ -34,7 +40,13 @@ class Ferry(Model):
 
 
 class TemperatureLaw(Model):
-    """How the parameters of a law change with temperature; one of the two."""
+    """How the parameters of a law change with temperature; one of the two.
+
+    Attributes:
+        gamma_T: factor gamma_T by temperature; this key or `ferry`.
+        of: what gamma_T multiplies.
+        ferry: Ferry's shift of time; this key or `gamma_T`.
+    """
 
     gamma_T: dict[Temperature, PositiveFactor] | None = Field(default=None)
     of: GammaOf = "parameters"

@@ -50,7 +50,16 @@ def _law_name(value: Any) -> Any:
 
 
 class SpecimenBlock(Model):
-    """The specimen; sizes as plain numbers in mm and mm2, or with their unit."""
+    """The specimen that is tested.
+
+    Attributes:
+        name: name of the specimen.
+        layers: number of layers of elastomer.
+        layer_area: area of a layer; this key or `layer_area_mm2`.
+        layer_area_mm2: area of a layer in mm^2, as a plain number; this key or `layer_area`.
+        layer_thickness: thickness of a layer; this key or `layer_thickness_mm`.
+        layer_thickness_mm: thickness of a layer in mm, as a plain number; this key or `layer_thickness`.
+    """
 
     name: Text = "specimen"
     layers: Annotated[int, Field(ge=1)]
@@ -74,7 +83,13 @@ Extremes = Literal["fresh", "lasting"]
 
 
 class LawBlock(Model):
-    """A law with its parameters: the name of a set, or values by name (text with units)."""
+    """A law with its parameters.
+
+    Attributes:
+        type: name of the law; `edesign laws` lists all.
+        parameters: parameters with units, or the name of a published set.
+        refit: whether the parameters are only a first guess; `false` keeps them as they are.
+    """
 
     type: Annotated[str, BeforeValidator(_law_name)]
     parameters: str | dict[str, Any] | None = None
@@ -87,7 +102,13 @@ class LawBlock(Model):
 
 
 class CampaignLaw(LawBlock):
-    """The law thought of in a campaign, whose specimen may remember."""
+    """The law thought of in a campaign, whose specimen may remember.
+
+    Attributes:
+        extremes: whether extremes of one test soften the law in the next (`lasting`), or not; without the key it is
+            found.
+        gamma_T_of: what gamma_T multiplies; without the key it is found.
+    """
 
     extremes: Extremes | None = None
     gamma_T_of: GammaOf | None = None

@@ -54,7 +54,12 @@ class SuiteError(FileProblems):
 
 
 class StandIn(Model):
-    """A simulated motion in place of a recording that is not at hand; `v_s30` (m/s) instead of the recording's own."""
+    """A simulated motion in place of a recording that is not at hand.
+
+    Attributes:
+        seed: seed of the simulation.
+        v_s30: mean shear wave velocity of the upper 30 m, in place of that of the recording.
+    """
 
     seed: Annotated[int, Field(ge=0)]
     v_s30: PositiveVelocity | None = None
@@ -63,10 +68,26 @@ class StandIn(Model):
 class SuiteEntry(Model):
     """A recording of a suite: what it is, and its places in the order in which they are tried.
 
-    Places: `peer`, a file of that name in the user's folders; `package`, package/recording; `stand_in`. Or `file`
-    alone, relative to the suite file; if it holds several components, `component` names the one that is meant.
-    `distance` (m) is the closest one to the rupture, as in PEER's tables; `v_s30` is in m/s; `rsn` is PEER's record
-    sequence number. The components `direction` a and b of one `pair` belong together.
+    Attributes:
+        id: name of the recording in results and file names.
+        event: earthquake that was recorded.
+        year: year of the earthquake.
+        station: station of the recording.
+        component: component that was recorded; of a `file` with several the one that is taken.
+        magnitude: moment magnitude.
+        distance: closest distance to the rupture, as in PEER's tables.
+        v_s30: mean shear wave velocity of the upper 30 m at the station.
+        rsn: record sequence number of PEER, where `peer` does not have it.
+        pair: number of the pair of components that were recorded together.
+        direction: which component of the pair it is.
+        peer: name of the file in the PEER data base, looked for in the user's folders.
+        package: package that carries the recording, and its name there.
+        stand_in: simulated motion in place of the recording.
+        file: file of your own, relative to the suite file; then no other place is named.
+        acceleration_unit: unit of a table of text.
+        time_step: constant time step of a table of text.
+        columns: columns of a table of text.
+        layout: whether each line of a table is one instant, or samples run on along it.
     """
 
     id: Annotated[Identifier, AfterValidator(_free)]
@@ -103,7 +124,16 @@ class SuiteEntry(Model):
 
 
 class Suite(Model):
-    """A validated suite; all values are in SI. Made by `load_suite`."""
+    """A suite file: recordings that belong together, and where each may come from.
+
+    Once validated all values are in SI. Made by `load_suite`.
+
+    Attributes:
+        edesign_suite: version of the file format.
+        title: one line for tables and reports.
+        source: where the suite comes from.
+        records: recordings of the suite.
+    """
 
     edesign_suite: FormatVersion
     title: Text

@@ -34,7 +34,33 @@ Identifier = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_
 
 
 class Project(RecordFiles, FileModel):
-    """A validated project; all values are in SI. Made by `load_project`, which also keeps the text and its marks."""
+    """A project file: a plane frame, what acts on it, what is analysed, and what is kept.
+
+    Once validated all values are in SI. Made by `load_project`, which also keeps the text and its marks.
+
+    Attributes:
+        edesign: version of the file format.
+        title: one line for tables and reports.
+        frame: the plane frame: its grid, supports and members.
+        sections: own cross-sections by name; a name of the catalogue cannot be used again.
+        fibres: how many fibres an I section is cut into.
+        materials: steels by name, to which members refer.
+        loads: permanent loads G and variable loads Q, positive downwards.
+        masses: masses of the nodes, given or taken from the loads; all analyses but `gravity` need them.
+        elements: how members are modelled: integration points, geometry, rigid ends.
+        hinges: plastic hinges lumped at the ends of members.
+        joints: joints that turn, as springs between the ends of members and their nodes.
+        panel_zones: joints whose panel shears.
+        soils: soils by name, on which footings stand.
+        dampers: dampers, tuned masses and isolators of the frame.
+        damping: inherent damping of the frame; histories need it.
+        integration: time integration; histories need it.
+        validity: errors and drifts beyond which a result does not count.
+        hazard: the seismic action at the site and its levels.
+        records: ground motions by name.
+        analyses: what is analysed, in this order; names differ.
+        outputs: what is kept in the archive beside the envelopes.
+    """
 
     kind: ClassVar[str] = "project"
 

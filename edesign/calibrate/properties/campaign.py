@@ -32,7 +32,13 @@ _LEAST = 2  # groups of rows fitted to: each is left out in turn
 
 
 class HoldOut(Model):
-    """Rows that nothing is fitted to: those of these temperatures, strains or frequencies."""
+    """Rows that nothing is fitted to: those of these temperatures, strains or frequencies.
+
+    Attributes:
+        temperatures: temperatures whose rows are held out.
+        strains: strains whose rows are held out.
+        frequencies: frequencies whose rows are held out.
+    """
 
     temperatures: tuple[Temperature, ...] = ()
     strains: tuple[PositiveRatio, ...] = ()
@@ -40,14 +46,26 @@ class HoldOut(Model):
 
 
 class PropertiesBlock(Model):
-    """The table, a CSV file relative to the campaign file or the name of the published one, and its rows held out."""
+    """The table of measured properties, and its rows that are held out.
+
+    Attributes:
+        table: CSV file relative to the campaign file, or the published `thesis_appendix_a`.
+        hold_out: rows that nothing is fitted to.
+    """
 
     table: Text
     hold_out: Annotated[HoldOut, Field(default_factory=HoldOut)]
 
 
 class PropertyCampaignFile(Model):
-    """A campaign file of a property table."""
+    """A campaign file of a property table.
+
+    Attributes:
+        title: title of the report.
+        specimen: what was tested.
+        law: law that is thought to describe the specimen.
+        properties: the table of properties.
+    """
 
     title: str = ""
     specimen: SpecimenBlock

@@ -44,7 +44,13 @@ def _unit(kind: Kind) -> Written:
 
 
 class DampingBlock(Model):
-    """Damping of the building on a fixed base."""
+    """Damping of the building on a fixed base.
+
+    Attributes:
+        type: kind of damping: all modes alike, two modes, or proportional to stiffness or mass.
+        ratio: ratio of critical damping.
+        modes: the two modes of `rayleigh`.
+    """
 
     type: DampingKind
     ratio: PositiveRatio
@@ -52,7 +58,18 @@ class DampingBlock(Model):
 
 
 class StructureBlock(Model):
-    """A shear building, from below; storeys of an isolated one are those above its isolation layer."""
+    """A shear building, from below; storeys of an isolated one are those above its isolation layer.
+
+    Attributes:
+        name: name of the structure.
+        base: whether the base is fixed, or an isolation layer is below the first floor.
+        floor_masses: masses of the floors from below.
+        storey_stiffness: stiffnesses of the storeys from below; of an isolated building one less than floors.
+        storey_heights: heights of the storeys from below, needed for rocking of the base only.
+        storey_dashpots: damping coefficients of dampers of the storeys from below, beside the damping ratio.
+        damping: damping of the building on a fixed base.
+        refit: whether stiffness and damping are only a first guess; `false` keeps them as they are.
+    """
 
     name: Text = "structure"
     base: Literal["fixed", "isolated"]
@@ -65,7 +82,13 @@ class StructureBlock(Model):
 
 
 class UnitsBlock(Model):
-    """Units of the columns."""
+    """Units of the columns; SI if not said.
+
+    Attributes:
+        time: unit of time.
+        acceleration: unit of accelerations.
+        displacement: unit of displacements.
+    """
 
     time: Annotated[float, _unit(TIME)] = 1.0
     acceleration: Annotated[float, _unit(ACCELERATION)] = 1.0
@@ -73,7 +96,15 @@ class UnitsBlock(Model):
 
 
 class ChannelsBlock(Model):
-    """Headers of the columns; floors from below, `null` for one without the instrument."""
+    """Headers of the columns; floors from below, `null` for one without the instrument.
+
+    Attributes:
+        time: header of the column of time.
+        base_acceleration: header of the acceleration of the base.
+        floor_accelerations: headers of absolute accelerations of the floors from below, `null` for a floor without.
+        floor_displacements: headers of displacements relative to the base from below, `null` for a floor without.
+        units: units of the columns.
+    """
 
     time: Text
     base_acceleration: Text
@@ -83,7 +114,13 @@ class ChannelsBlock(Model):
 
 
 class StructureTestEntry(Model):
-    """A test: its CSV file (.csv or .csv.gz), relative to the campaign file."""
+    """A test of the structure.
+
+    Attributes:
+        file: CSV file, also compressed (.csv.gz), relative to the campaign file.
+        title: title for people.
+        use: whether models are fitted to the test, or it is only compared.
+    """
 
     file: Text
     title: str = ""
@@ -91,7 +128,15 @@ class StructureTestEntry(Model):
 
 
 class StructureFile(Model):
-    """A campaign file of a structure."""
+    """A campaign file of a structure.
+
+    Attributes:
+        title: title of the report; without the key the name of the structure.
+        structure: the building as it is declared.
+        law: law of the isolation layer, of an isolated base only.
+        channels: the columns of the files.
+        tests: tests; two to fit to and one to compare are the least.
+    """
 
     title: str = ""
     structure: StructureBlock

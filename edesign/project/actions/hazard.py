@@ -43,7 +43,15 @@ BehaviourFactor = Annotated[float, Written(_behaviour_factor, ratio(1.0, math.in
 
 
 class SpectrumParameters(Model):
-    """Values of the site that replace those of the table: soil factor, corner periods in s, largest amplification."""
+    """Values of the site that replace those of the table.
+
+    Attributes:
+        S: soil factor in place of that of the table.
+        F_0: largest amplification of the spectrum at 5 % damping, in place of 2.5.
+        T_B: first corner period in place of that of the table.
+        T_C: second corner period in place of that of the table.
+        T_D: third corner period in place of that of the table.
+    """
 
     S: PositiveFactor | None = None
     F_0: PositiveFactor | None = None
@@ -53,7 +61,14 @@ class SpectrumParameters(Model):
 
 
 class Level(Model):
-    """A hazard level, by exactly one of: probability of exceedance in 50 years, return period (s), class, factor."""
+    """A hazard level, by exactly one of its keys.
+
+    Attributes:
+        probability: probability of exceedance in 50 years.
+        return_period: mean return period, at least a year.
+        importance_class: importance class of the building, which gives gamma_I.
+        gamma_I: importance factor itself.
+    """
 
     probability: Probability | None = None
     return_period: Years | None = None
@@ -62,11 +77,22 @@ class Level(Model):
 
 
 class EC8Hazard(Hazard):
-    """The reference action (`zone` of a `country`, or `a_gR` in m/s2), the shape of its spectrum, and the levels.
+    """The action of EN 1998-1: the reference acceleration of a zone or a_gR, the shape of the spectrum, and the levels.
 
-    `country` is a name or the path of a file with the parameters of a country, `national` states parameters in place of
-    those of the country. `damping` is that of the elastic spectrum, `behaviour_factor` belongs to the design spectrum,
-    `k` is the exponent of the hazard curve that levels given by probability or return period need.
+    Attributes:
+        code: EN 1998-1:2004.
+        country: country whose national parameters count, or a national data file; without the key the recommended
+            values.
+        zone: seismic zone of the country, which gives a_gR; this key or `a_gR`.
+        a_gR: reference peak ground acceleration on ground A; this key or `zone`.
+        ground: ground type (EN 1998-1, Table 3.1).
+        spectrum: type of the spectrum (EN 1998-1, 3.2.2.2(2)).
+        parameters: values of the site that replace those of the table of spectra.
+        national: national parameters in place of those of the country.
+        behaviour_factor: behaviour factor q of the design spectrum; without the key there is no design spectrum.
+        k: exponent of the hazard curve, for levels by probability or return period; without the key that of the code,
+            3.
+        levels: hazard levels by name; each by exactly one of probability, return period, class or factor.
     """
 
     code: Literal["ec8-2004"]
@@ -105,7 +131,14 @@ class EC8Hazard(Hazard):
 
 
 class NtcLevel(Model):
-    """A limit state: a_g (m/s2), F_0 and T_C* (s) of the site on rock, from the tables of the decree."""
+    """A limit state with the values of the site on rock, from the tables of the decree.
+
+    Attributes:
+        limit_state: limit state, which gives P_VR (Table 3.2.I) and with it the return period.
+        a_g: largest acceleration on rock for this return period.
+        F_0: largest amplification on rock.
+        T_C_star: T_C* on rock.
+    """
 
     limit_state: Literal["SLO", "SLD", "SLV", "SLC"]
     a_g: PositiveAcceleration
@@ -114,9 +147,17 @@ class NtcLevel(Model):
 
 
 class NtcHazard(Hazard):
-    """The action of NTC 2018: `nominal_life` V_N (s) and `class_of_use` give the return period of each limit state.
+    """The action of NTC 2018 (Italy), whose limit states have return periods by nominal life and class of use.
 
-    `topography` is the category; `S_T` a factor in its place, as between the foot and the top of a slope.
+    Attributes:
+        code: NTC 2018.
+        nominal_life: nominal life V_N (2.4.1), at least a year.
+        class_of_use: class of use, which gives C_U (Table 2.4.II).
+        ground: category of the subsoil (Table 3.2.II).
+        topography: topographic category (Table 3.2.III); S_T is that of the top (Table 3.2.V).
+        S_T: topographic factor itself, as between the foot and the top of a slope.
+        behaviour_factor: behaviour factor q of the design spectrum; without the key there is no design spectrum.
+        levels: limit states by name, each with the values of the site on rock.
     """
 
     code: Literal["ntc-2018"]
@@ -140,13 +181,27 @@ class NtcHazard(Hazard):
 
 
 class AsceLevel(Model):
-    """An earthquake of ASCE/SEI 7: the design earthquake, or the risk-targeted maximum considered one."""
+    """An earthquake of ASCE/SEI 7: the design earthquake, or the risk-targeted maximum considered one.
+
+    Attributes:
+        earthquake: `DE` the design earthquake, `MCE_R` 1.5 times it.
+    """
 
     earthquake: Literal["DE", "MCE_R"]
 
 
 class AsceHazard(Hazard):
-    """The action of ASCE/SEI 7: S_DS and S_D1 (m/s2), T_L (s); `R` and `I_e` belong to the reduced spectrum."""
+    """The action of ASCE/SEI 7, the two-period spectrum of 11.4.
+
+    Attributes:
+        code: edition of ASCE/SEI 7.
+        S_DS: design spectral acceleration at short periods (11.4.5; 7-22: 11.4.4).
+        S_D1: design spectral acceleration at 1 s.
+        T_L: long-period transition period, at least S_D1/S_DS.
+        R: response modification coefficient of the reduced spectrum; without the key there is none.
+        I_e: importance factor of the reduced spectrum.
+        levels: earthquakes by name.
+    """
 
     code: Literal["asce7-16", "asce7-22"]
     S_DS: PositiveAcceleration
@@ -158,7 +213,14 @@ class AsceHazard(Hazard):
 
 
 class UserLevel(Model):
-    """A level by a factor on the spectrum of the action, or by a table of its own; how rare it is, if known."""
+    """A level by a factor on the spectrum of the action, or by a table of its own; how rare it is, if known.
+
+    Attributes:
+        factor: factor on the `spectrum` of the hazard; this key or `spectrum`.
+        spectrum: a table of the level's own; this key or `factor`.
+        probability: probability of exceedance in 50 years, for objectives and the report.
+        return_period: mean return period, for objectives and the report.
+    """
 
     factor: PositiveFactor | None = None
     spectrum: SpectrumTable | None = None
@@ -167,9 +229,17 @@ class UserLevel(Model):
 
 
 class UserHazard(Hazard):
-    """Spectra as tables: their `damping`, the law of `interpolation`, and whose `criteria` a set of motions meets.
+    """Spectra as tables of your own.
 
-    `damping_correction` says by which code ordinates change with damping; None: the tables hold for theirs alone.
+    Attributes:
+        code: tables of the user.
+        damping: damping ratio that the tables hold for.
+        damping_correction: code by which ordinates change with damping; without the key the tables hold for their
+            damping alone.
+        interpolation: how ordinates lie between the rows: as a power of the period, or on a straight line.
+        criteria: code whose rules a set of motions is held to.
+        spectrum: table of all levels that have a `factor`.
+        levels: levels by name, each with a factor on the spectrum or a table of its own.
     """
 
     code: Literal["user"]

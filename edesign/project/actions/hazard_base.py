@@ -46,9 +46,9 @@ class Hazard(Model):
     """The seismic action by a code, and the levels that are looked at.
 
     Attributes:
-        code: of the action, `user` for spectra as tables.
-        damping: of the elastic spectrum, ratio of critical.
-        levels: by name; what a level is depends on the code.
+        code: code of the action; `user` for spectra as tables.
+        damping: damping of the elastic spectrum, ratio of critical.
+        levels: hazard levels by name; what a level is depends on the code.
     """
 
     code: str

@@ -56,14 +56,25 @@ LineLoads = Annotated[
 
 
 class Combination(Model):
-    """Factors of G and Q in a sum."""
+    """Factors of G and Q in a sum.
+
+    Attributes:
+        G: factor of permanent loads.
+        Q: factor of variable loads.
+    """
 
     G: Factor = 1.0
     Q: Factor = 0.3
 
 
 class PointLoad(Model):
-    """Loads of one size at places along a beam, N downwards."""
+    """Loads of one size at places along a beam, downwards.
+
+    Attributes:
+        at: one place along each beam from its left end, or a list: a length, or a share of the span.
+        G: permanent force, positive downwards.
+        Q: variable force, positive downwards.
+    """
 
     at: Places
     G: Force = 0.0
@@ -71,7 +82,14 @@ class PointLoad(Model):
 
 
 class PartialLoad(Model):
-    """Load on a part of a beam, N/m downwards, linear from its start to its end."""
+    """Load on a part of a beam, downwards, linear from its start to its end.
+
+    Attributes:
+        start: where the load begins, from the left end of each beam: a length, or a share of the span.
+        end: where the load ends.
+        G: permanent load, positive downwards; one value, or two at start and end.
+        Q: variable load, positive downwards; one value, or two at start and end.
+    """
 
     start: Place
     end: Place
@@ -80,7 +98,14 @@ class PartialLoad(Model):
 
 
 class BeamLoad(BeamPlaces):
-    """Loads on beams: uniform, N/m downwards, at points and on parts; loads on one beam add up."""
+    """Loads on beams, downwards: uniform, at points and on parts; loads on one beam add up.
+
+    Attributes:
+        G: permanent load on the whole beam, positive downwards.
+        Q: variable load on the whole beam, positive downwards.
+        points: forces at places along each beam.
+        partial: loads on a part of each beam.
+    """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
@@ -89,7 +114,13 @@ class BeamLoad(BeamPlaces):
 
 
 class FloorLoad(BeamPlaces):
-    """Area load on floors, N/m2 downwards, of which the beams of the frame carry a strip of the tributary `width`."""
+    """Area load on floors, downwards, of which the beams of the frame carry a strip of the tributary width.
+
+    Attributes:
+        width: tributary width of the frame, by which the area load is multiplied.
+        G: permanent load, positive downwards.
+        Q: variable load, positive downwards.
+    """
 
     width: PositiveLength
     G: AreaLoad = 0.0
@@ -97,14 +128,26 @@ class FloorLoad(BeamPlaces):
 
 
 class ColumnLoad(ColumnPlaces):
-    """Uniform horizontal load on columns, N/m to the right; loads on one column add up."""
+    """Uniform horizontal load on columns, to the right; loads on one column add up.
+
+    Attributes:
+        G: permanent load, positive to the right.
+        Q: variable load, positive to the right.
+    """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
 
 
 class NodeLoad(Model):
-    """Load on nodes, N downwards; loads on one node add up."""
+    """Load on nodes, downwards; loads on one node add up.
+
+    Attributes:
+        lines: column lines of the nodes.
+        floors: floors of the nodes.
+        G: permanent force, positive downwards.
+        Q: variable force, positive downwards.
+    """
 
     lines: Lines = ALL_LINES
     floors: Numbers
@@ -113,7 +156,15 @@ class NodeLoad(Model):
 
 
 class Loads(Model):
-    """All loads; `gravity` acts before and during earthquakes and pushovers."""
+    """All loads; `gravity` acts before and during earthquakes and pushovers.
+
+    Attributes:
+        floors: area loads, of which the beams carry the tributary width.
+        beams: loads on beams; loads on one beam add up.
+        columns: horizontal loads along columns.
+        nodes: forces on nodes.
+        gravity: factors of the combination that acts before and during earthquakes and pushovers.
+    """
 
     floors: tuple[FloorLoad, ...] = ()
     beams: tuple[BeamLoad, ...] = ()

@@ -11,7 +11,13 @@ from edesign.project.reading.base import Model
 
 
 class GivenMass(Model):
-    """The mass of each of some nodes, kg; a node is given its mass once."""
+    """The mass of each of some nodes; a node is given its mass once.
+
+    Attributes:
+        lines: column lines of the nodes.
+        floors: floors of the nodes.
+        mass: mass of each of the nodes.
+    """
 
     lines: Lines = ALL_LINES
     floors: Numbers
@@ -19,9 +25,12 @@ class GivenMass(Model):
 
 
 class Masses(Model):
-    """Nodal masses; exactly one of `given` and `from_loads` is not None.
+    """Masses of the nodes, given or from the loads.
 
-    `directions` says whether a mass resists horizontal motion only, or vertical motion too.
+    Attributes:
+        given: masses node by node; this key or `from_loads`.
+        from_loads: factors of the vertical loads that are masses, divided by 9.80665 m/s^2; this key or `given`.
+        directions: whether a mass resists horizontal motion only, or vertical motion too.
     """
 
     given: tuple[GivenMass, ...] | None = None

@@ -38,7 +38,15 @@ Psi = Annotated[tuple[float, float, float], Written(_psi, items(*(ratio(0.0, 1.0
 
 
 class VerticalSpectrumParameters(Model):
-    """a_vg / a_g, corner periods (s) and largest amplification of the vertical spectrum (EN 1998-1, 3.2.2.3(1)P)."""
+    """The vertical spectrum (EN 1998-1, 3.2.2.3(1)P).
+
+    Attributes:
+        ratio: a_vg over a_g.
+        F_0: largest amplification of the vertical spectrum.
+        T_B: first corner period.
+        T_C: second corner period.
+        T_D: third corner period.
+    """
 
     ratio: PositiveFactor | None = None
     F_0: PositiveFactor | None = None
@@ -48,7 +56,14 @@ class VerticalSpectrumParameters(Model):
 
 
 class ActionFactors(Model):
-    """Partial factors of actions and xi of Eq. 6.10b (EN 1990, Table A1.2(B))."""
+    """Partial factors of actions and xi of Eq. 6.10b (EN 1990, Table A1.2(B)).
+
+    Attributes:
+        G_sup: partial factor of unfavourable permanent actions.
+        G_inf: partial factor of favourable permanent actions.
+        Q: partial factor of variable actions.
+        xi: reduction factor of permanent actions in Eq. 6.10b.
+    """
 
     G_sup: Factor | None = None
     G_inf: Factor | None = None
@@ -57,7 +72,13 @@ class ActionFactors(Model):
 
 
 class ResistanceFactors(Model):
-    """Partial factors of resistance (EN 1993-1-1, 6.1(1))."""
+    """Partial factors of resistance (EN 1993-1-1, 6.1(1)).
+
+    Attributes:
+        M0: partial factor of cross-sections.
+        M1: partial factor of members, for instability.
+        M2: partial factor of cross-sections in tension to fracture, and of joints.
+    """
 
     M0: PositiveFactor | None = None
     M1: PositiveFactor | None = None
@@ -68,6 +89,19 @@ class NationalValues(Model):
     """Parameters of EN 1990, EN 1993-1-1 and EN 1998-1 that the file states; names as in the data of the countries.
 
     Of a table those entries count that are given; the rest stays that of the country, or recommended.
+
+    Attributes:
+        vertical: vertical spectrum for the type in `spectrum` (EN 1998-1, 3.2.2.3(1)P).
+        lower_bound_factor: lower bound beta of the design spectrum (EN 1998-1, 3.2.2.5(4)P).
+        importance_factors: gamma_I by importance class (EN 1998-1, 4.2.5(5)P); class II is 1.0.
+        phi: factor phi by occupancy of storeys (EN 1998-1, Table 4.2).
+        displacement_reduction: reduction nu of the action by importance class (EN 1998-1, 4.4.3.2(2)).
+        low_ductility_q: behaviour factor of low ductility, DCL (EN 1998-1, 6.1.2(1)).
+        material_overstrength: material overstrength gamma_ov (EN 1998-1, 6.2(3)).
+        post_buckling: gamma_pb, what is left of a diagonal in compression (EN 1998-1, 6.7.4(2)).
+        psi: psi_0, psi_1 and psi_2 by category (EN 1990, Table A1.1).
+        action_factors: partial factors of actions (EN 1990, Table A1.2(B)).
+        resistance_factors: partial factors of resistance (EN 1993-1-1, 6.1).
     """
 
     vertical: VerticalSpectrumParameters | None = None

@@ -47,7 +47,14 @@ def _keys(value: Any, allowed: Collection[str], what: str) -> Any:
 
 
 class Entry(Model, Generic[V]):
-    """A parameter: its value, the clause that leaves it to the countries, where the value stands, and its unit."""
+    """A parameter: its value, the clause that leaves it to the countries, where the value stands, and its unit.
+
+    Attributes:
+        value: value of the parameter.
+        clause: clause that leaves the parameter to the countries.
+        source: document in which the value stands.
+        unit: unit of the value; empty where it has none.
+    """
 
     value: V
     clause: Annotated[str, Field(min_length=1)]
@@ -56,13 +63,24 @@ class Entry(Model, Generic[V]):
 
 
 class Accelerations(Entry[dict[Zone, PositiveFactor]]):
-    """Reference peak ground acceleration by zone, in its unit."""
+    """Reference peak ground acceleration by zone, in its unit.
+
+    Attributes:
+        unit: unit of the accelerations.
+    """
 
     unit: Literal["g", "m/s2"]
 
 
 class Corners(Model):
-    """Corner periods of a spectrum, s, and its largest amplification (None: 2.5, vertical 3.0)."""
+    """Corner periods of a spectrum, and its largest amplification.
+
+    Attributes:
+        T_B: first corner period, s.
+        T_C: second corner period, s.
+        T_D: third corner period, s.
+        F_0: largest amplification; without the key 2.5 of a horizontal spectrum, 3.0 of a vertical one.
+    """
 
     T_B: PositiveFactor
     T_C: PositiveFactor
@@ -71,13 +89,21 @@ class Corners(Model):
 
 
 class HorizontalRow(Corners):
-    """A row of Table 3.2 or 3.3."""
+    """A row of Table 3.2 or 3.3.
+
+    Attributes:
+        S: soil factor.
+    """
 
     S: PositiveFactor
 
 
 class VerticalRow(Corners):
-    """A row of Table 3.4."""
+    """A row of Table 3.4.
+
+    Attributes:
+        ratio: a_vg over a_g.
+    """
 
     ratio: PositiveFactor
 
@@ -89,7 +115,27 @@ Vertical = Annotated[dict[str, VerticalRow], BeforeValidator(_types)]
 
 
 class NationalFile(Model):
-    """The parameters of a country; what it does not state is as recommended."""
+    """The parameters of a country; what it does not state is as recommended.
+
+    Attributes:
+        zones: reference peak ground acceleration by zone (EN 1998-1, 3.2.1(2)).
+        zone_spectra: type of the spectrum by zone, where it is fixed.
+        reference_probability: P_NCR, probability of exceedance in 50 years of the reference action (EN 1998-1, 2.1).
+        reference_return_period: T_NCR, return period of the reference action in years (EN 1998-1, 2.1).
+        hazard_exponent: exponent k of the hazard curve (EN 1998-1, 2.1(4)).
+        horizontal: horizontal spectra by type, then ground type (EN 1998-1, Tables 3.2 and 3.3).
+        vertical: vertical spectra by type (EN 1998-1, Table 3.4).
+        lower_bound_factor: lower bound beta of the design spectrum (EN 1998-1, 3.2.2.5(4)P).
+        importance_factors: gamma_I by importance class (EN 1998-1, 4.2.5(5)P); class II is 1.0.
+        phi: factor phi by occupancy of storeys (EN 1998-1, Table 4.2).
+        displacement_reduction: reduction nu of the action by importance class (EN 1998-1, 4.4.3.2(2)).
+        low_ductility_q: behaviour factor of low ductility, DCL (EN 1998-1, 6.1.2(1)).
+        material_overstrength: material overstrength gamma_ov (EN 1998-1, 6.2(3)).
+        post_buckling: gamma_pb, what is left of a diagonal in compression (EN 1998-1, 6.7.4(2)).
+        psi: psi_0, psi_1 and psi_2 by category (EN 1990, Table A1.1).
+        action_factors: partial factors of actions (EN 1990, Table A1.2(B)).
+        resistance_factors: partial factors of resistance (EN 1993-1-1, 6.1).
+    """
 
     zones: Accelerations | None = None
     zone_spectra: Entry[dict[Zone, Annotated[int, Field(ge=1, le=2)]]] | None = None

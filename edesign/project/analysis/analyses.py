@@ -24,7 +24,13 @@ Label = Annotated[str, Field(max_length=64)]
 
 
 class _Analysis(Model):
-    """What all analyses share: a unique name, a label of the variant, and whether it has its dampers."""
+    """What all analyses share: a unique name, a label of the variant, and whether it has its dampers.
+
+    Attributes:
+        name: unique name, of letters, digits and `_ - .`.
+        variant: free label of the variant of the building.
+        dampers: whether the dampers, isolators and tuned masses are there.
+    """
 
     name: Name
     variant: Label = ""
@@ -32,10 +38,15 @@ class _Analysis(Model):
 
 
 class ModalAnalysis(_Analysis):
-    """Periods, shapes and modal masses of the first `modes` modes.
+    """Periods, shapes and modal masses of the first modes.
 
-    Dampers add their stiffness in steady vibration in the first mode, with an amplitude `damper_strain` of their layers
-    or `damper_deformation` (m); with neither the `design_deformation` of the device, or small vibrations.
+    Attributes:
+        kind: natural modes.
+        modes: how many modes.
+        state: state of the frame: under the gravity combination, or unloaded.
+        damper_strain: shear strain of the layers at which the stiffness of dampers counts; this key or
+            `damper_deformation`.
+        damper_deformation: deformation at which the stiffness of dampers counts; without both keys that of the devices.
     """
 
     kind: Literal["modal"]
@@ -46,20 +57,35 @@ class ModalAnalysis(_Analysis):
 
 
 class GravityAnalysis(_Analysis):
-    """The gravity combination in equal steps."""
+    """The gravity combination in equal steps.
+
+    Attributes:
+        kind: the gravity combination alone.
+        steps: number of equal steps.
+    """
 
     kind: Literal["gravity"]
     steps: Steps = 10
 
 
 class PushoverAnalysis(_Analysis, Pushover):
-    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement."""
+    """Pushovers: one of each pattern and direction, and of each method and level one up to its target displacement.
+
+    Attributes:
+        kind: pushovers under gravity.
+    """
 
     kind: Literal["pushover"]
 
 
 class TargetAnalysis(_Analysis, Pushover):
-    """A pushover up to the target displacement of one method and level; part of the plan, no kind of the file."""
+    """A pushover up to the target displacement of one method and level; part of the plan, no kind of the file.
+
+    Attributes:
+        kind: a pushover of a plan.
+        method: method of the target displacement.
+        level: hazard level of the target displacement.
+    """
 
     kind: Literal["target"]
     method: Method
@@ -67,10 +93,14 @@ class TargetAnalysis(_Analysis, Pushover):
 
 
 class VerticalMotion(Model):
-    """Vertical ground motion beside the horizontal one: `ratio` times the same record, or another `record`.
+    """Vertical ground motion beside the horizontal one: a multiple of the same record, or another record.
 
-    A `ratio` below 0 moves the ground down where the record is positive. The other record is scaled as the horizontal
-    one, or to its own peak `pga` (m/s2), or by `scale`.
+    Attributes:
+        ratio: vertical over horizontal motion of the same record; below 0 the ground goes down where the record is
+            positive.
+        record: another record as vertical motion, scaled as the horizontal one if nothing else is said.
+        pga: peak that the other record is scaled to.
+        scale: factor of the other record.
     """
 
     ratio: SignedFactor | None = None
@@ -82,10 +112,17 @@ class VerticalMotion(Model):
 class HistoryAnalysis(_Analysis):
     """The response to a record under gravity.
 
-    The record is scaled to the peak `pga` (m/s2), or by `scale`; without both it is used as recorded. `vertical` is the
-    ground motion upwards beside it. `free_vibration` (s) is added after the end. `level` is a free label of the hazard
-    level. With `wave_passage` the motion comes later to some feet. With `collapse_drift` the history ends as collapsed
-    when the drift ratio of a storey passes it.
+    Attributes:
+        kind: a time history.
+        record: one of `records`; of a suite all its recordings, or `SUITE/RECORDING`.
+        pga: peak that the record is scaled to; not of a fitted record.
+        scale: factor of the record; not with `pga`, not of a fitted record.
+        free_vibration: time after the end of the record.
+        level: hazard level, needed if the record is fitted; without a `hazard` a free label.
+        collapse_drift: drift ratio of a storey beyond which the history ends as collapsed; without the key equilibrium
+            decides.
+        vertical: ground motion upwards beside the record.
+        wave_passage: the motion reaches the feet one after the other; without the key all at once.
     """
 
     kind: Literal["history"]

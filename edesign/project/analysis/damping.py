@@ -24,13 +24,26 @@ Ratios = Annotated[
 
 
 class NoDamping(Model):
-    """No inherent damping."""
+    """No inherent damping.
+
+    Attributes:
+        kind: no inherent damping.
+    """
 
     kind: Literal["none"]
 
 
 class RayleighDamping(Model):
-    """Damping proportional to mass and stiffness, with `ratio` of critical in both `modes`, or at both `periods`."""
+    """Damping proportional to mass and stiffness.
+
+    Attributes:
+        kind: Rayleigh damping.
+        ratio: ratio of critical damping in both modes.
+        modes: the two modes that have the ratio.
+        periods: the two periods at which the ratio holds, in place of `modes`.
+        stiffness: stiffness matrix that damping is proportional to; `committed` is that of the end of the last step.
+        state: state whose frequencies count: under the gravity combination, or unloaded.
+    """
 
     kind: Literal["rayleigh"]
     ratio: PositiveRatio
@@ -41,7 +54,15 @@ class RayleighDamping(Model):
 
 
 class MassDamping(Model):
-    """Damping proportional to mass alone, with `ratio` of critical in one mode, or at one period."""
+    """Damping proportional to mass alone.
+
+    Attributes:
+        kind: damping proportional to mass.
+        ratio: ratio of critical damping in the mode, or at the period.
+        mode: the mode that has the ratio.
+        period: the period at which the ratio holds, in place of `mode`.
+        state: state whose frequencies count: under the gravity combination, or unloaded.
+    """
 
     kind: Literal["mass_proportional"]
     ratio: PositiveRatio
@@ -51,7 +72,16 @@ class MassDamping(Model):
 
 
 class StiffnessDamping(Model):
-    """Damping proportional to stiffness alone, with `ratio` of critical in one mode, or at one period."""
+    """Damping proportional to stiffness alone.
+
+    Attributes:
+        kind: damping proportional to stiffness.
+        ratio: ratio of critical damping in the mode, or at the period.
+        mode: the mode that has the ratio.
+        period: the period at which the ratio holds, in place of `mode`.
+        stiffness: stiffness matrix that damping is proportional to; `committed` is that of the end of the last step.
+        state: state whose frequencies count: under the gravity combination, or unloaded.
+    """
 
     kind: Literal["stiffness_proportional"]
     ratio: PositiveRatio
@@ -62,7 +92,14 @@ class StiffnessDamping(Model):
 
 
 class ModalDamping(Model):
-    """`ratio` of critical in each of the first `modes` modes, or a list of their ratios; nothing in the others."""
+    """Damping mode by mode (Wilson and Penzien 1972), nothing in the modes beyond.
+
+    Attributes:
+        kind: modal damping.
+        ratio: ratio of critical damping; one for all modes, or a list.
+        modes: how many modes are damped; with a list of ratios as many as these.
+        state: state whose modes count: under the gravity combination, or unloaded.
+    """
 
     kind: Literal["modal"]
     ratio: Ratios
@@ -76,7 +113,15 @@ class ModalDamping(Model):
 
 
 class CaugheyDamping(Model):
-    """Damping of Caughey's series, with `ratio` of critical in each of several `modes`, or at several `periods`."""
+    """Damping of Caughey's series.
+
+    Attributes:
+        kind: Caughey's series.
+        ratio: ratio of critical damping; one for all modes, or a list.
+        modes: the 2 to 8 modes that have the ratios.
+        periods: the 2 to 8 periods at which the ratios hold, in place of `modes`.
+        state: state whose frequencies count: under the gravity combination, or unloaded.
+    """
 
     kind: Literal["caughey"]
     ratio: Ratios

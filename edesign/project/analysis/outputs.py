@@ -23,14 +23,25 @@ def _layers(value: object) -> object:
 
 
 class SectionOutput(Model):
-    """Forces and deformations of a member's sections; points count from 1 at the start of the member."""
+    """Forces and deformations of a member's sections; points count from 1 at the start of the member.
+
+    Attributes:
+        member: name of a column or beam with fibres, such as `C_A_1`.
+        points: integration points, counted from 1 at the start of the member.
+    """
 
     member: str
     points: Numbers = ALL_NUMBERS
 
 
 class FibreOutput(Model):
-    """Stress and strain of layers of fibres; layers count from 1 at the bottom of the section."""
+    """Stress and strain of layers of fibres; layers count from 1 at the bottom of the section.
+
+    Attributes:
+        member: name of a column or beam with fibres, such as `C_A_1`.
+        points: integration points, counted from 1 at the start of the member.
+        layers: layers of fibres, counted from 1 at the bottom of the section.
+    """
 
     member: str
     points: Numbers = ALL_NUMBERS
@@ -42,7 +53,14 @@ class FibreOutput(Model):
 class Outputs(Model):
     """The archive and the histories in it; envelopes, energies' ends and statistics are always kept.
 
-    `archive` is relative to the project file (None: its name with .h5); `every` keeps one step in so many.
+    Attributes:
+        archive: file of the archive, relative to the project file; without the key the name of the project file with
+            .h5.
+        histories: what is kept over time.
+        every: one step in so many is kept.
+        members: members whose end forces are kept over time.
+        sections: sections whose forces and deformations are kept over time.
+        fibres: fibres whose stresses and strains are kept over time.
     """
 
     archive: Annotated[str, Field(min_length=1)] | None = None

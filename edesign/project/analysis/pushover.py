@@ -27,8 +27,11 @@ METHODS: dict[Method, str] = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE
 class GivenPattern(Model):
     """Lateral forces by exactly one of the keys.
 
-    `mode`: mass times this mode. `modes`: the storey shears of the first so many modes under the spectrum of the
-    hazard, combined by the square root of the sum of squares. `floors`: shares of the floors from the lowest.
+    Attributes:
+        mode: mass times this mode.
+        modes: storey shears of the first so many modes under the spectrum of the hazard, by the root of the sum of
+            squares.
+        floors: shares of the floors from the lowest.
     """
 
     mode: ModeNumber | None = None
@@ -57,9 +60,15 @@ _Choice = Annotated[
 class Pushover(Model):
     """Lateral loads of fixed patterns under gravity, each up to a roof drift (roof displacement / height).
 
-    Without `roof_drift` each goes as far as its `targets` ask: 150 % of the largest target displacement. `levels` are
-    those of the hazard that target displacements are found for, by default all. `damping` is of the spectrum that they
-    are taken from, by default that of the hazard. `site_class` is of ASCE/SEI 41, by default by the ground type.
+    Attributes:
+        pattern: lateral forces; a list stands for several pushovers.
+        direction: in which the frame is pushed; `both` stands for two pushovers.
+        roof_drift: last roof displacement over the height; without the key 150 % of the largest target displacement.
+        steps: number of equal steps.
+        targets: methods for target displacements, each a push of its own to every level.
+        levels: hazard levels that targets are found for; without the key all.
+        damping: damping of the spectrum that targets are taken from; without the key that of the hazard.
+        site_class: site class of ASCE/SEI 41; without the key by the ground type.
     """
 
     pattern: Annotated[tuple[_Choice, ...], Field(min_length=1), Written(several, one_or_list)]
@@ -78,7 +87,12 @@ class Pushover(Model):
 
 
 class Pushovers(Pushover):
-    """Pushovers of variants of a study, named VARIANT.NAME."""
+    """Pushovers of variants of a study, named VARIANT.NAME.
+
+    Attributes:
+        name: name of the pushovers, of letters, digits and `_ + -`.
+        variants: variants of the study, or `all`.
+    """
 
     name: ShortName = "push"
     variants: Names = ("all",)

@@ -9,8 +9,11 @@ from edesign.project.reading.base import Model
 class Validity(Model):
     """Limits beyond which an analysis has failed, and from which its result is doubtful.
 
-    `energy_error` and `energy_error_warning` are shares of the energy put in. `drift` is a drift ratio of a storey;
-    without it the one at which the geometry errs by `energy_error`.
+    Attributes:
+        energy_error: largest error of the energy balance over the energy put in, beyond which an analysis has failed.
+        energy_error_warning: error of the energy balance from which the result is doubtful.
+        drift: drift ratio of a storey beyond which an analysis has failed; without the key where the geometry errs by
+            `energy_error`.
     """
 
     energy_error: PositiveRatio = 0.05

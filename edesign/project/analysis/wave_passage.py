@@ -14,7 +14,10 @@ from edesign.project.reading.base import Model
 class WavePassage(Model):
     """The ground motion reaches the lines of columns one after the other.
 
-    A wave of the apparent `velocity` (m/s) runs to the right or to the left, or `delays` (s) by line are given.
+    Attributes:
+        velocity: apparent velocity of the wave along the frame; this key or `delays`.
+        direction: in which the wave runs; only with `velocity`.
+        delays: delay of the motion by column line.
     """
 
     velocity: PositiveVelocity | None = None

@@ -30,7 +30,12 @@ MOST_STOREYS = 200
 
 
 class EqualBays(Model):
-    """Bays of one width."""
+    """Bays of one width.
+
+    Attributes:
+        count: number of bays.
+        width: width of each bay.
+    """
 
     count: Annotated[int, Field(ge=1, le=MOST_BAYS)]
     width: PositiveLength
@@ -41,7 +46,12 @@ BayWidths = Annotated[Annotated[Widths, Tag("?plain")] | Annotated[EqualBays, Ta
 
 
 class EqualStoreys(Model):
-    """Storeys of one height."""
+    """Storeys of one height.
+
+    Attributes:
+        count: number of storeys.
+        height: height of each storey.
+    """
 
     count: Annotated[int, Field(ge=1, le=MOST_STOREYS)]
     height: PositiveLength
@@ -51,21 +61,37 @@ Heights = Annotated[tuple[PositiveLength, ...], Field(min_length=1, max_length=M
 
 
 class Plan(Model):
-    """The grid in plan: widths of the bays along x and along y, m."""
+    """The grid in plan.
+
+    Attributes:
+        x: widths of the bays along x, as a list, or `{count, width}` for equal ones.
+        y: widths of the bays along y, as a list, or `{count, width}` for equal ones.
+    """
 
     x: BayWidths
     y: BayWidths
 
 
 class Setback(Model):
-    """Floors that cover some bays of the plan only; a later one overrides an earlier one."""
+    """Floors that cover some bays of the plan only; a later one overrides an earlier one.
+
+    Attributes:
+        floors: floors that cover some bays only.
+        bays: bays that these floors cover.
+    """
 
     floors: Numbers
     bays: Bays
 
 
 class Steel(Model):
-    """An elastic steel; E and fy in Pa, density in kg/m3.
+    """An elastic steel.
+
+    Attributes:
+        E: modulus of elasticity (EN 1993-1-1, 3.2.6(1)).
+        fy: yield strength.
+        nu: Poisson's ratio.
+        density: density, for the self weight (EN 1991-1-1, Table A.4).
 
     Source of the defaults: EN 1993-1-1:2005, 3.2.6(1); EN 1991-1-1:2002, Table A.4.
     """
@@ -77,7 +103,29 @@ class Steel(Model):
 
 
 class Building(FileModel):
-    """A validated building; all values are in SI. Made by `load_building`."""
+    """A building file: a building in three dimensions, what acts on it, and what it is designed for.
+
+    Once validated all values are in SI. Made by `load_building`.
+
+    Attributes:
+        edesign_building: version of the file format.
+        title: one line for tables and reports.
+        plan: the grid in plan.
+        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones.
+        setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.
+        supports: support of all columns, or a mapping by column line; lines that it does not name take its `default`,
+            else `fixed`.
+        diaphragms: floors that are rigid in their plane.
+        columns: runs of columns; a later one overrides an earlier one.
+        beams: runs of beams; a later one overrides an earlier one.
+        braces: runs of pin-ended braces.
+        missing: members that the regular grid has and this building has not.
+        materials: steels by name, to which members refer.
+        loads: permanent loads G and variable loads Q, downwards.
+        masses: masses of the nodes, from the loads or given.
+        hazard: the seismic action by EN 1998-1, without `behaviour_factor`.
+        design: what is checked, and how the seismic action is combined.
+    """
 
     kind: ClassVar[str] = "building"
 

@@ -84,7 +84,13 @@ def _drift(value: Any) -> Any:
 
 
 class Codes(Model):
-    """The codes and their editions."""
+    """The codes and their editions.
+
+    Attributes:
+        actions: edition of EN 1990 and EN 1991.
+        steel: edition of EN 1993-1-1.
+        seismic: edition of EN 1998-1.
+    """
 
     actions: Literal["en1990-2002"] = "en1990-2002"
     steel: Literal["ec3-2005"] = "ec3-2005"
@@ -94,8 +100,11 @@ class Codes(Model):
 class System(Model):
     """The structural type in one direction, and its behaviour factor.
 
-    `table`: q is the upper limit of EN 1998-1, Table 6.2, for the ductility class, with `alpha_u_over_alpha_1` where
-    the table has it (without it the default of 6.3.2(3)).
+    Attributes:
+        type: structural type (EN 1998-1, 6.3.1).
+        q: behaviour factor; `table` takes the upper limit of EN 1998-1, Table 6.2, for the ductility class.
+        alpha_u_over_alpha_1: alpha_u over alpha_1 of moment frames in Table 6.2; without the key the default of
+            6.3.2(3).
     """
 
     type: SystemType
@@ -104,14 +113,24 @@ class System(Model):
 
 
 class Systems(Model):
-    """The structural type in each direction."""
+    """The structural type in each direction.
+
+    Attributes:
+        x: structural type of the frames along x.
+        y: structural type of the frames along y.
+    """
 
     x: System
     y: System
 
 
 class Drift(Model):
-    """The limit of interstorey drift by the kind of partitions, and nu, which reduces the action; else the country's.
+    """The limit of interstorey drift by the kind of partitions.
+
+    Attributes:
+        limit: kind of partitions: 0.5 % of the height of brittle, 0.75 % of ductile, 1 % of none attached (EN 1998-1,
+            4.4.3.2(1)).
+        nu: reduction of the action (4.4.3.2(2)); without the key that of the country for the importance class.
 
     Source: EN 1998-1:2004, 4.4.3.2(1), Eqs. 4.31-4.33.
     """
@@ -127,20 +146,36 @@ ShareOfSpan = Annotated[
 
 
 class BeamDeflections(Model):
-    """Limits of the deflection of beams over their span, of all loads and of variable loads alone; None: no limit."""
+    """Limits of the deflection of beams over their span.
+
+    Attributes:
+        total: largest deflection of beams over their span under all loads; without the key no limit.
+        live: largest deflection of beams over their span under variable loads alone; without the key no limit.
+    """
 
     total: ShareOfSpan = None
     live: ShareOfSpan = None
 
 
 class Serviceability(Model):
-    """Limits under characteristic combinations; those of the National Annex and the client (EN 1993-1-1, 7.2.1)."""
+    """Limits under characteristic combinations; those of the National Annex and the client (EN 1993-1-1, 7.2.1).
+
+    Attributes:
+        beams: limits of the deflection of beams.
+    """
 
     beams: BeamDeflections = BeamDeflections()
 
 
 class PartialFactors(Model):
-    """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B); the country's where they are not given."""
+    """Partial factors of EN 1993-1-1, 6.1 and of EN 1990, Table A1.2(B); the country's where they are not given.
+
+    Attributes:
+        M0: partial factor of cross-sections (EN 1993-1-1, 6.1).
+        M1: partial factor of members, for instability (EN 1993-1-1, 6.1).
+        G: partial factor of permanent actions (EN 1990, Table A1.2(B)).
+        Q: partial factor of variable actions (EN 1990, Table A1.2(B)).
+    """
 
     M0: PositiveFactor = 1.0
     M1: PositiveFactor = 1.0
@@ -156,8 +191,9 @@ def _expression(value: Any) -> Any:
 class Fundamental(Model):
     """Combinations for persistent situations (EN 1990, 6.4.3.2).
 
-    `expression`: 6.10, or the less favourable of 6.10a and 6.10b. `favourable`: also combinations in which permanent
-    loads are favourable (gamma_G,inf) and variable ones absent, as for uplift.
+    Attributes:
+        expression: Eq. 6.10 of EN 1990, or the less favourable of 6.10a and 6.10b.
+        favourable: whether permanent loads are also taken as favourable without variable ones, as for uplift.
     """
 
     expression: Annotated[
@@ -167,14 +203,25 @@ class Fundamental(Model):
 
 
 class LengthFactors(Model):
-    """Buckling length over length between nodes, about both axes of the section."""
+    """Buckling length over length between nodes, about both axes of the section.
+
+    Attributes:
+        y: factor about the y axis of the section, the strong one.
+        z: factor about the z axis of the section, the weak one.
+    """
 
     y: PositiveFactor = 1.0
     z: PositiveFactor = 1.0
 
 
 class BucklingLength(Model):
-    """Buckling lengths by the kind of member."""
+    """Buckling lengths by the kind of member.
+
+    Attributes:
+        columns: factors of columns.
+        beams: factors of beams.
+        braces: factors of braces.
+    """
 
     columns: LengthFactors = LengthFactors()
     beams: LengthFactors = LengthFactors()
@@ -182,7 +229,12 @@ class BucklingLength(Model):
 
 
 class LateralRestraint(Model):
-    """What holds the compressed flange: beams `slab` (all along) or `ends`, columns `floors` or `all_along`."""
+    """What holds the compressed flange.
+
+    Attributes:
+        beams: by the slab all along, or at the ends only.
+        columns: at the floors, or all along.
+    """
 
     beams: Literal["slab", "ends"] = "slab"
     columns: Literal["floors", "all_along"] = "floors"
@@ -191,9 +243,13 @@ class LateralRestraint(Model):
 class MemberChecks(Model):
     """How members are checked by EN 1993-1-1.
 
-    `yield_by_thickness`: f_y by the thickest part of a section, of EN 10025-2 (`true`) or of EN 1993-1-1, Table 3.1;
-    the National Annex chooses (3.2.1(1)).
-    `doubler_plates`: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
+    Attributes:
+        interaction: interaction factors k_ij of EN 1993-1-1, 6.3.3.
+        buckling_length: buckling length over the length between nodes, by kind of member.
+        lateral_restraint: what holds the compressed flange.
+        yield_by_thickness: f_y by the thickest part of a section: EN 10025-2 (`true`), EN 1993-1-1, Table 3.1, or not;
+            the country chooses (3.2.1(1)).
+        doubler_plates: whether web panels that are too weak may have a supplementary web plate (EN 1998-1, 6.6.3(6)).
     """
 
     interaction: Literal["annex_a", "annex_b"] = "annex_b"
@@ -214,7 +270,11 @@ DEFAULT_PRICE = "default"
 class SectionLists(Model):
     """Families (`HEB`), patterns (`HEB3*`) or sections (`HEB300`) that the design may choose from.
 
-    `groups`: lists of groups that have their own.
+    Attributes:
+        columns: families (`HEB`), patterns (`HEB3*`) or sections (`HEB300`) for columns.
+        beams: families, patterns or sections for beams.
+        braces: families, patterns or sections for braces.
+        groups: lists of groups that have their own, by group.
     """
 
     columns: SectionChoice = ("HEB",)
@@ -226,10 +286,15 @@ class SectionLists(Model):
 class Select(Model):
     """How `edesign design` chooses sections.
 
-    `largest_depth`: of the sections of columns, beams, braces, or of a group. `starts`: points from which it searches,
-    beside the sections of the file. `evaluations`: how many designs it may ask for. `leave_out`: clauses of EN 1998-1
-    that the design need not meet; the run tells them all the same. `prices`: of a kilogram by family, in any currency,
-    for the objective `cost`.
+    Attributes:
+        lists: what the design may choose from, by kind of member.
+        largest_depth: largest depth of the sections of `columns`, `beams`, `braces`, or of a group.
+        objective: what is made least: mass of steel, or cost.
+        prices: price of a kilogram by family, in any currency, for the objective `cost`; `default` for the others.
+        columns_not_larger_above: whether no column has a larger area than the one below it.
+        starts: points from which the search starts, beside the sections of the file.
+        evaluations: how many designs the search may ask for.
+        leave_out: clauses of EN 1998-1 that the design need not meet; the run tells them all the same.
     """
 
     lists: SectionLists = SectionLists()
@@ -247,11 +312,32 @@ class Select(Model):
 class Design(Model):
     """What is checked, and how the seismic action is combined.
 
-    Where q is of the table, a building that is not `regular_in_elevation` has 0.8 of it (EN 1998-1, 4.2.3.1(7)), and
-    one that is not `regular_in_plan` a smaller default of alpha_u / alpha_1 (6.3.2(4)). `auto`: as it is found.
-    `level` of the hazard; without it the only one. `accidental_torsion`: eccentricity over the length of the plan, 0
-    for none. `torsion_by`: static moments (EN 1998-1, 4.3.3.3.3), or masses that lie beside their place in the modal
-    analysis (4.3.2(1)P). `directions`: share of the other direction's action, or `srss`.
+    Attributes:
+        code: codes and their editions.
+        level: hazard level of the design; without the key the only one.
+        ductility_class: ductility class DCL, DCM or DCH.
+        systems: structural type and behaviour factor in each direction.
+        regular_in_plan: if not, the default of alpha_u / alpha_1 is smaller (EN 1998-1, 6.3.2(4)); `auto` as it is
+            found.
+        regular_in_elevation: if not, q of the table is multiplied by 0.8 (EN 1998-1, 4.2.3.1(7)); `auto` as it is
+            found.
+        combination: how modes are combined.
+        damping: damping ratio in the CQC coefficients.
+        modes: how many modes count; `auto` takes 90 % of the mass (EN 1998-1, 4.3.3.3.1(3)).
+        accidental_torsion: eccentricity over the length of the plan (EN 1998-1, 4.3.2), or `none`.
+        torsion_by: static moments (EN 1998-1, 4.3.3.3.3), or masses beside their place in the modal analysis
+            (4.3.2(1)P).
+        directions: share of the action in the other direction (EN 1998-1, 4.3.3.5.1(3)), or `srss`.
+        imperfections: whether persistent combinations have sway imperfections (EN 1993-1-1, 5.3.2).
+        second_order: whether effects are amplified for 0.1 < theta <= 0.2 (EN 1998-1, 4.4.2.2(3)).
+        displacement: d_s as q d_e, at most the elastic one, or q d_e alone (EN 1998-1, 4.3.4).
+        drift: limit of interstorey drift, or `none`.
+        fundamental: combinations for persistent situations (EN 1990, 6.4.3.2).
+        serviceability: limits under characteristic combinations.
+        partial_factors: partial factors; without a key that of the country.
+        overstrength: material overstrength gamma_ov (EN 1998-1, 6.2(3)); without the key that of the country.
+        members: how members are checked.
+        select: how `edesign design` chooses sections.
     """
 
     code: Codes = Codes()

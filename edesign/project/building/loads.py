@@ -19,10 +19,19 @@ Span = Literal["x", "y", "two_way"]
 
 
 class Areas(Model):
-    """Load on some bays of some floors, N/m2; loads on one bay add up.
+    """Load on some bays of some floors; loads on one bay add up.
 
-    `spans`: the way of the floor. One that spans along x rests on the beams along y, at both sides of its bay. With
-    `secondary_beams` it rests on that many more beams along y at equal distances, and these on the beams along x.
+    A floor that spans along x rests on the beams along y, at both sides of its bay. With secondary beams it rests on
+    that many more beams along y at equal distances, and these on the beams along x.
+
+    Attributes:
+        floors: floors that have the load.
+        bays: bays of the plan that have the load; `all` takes those that a floor covers.
+        G: permanent load, positive downwards.
+        Q: variable load, positive downwards.
+        category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
+        spans: the way that the floor spans.
+        secondary_beams: beams across the span in each bay.
     """
 
     floors: Numbers = ALL_NUMBERS
@@ -35,7 +44,14 @@ class Areas(Model):
 
 
 class PerimeterLoad(Model):
-    """Load on all beams at the edge of some floors, N/m."""
+    """Load on all beams at the edge of some floors.
+
+    Attributes:
+        floors: floors whose edges have the load.
+        G: permanent load, positive downwards.
+        Q: variable load, positive downwards.
+        category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
+    """
 
     floors: Numbers = ALL_NUMBERS
     G: LineLoad = 0.0
@@ -44,7 +60,13 @@ class PerimeterLoad(Model):
 
 
 class BeamLoad(BeamPlaces):
-    """Uniform load on beams, N/m."""
+    """Uniform load on beams.
+
+    Attributes:
+        G: permanent load, positive downwards.
+        Q: variable load, positive downwards.
+        category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
+    """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
@@ -52,7 +74,15 @@ class BeamLoad(BeamPlaces):
 
 
 class NodeLoad(Model):
-    """Load on the nodes of column lines at some floors, N."""
+    """Load on the nodes of column lines at some floors.
+
+    Attributes:
+        at: column lines of the nodes.
+        floors: floors of the nodes.
+        G: permanent force, positive downwards.
+        Q: variable force, positive downwards.
+        category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
+    """
 
     at: ColumnLines
     floors: Numbers
@@ -62,7 +92,16 @@ class NodeLoad(Model):
 
 
 class Loads(Model):
-    """All loads. `self_weight`: of the members by their sections. `live_load_reduction`: EN 1991-1-1, 6.3.1.2."""
+    """All loads of the building.
+
+    Attributes:
+        areas: loads on bays of floors.
+        perimeter: loads along the edge of floors.
+        beams: uniform loads on beams.
+        nodes: forces on nodes.
+        self_weight: whether members weigh, by their area and density.
+        live_load_reduction: whether variable loads are reduced in persistent combinations (EN 1991-1-1, 6.3.1.2).
+    """
 
     areas: tuple[Areas, ...] = ()
     perimeter: tuple[PerimeterLoad, ...] = ()
@@ -78,7 +117,12 @@ class Loads(Model):
 
 
 class MassCombination(Model):
-    """Factors of G and Q in the masses; that of Q is psi_2, one for all or by categories, by default the country's."""
+    """Factors of G and Q in the masses.
+
+    Attributes:
+        G: factor of permanent loads and of the self weight.
+        Q: psi_2, one for all or by category; without the key that of the category in the country (EN 1990, Table A1.1).
+    """
 
     G: Factor = 1.0
     Q: (
@@ -95,7 +139,13 @@ class MassCombination(Model):
 
 
 class GivenMass(Model):
-    """The mass of each of some nodes, kg; a node is given its mass once."""
+    """The mass of each of some nodes; a node is given its mass once.
+
+    Attributes:
+        at: column lines of the nodes.
+        floors: floors of the nodes.
+        mass: mass of each of the nodes.
+    """
 
     at: ColumnLines = ALL_COLUMN_LINES
     floors: Numbers
@@ -103,7 +153,13 @@ class GivenMass(Model):
 
 
 class Masses(Model):
-    """Masses of the nodes, from the loads or given. `phi` times psi_2 is psi_E: EN 1998-1, 4.2.4(2)P, Eq. 4.2."""
+    """Masses of the nodes, from the loads or given.
+
+    Attributes:
+        from_loads: factors of the loads that are masses; this key or `given`.
+        given: masses node by node; this key or `from_loads`.
+        phi: factor phi by which psi_2 is multiplied to psi_E (EN 1998-1, 4.2.4(2)P, Eq. 4.2).
+    """
 
     from_loads: MassCombination | None = None
     given: tuple[GivenMass, ...] | None = None

@@ -34,6 +34,12 @@ class Ends(Model):
     """The ends of a beam; start is the one with the smaller coordinate.
 
     A pinned end is free about both axes of the section, but transmits torsion; a stiffness acts about the strong axis.
+
+    A pinned end is free about both axes of the section, but transmits torsion; a stiffness acts about the strong axis.
+
+    Attributes:
+        start: the end with the smaller coordinate: `rigid`, `pinned`, or a rotational stiffness about the strong axis.
+        end: the other end: `rigid`, `pinned`, or a rotational stiffness about the strong axis.
     """
 
     start: End = "rigid"
@@ -41,14 +47,26 @@ class Ends(Model):
 
 
 class ColumnPlaces(Model):
-    """Columns on some column lines in some storeys."""
+    """Columns on some column lines in some storeys.
+
+    Attributes:
+        at: column lines, such as `A2`, `A`, `A1-C2`.
+        storeys: storeys, counted from 1 at the bottom.
+    """
 
     at: ColumnLines = ALL_COLUMN_LINES
     storeys: Numbers = ALL_NUMBERS
 
 
 class ColumnRun(ColumnPlaces):
-    """Columns of one section; `strong` is the direction in whose frames they bend about their strong axis."""
+    """Columns of one section.
+
+    Attributes:
+        section: name of a profile of the catalogue, or of a hollow section.
+        material: one of `materials`.
+        strong: direction in whose frames the columns bend about their strong axis.
+        group: columns of one group are designed as one; without the key the run is a group of its own.
+    """
 
     section: str
     material: str
@@ -57,7 +75,14 @@ class ColumnRun(ColumnPlaces):
 
 
 class BeamPlaces(Model):
-    """Beams in some bays of some frames of one direction, at some floors."""
+    """Beams in some bays of some frames of one direction, at some floors.
+
+    Attributes:
+        along: direction of the beams.
+        frames: frames of this direction, such as `2`, `A-C`.
+        bays: bays of the frames, counted from 1.
+        floors: floors, counted from 1.
+    """
 
     along: Direction
     frames: Frames = ALL_FRAMES
@@ -66,7 +91,14 @@ class BeamPlaces(Model):
 
 
 class BeamRun(BeamPlaces):
-    """Beams of one section."""
+    """Beams of one section.
+
+    Attributes:
+        section: name of a profile of the catalogue, or of a hollow section.
+        material: one of `materials`.
+        ends: how the ends are joined: `rigid`, `pinned`, a rotational stiffness, or a mapping of both.
+        group: beams of one group are designed as one; without the key the run is a group of its own.
+    """
 
     section: str
     material: str
@@ -81,8 +113,18 @@ class BraceRun(Model):
 
     Rising and falling are seen with the axis of the frame to the right. Alternating diagonals rise where bay plus
     storey is even. A cross is two diagonals without a joint between them. A chevron meets the beam above in the middle
-    of its span, `v` the beam below. `compression`: whether braces count in compression; None is what EN 1998-1,
-    6.7.2(2)P says of their kind.
+    of its span, `v` the beam below.
+
+    Attributes:
+        along: direction of the frames.
+        frames: frames of this direction, such as `2`, `A-C`.
+        bays: bays of the frames, counted from 1.
+        storeys: storeys, counted from 1.
+        kind: how the braces stand, seen with the axis of the frame to the right.
+        section: name of a profile of the catalogue, or of a hollow section.
+        material: one of `materials`.
+        compression: whether braces count in compression; without the key by their kind (EN 1998-1, 6.7.2(2)P).
+        group: braces of one group are designed as one; without the key the run is a group of its own.
     """
 
     along: Direction
@@ -105,7 +147,12 @@ class BraceRun(Model):
 
 
 class Missing(Model):
-    """Members that the regular grid has and this building has not."""
+    """Members that the regular grid has and this building has not.
+
+    Attributes:
+        columns: columns of the grid that do not stand.
+        beams: beams of the grid that do not stand.
+    """
 
     columns: tuple[ColumnPlaces, ...] = ()
     beams: tuple[BeamPlaces, ...] = ()

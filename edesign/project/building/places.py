@@ -75,7 +75,12 @@ class FrameSelection:
 
 
 class Panels(Model):
-    """Bays of the plan: those of some bays along x and some along y."""
+    """Bays of the plan: those of some bays along x and some along y.
+
+    Attributes:
+        x: bays along x, counted from 1.
+        y: bays along y, counted from 1.
+    """
 
     x: Numbers = ALL_NUMBERS
     y: Numbers = ALL_NUMBERS

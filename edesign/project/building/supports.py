@@ -19,7 +19,16 @@ Rotation = Annotated[Held, held(ROTATIONAL_STIFFNESS, *_DIRECTION)]
 
 
 class Springs(Model):
-    """A support by directions, global: `fixed`, `free`, or a stiffness in N/m or N m/rad."""
+    """A support by directions, global.
+
+    Attributes:
+        ux: displacement along x: `fixed`, `free`, or a stiffness.
+        uy: displacement along y: `fixed`, `free`, or a stiffness.
+        uz: displacement upwards: `fixed`, `free`, or a stiffness.
+        rx: rotation about x: `fixed`, `free`, or a rotational stiffness.
+        ry: rotation about y: `fixed`, `free`, or a rotational stiffness.
+        rz: rotation about the vertical axis: `fixed`, `free`, or a rotational stiffness.
+    """
 
     ux: Translation = "fixed"
     uy: Translation = "fixed"

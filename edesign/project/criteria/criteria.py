@@ -83,8 +83,13 @@ Names = Annotated[tuple[str, ...], Written(_some_names, one_or_list)]
 class _Criterion(Model):
     """What all criteria share: a name, the histories they look at, and the statistic over the records.
 
-    `variants` and `levels` are names, or all if empty; each variant at each level is judged on its own. With a `share`
-    in place of a statistic, so many of the motions have to meet it.
+    Attributes:
+        name: unique name of the criterion.
+        variants: variants that are judged, each on its own, or `all`.
+        levels: hazard levels that are judged, each on its own, or `all`.
+        statistic: statistic over the histories; `ec8` and `asce7` take the mean or maximum by the number of motions.
+        share: share of the histories that have to meet the limit, in place of a statistic.
+        storeys: storeys that count.
     """
 
     name: CriterionName
@@ -107,10 +112,13 @@ _Limit = Annotated[float, WithJsonSchema({"title": "limit with its unit", "type"
 
 
 class MeasureCriterion(_Criterion):
-    """Limits of a response measure, in SI.
+    """Limits of a response measure.
 
-    `most` decides. `least` beside it is the lower end of a target range: what is below is better than required.
-    `least` alone is a requirement.
+    Attributes:
+        measure: response measure, with or without the unit at the end of its name.
+        most: largest value allowed, with its unit.
+        least: least value required; beside `most` the lower end of a target range, below which is better than required.
+        members: members or dampers that count, or `all`.
     """
 
     model_config = ConfigDict(json_schema_extra=lambda schema: add_limits(schema, "measure", _NAMED_KINDS))
@@ -133,10 +141,22 @@ class MeasureCriterion(_Criterion):
 
 
 class QuantityCriterion(_Criterion):
-    """Limits of an archived quantity at some of its places, in SI; `most` and `least` as of a measure.
+    """Limits of an archived quantity at some of its places.
 
-    The largest absolute value over time counts, or with `side` that in tension or compression, over the places that
-    are chosen. `frequency` (Hz) and `damping` are of an oscillator on a floor, `term` is one of the energy balance.
+    The largest absolute value over time counts, or that on one side, over the places that are chosen.
+
+    Attributes:
+        quantity: quantity of the archive; `edesign quantities` lists them.
+        most: largest value allowed, with its unit.
+        least: least value required; beside `most` the lower end of a target range, below which is better than required.
+        floors: floors that count.
+        members: columns, beams or braces that count, or `all`.
+        dampers: dampers that count, or `all`.
+        lines: column lines that count, of supports or isolators at their feet.
+        side: tension or compression alone; of a vertical reaction tension is uplift.
+        frequency: frequency of the oscillator on a floor.
+        damping: damping ratio of the oscillator on a floor.
+        term: term of the energy balance.
     """
 
     model_config = ConfigDict(
@@ -171,7 +191,14 @@ class QuantityCriterion(_Criterion):
 
 
 class HingeCriterion(_Criterion):
-    """No plastic hinges: the plastic rotation of the ends of members is at most `rotation` (rad)."""
+    """No plastic hinges: the plastic rotation of the ends of members is at most `rotation` (rad).
+
+    Attributes:
+        plastic_hinges: no plastic hinges.
+        of: members that count.
+        members: members that count by name, or `all`.
+        rotation: plastic rotation of an end from which it counts as a hinge.
+    """
 
     plastic_hinges: Literal["none"]
     of: MemberKinds = "all"
@@ -180,7 +207,13 @@ class HingeCriterion(_Criterion):
 
 
 class PerformanceCriterion(_Criterion):
-    """A structural performance level of FEMA 356, by drifts, by plastic rotations of members, or by both."""
+    """A structural performance level of FEMA 356, by drifts, by plastic rotations of members, or by both.
+
+    Attributes:
+        performance: structural performance level of FEMA 356.
+        by: whether drifts, plastic rotations of members, or both are judged.
+        of: members that count.
+    """
 
     performance: PerformanceLevel
     by: Literal["drift", "members", "both"] = "both"

@@ -28,7 +28,13 @@ Count = Annotated[int, Field(ge=1, le=1000)]
 
 
 class Prototype(Model):
-    """The damper that the parameters of a law belong to: layers of elastomer in shear."""
+    """The damper that the parameters of a law belong to: layers of elastomer in shear.
+
+    Attributes:
+        layers: number of layers of elastomer.
+        layer_area: area of a layer.
+        layer_thickness: thickness of a layer.
+    """
 
     layers: Layers
     layer_area: PositiveArea
@@ -36,7 +42,13 @@ class Prototype(Model):
 
 
 class Effect(Model):
-    """An effect that tests have shown and the law has not; `parameters` are read by the effect itself."""
+    """An effect that tests have shown and the law has not; `parameters` are read by the effect itself.
+
+    Attributes:
+        name: name of the effect, such as `payne`.
+        form: form of the effect, such as `whole`.
+        parameters: parameters of the effect, with units.
+    """
 
     name: str
     form: str
@@ -44,11 +56,16 @@ class Effect(Model):
 
 
 class LawDescription(Model):
-    """A law with its parameters, as a project and a law file (of `edesign fit`) give it.
+    """A damper law with its parameters, as a project and a law file (of `edesign fit`) give it.
 
-    `parameters` are read by the law itself: a mapping of values with units, or the name of a published set; so is
-    `temperature_law`. `effects` amend the law. `standard_errors` and `tested` come from a fit: how sure the parameters
-    are, and the range of the tests.
+    Attributes:
+        type: name of the law; `edesign laws` lists all.
+        parameters: parameters with units, or the name of a published set.
+        temperature_law: how parameters change with temperature.
+        effects: effects that tests have shown and the law has not.
+        prototype: damper that the parameters belong to; without the key the law has the size of the device.
+        standard_errors: standard errors of the parameters, from a fit.
+        tested: range of the tests that the parameters come from; use outside it is warned of.
     """
 
     type: str | None = None
@@ -61,9 +78,12 @@ class LawDescription(Model):
 
 
 class DamperLaw(LawDescription):
-    """A law of the project at a temperature (degC; None: that of the parameters); `file` is a law file.
+    """A law of the project, in place or in a law file.
 
-    `property_factor` multiplies all forces: a property modification factor of EN 15129 or ASCE 7.
+    Attributes:
+        file: law file, relative to the project file, in place of type, parameters, temperature law and effects.
+        temperature: temperature of the dampers; without the key that of the parameters.
+        property_factor: factor on all forces: a property modification factor of EN 15129 or ASCE 7.
     """
 
     file: Annotated[str, Field(min_length=1)] | None = None
@@ -72,7 +92,12 @@ class DamperLaw(LawDescription):
 
 
 class BraceStiffness(Model):
-    """Stiffness in series with a damper, along its deformation; `play` of its pins from end to end."""
+    """Stiffness in series with a damper, along its deformation.
+
+    Attributes:
+        stiffness: stiffness along the damper; one for all storeys, or a list from the lowest.
+        play: clearance of the pins from end to end, within which the brace carries nothing.
+    """
 
     stiffness: Annotated[
         Annotated[PositiveStiffness, Tag("?plain")] | Annotated[tuple[PositiveStiffness, ...], Tag("?list")],
@@ -82,7 +107,12 @@ class BraceStiffness(Model):
 
 
 class BraceSection(Model):
-    """Braces of a section and material; their stiffness follows from the geometry."""
+    """Braces of a section and material; their stiffness follows from the geometry.
+
+    Attributes:
+        section: name of a profile of the catalogue, or of `sections`.
+        material: one of `materials`.
+    """
 
     section: str
     material: str
@@ -140,12 +170,20 @@ def restrained_misfits(kind: str, brace: object, kinds: Iterable[str] = BRACE_KI
 
 
 class _Sized(Model):
-    """A law at the size of the device; `number` of them stand side by side.
+    """A law at the size of the device.
 
-    Layers are those of the prototype unless given; histories that strain them beyond `strain_limit` are warned of.
-    `scale` multiplies the forces of a law without prototype.
-    `design_deformation` is the amplitude of damper and brace at which they count in natural modes. Buckling-restrained
-    braces can act from the beginning (`carries_gravity`); other dampers are set in under the gravity loads.
+    Attributes:
+        law: one of `dampers.laws`.
+        number: dampers side by side at each place.
+        layers: layers of elastomer of one damper; without the key those of the prototype.
+        layer_area: area of a layer, one or a list by storeys from the lowest; without the key that of the prototype.
+        layer_thickness: thickness of a layer; without the key that of the prototype.
+        strain_limit: largest shear strain that the layers are meant for; histories beyond it are warned of.
+        scale: factor on the forces of a law without prototype; one, or a list by storeys from the lowest.
+        design_deformation: amplitude of damper and brace at which they count in natural modes; one, or a list by
+            storeys.
+        brace: brace in series with the dampers of one place.
+        carries_gravity: whether buckling-restrained braces act from the beginning, under the gravity loads too.
     """
 
     law: str
@@ -166,6 +204,12 @@ class DamperRun(_Sized):
     chevron: horizontal between the apex of a chevron brace and the beam above; chevron_braces: two in place of the
     braces of a chevron, from the feet of the bay to the middle of the beam above; rising, falling: along the diagonal,
     seen from left to right; storey: horizontal between the floors above and below.
+
+    Attributes:
+        kind: how they stand: `chevron` between a brace and the beam above, `chevron_braces` in place of two braces,
+            along a diagonal, or between floors.
+        bays: bays, counted from 1.
+        storeys: storeys, counted from 1.
     """
 
     kind: Literal["chevron", "chevron_braces", "rising", "falling", "storey"]
@@ -174,7 +218,12 @@ class DamperRun(_Sized):
 
 
 class DamperBetween(_Sized):
-    """A damper along the line between two nodes."""
+    """A damper along the line between two nodes.
+
+    Attributes:
+        kind: along the line between two nodes.
+        nodes: names of the two nodes, such as `[A0, B1]`.
+    """
 
     kind: Literal["nodes"]
     nodes: Annotated[tuple[str, str], Field(strict=False)]
@@ -192,7 +241,15 @@ Device = Annotated[
 
 
 class TunedMass(Model):
-    """A mass on a spring and dashpot on a floor (thesis Eqs. 2.26-2.28); frequency in Hz, damping of critical."""
+    """A mass on a spring and dashpot on a floor (thesis Eqs. 2.26-2.28).
+
+    Attributes:
+        kind: tuned mass damper.
+        floor: floor on which it stands, from 1 to the roof.
+        mass: mass of the damper.
+        frequency: own frequency of the damper.
+        damping: damping of the damper, ratio of critical.
+    """
 
     kind: Literal["tuned_mass"]
     floor: Annotated[int, Field(ge=1)]
@@ -204,8 +261,14 @@ class TunedMass(Model):
 class TunedLiquid(Model):
     """Water sloshing in rectangular tanks on a floor (thesis Eqs. 2.31-2.33), as an equivalent tuned mass.
 
-    `number` tanks of inner `length` along the frame and `width`, filled to `depth`; `damping` of the sloshing is a
-    share of critical.
+    Attributes:
+        kind: tuned liquid damper.
+        floor: floor on which the tanks stand, from 1 to the roof.
+        number: number of tanks.
+        length: inner length of a tank along the frame.
+        width: inner width of a tank.
+        depth: depth of the water.
+        damping: damping of the sloshing, ratio of critical.
     """
 
     kind: Literal["tuned_liquid"]
@@ -224,7 +287,14 @@ Attachment = Annotated[
 
 
 class Dampers(Model):
-    """All dampers of the building, and its isolators; analyses with `dampers: false` leave them out."""
+    """All dampers of the building, and its isolators; analyses with `dampers: false` leave them out.
+
+    Attributes:
+        laws: damper laws by name.
+        devices: dampers between floors or nodes, each with its place, law and size.
+        attachments: tuned masses and tanks on floors.
+        isolation: isolators under the columns, and the base on them.
+    """
 
     laws: dict[str, DamperLaw] = {}
     devices: tuple[Device, ...] = ()

@@ -52,19 +52,32 @@ def _strain(value: Any) -> Any:
 
 
 class TableProperties(Model):
-    """A published table of measured properties."""
+    """A published table of measured properties.
+
+    Attributes:
+        table: Tables A.1 to A.4 of the thesis.
+    """
 
     table: Literal["thesis_appendix_a"]
 
 
 class FileProperties(Model):
-    """A table of measured properties, a CSV file as `edesign characterise` writes it; relative to the study file."""
+    """A table of measured properties, a CSV file as `edesign characterise` writes it; relative to the study file.
+
+    Attributes:
+        file: CSV file of `edesign characterise`, relative to the study file.
+    """
 
     file: Annotated[str, Field(min_length=1)]
 
 
 class FixedProperties(Model):
-    """Storage modulus (Pa) and loss factor, whatever the frequency."""
+    """Storage modulus (Pa) and loss factor, whatever the frequency.
+
+    Attributes:
+        G_storage: storage shear modulus.
+        loss_factor: loss factor.
+    """
 
     G_storage: PositiveStress
     loss_factor: PositiveFactor
@@ -80,7 +93,11 @@ Properties = Annotated[
 
 
 class BraceRatio(Model):
-    """Braces of a storey together, along its drift, as a multiple of the stiffness of the storey."""
+    """Braces of a storey together, along its drift, as a multiple of the stiffness of the storey.
+
+    Attributes:
+        ratio: stiffness of the braces of a storey together over that of the storey.
+    """
 
     ratio: LeastBrace
 
@@ -92,7 +109,13 @@ Brace = Annotated[
 
 
 class Extremes(Model):
-    """Property modification factors; 1 where not given."""
+    """Property modification factors; 1 where not given.
+
+    Attributes:
+        ageing: factor of ageing and environment.
+        test: factor of tests: heating, rate, scragging.
+        specification: factor of the tolerance of production.
+    """
 
     ageing: PositiveFactor = 1.0
     test: PositiveFactor = 1.0
@@ -102,8 +125,12 @@ class Extremes(Model):
 class Bounds(Model):
     """Upper and lower bound of the dampers' properties.
 
-    `upper` and `lower` are factors by themselves (EN 15129), or are made of factors of ageing, tests and specification
-    (ASCE/SEI 7-16, 18.2.4.5). `temperatures` (degC) are the lowest and highest in service.
+    Attributes:
+        upper: upper property modification factor (EN 15129), at least 1.
+        lower: lower property modification factor (EN 15129), at most 1.
+        upper_factors: upper factors by cause, combined by ASCE/SEI 7-16, 18.2.4.5.
+        lower_factors: lower factors by cause, combined by ASCE/SEI 7-16, 18.2.4.5.
+        temperatures: lowest and highest temperature in service.
     """
 
     upper: PositiveFactor | None = None
@@ -116,7 +143,20 @@ class Bounds(Model):
 class _Design(Model):
     """What all methods need to know.
 
-    `drift` is the target storey drift, `level` the hazard level at which estimates by the response spectrum are made.
+    Attributes:
+        law: one of `dampers.laws` of the project.
+        kind: how the dampers stand, as in the project file.
+        bays: bays that get dampers.
+        storeys: storeys that get dampers.
+        number: dampers side by side at each place.
+        temperature: temperature of the dampers, also in the histories; without the key that of the law.
+        drift: target storey drift.
+        storey_stiffness: stiffness of the storeys: computed, or one value for each storey of the frame.
+        state: state of the frame whose modes count: under the gravity combination, or unloaded.
+        level: hazard level of estimates by the response spectrum.
+        inherent_damping: damping of the frame without dampers, for estimates; without the key the ratio of `damping` of
+            the project.
+        bounds: upper and lower properties of the dampers.
     """
 
     law: str
@@ -139,9 +179,16 @@ class _Design(Model):
 class _ElastomerDesign(_Design):
     """Dampers with layers of elastomer.
 
-    Properties are taken at `strain`, at `temperature` (degC) and at `frequency` (Hz; two: the mean of the values at
-    both; none: followed from the first mode with dampers). The strain may be followed too: it is then the one that the
-    dampers reach in the estimate by the response spectrum, or in the histories of `verify`.
+    Attributes:
+        layers: layers of one damper; without the key those of the prototype.
+        properties: where storage modulus and loss factor come from.
+        strain: shear strain at which properties are taken, or where it is followed: in the spectrum's estimate, or in
+            histories.
+        frequency: frequency at which properties are taken; of two the mean of the values; without the key that of the
+            first mode.
+        layer_thickness: thickness of a layer; without the key drift times height times cosine over `strain_limit`.
+        strain_limit: largest shear strain, for the thickness; histories beyond it are warned of.
+        verify: time histories that close the loop.
     """
 
     layers: Count | None = None
@@ -164,7 +211,17 @@ class _ElastomerDesign(_Design):
 
 
 class StrainEnergyDesign(_ElastomerDesign):
-    """The iterative procedure of thesis 5.3.4 by modal strain energy: stiffness in proportion to the storeys."""
+    """The iterative procedure of thesis 5.3.4 by modal strain energy.
+
+    Attributes:
+        method: a damping ratio of the first mode by modal strain energy.
+        damping: damping ratio that the dampers add to the first mode; all distributions but `least_area` need it.
+        brace: braces of a storey together along its drift.
+        braces_in_target: whether brace and damper together reach the target, not the damper alone.
+        distribution: stiffness of the dampers over the height; `least_area` finds the least in sum for the `drift`.
+        target_in: what has the target damping: each storey (Eq. 5.9) or the first mode (Eq. 5.6); without the key by
+            `distribution`.
+    """
 
     method: Literal["strain_energy"]
     damping: PositiveRatio | None = None
@@ -175,7 +232,16 @@ class StrainEnergyDesign(_ElastomerDesign):
 
 
 class SimplifiedDesign(_ElastomerDesign):
-    """The simplified procedure of Fan and Lee (thesis 5.3.4): the least beta with which static forces meet a drift."""
+    """The simplified procedure of Fan and Lee (thesis 5.3.4): the least beta with which static forces meet a drift.
+
+    Attributes:
+        method: the simplified procedure of Fan and Lee.
+        alpha: braces over the stiffness of the storey.
+        beta: range of the dampers over the stiffness of the storey.
+        beta_step: step of beta between trials.
+        forces: shape of the lateral forces (EN 1998-1, Eqs. 4.10 and 4.11).
+        low_temperature: low end of the design range; needs `temperature`.
+    """
 
     method: Literal["simplified"]
     alpha: PositiveFactor = 10.0
@@ -186,13 +252,21 @@ class SimplifiedDesign(_ElastomerDesign):
 
 
 class RoofAmplitude(Model):
-    """Amplitude of the first mode at the roof."""
+    """Amplitude of the first mode at the roof.
+
+    Attributes:
+        roof_displacement: displacement of the roof in the first mode.
+    """
 
     roof_displacement: PositiveLength
 
 
 class DriftAmplitude(Model):
-    """Amplitude of the first mode by its largest storey drift."""
+    """Amplitude of the first mode by its largest storey drift.
+
+    Attributes:
+        drift: drift of the storey that drifts most in the first mode.
+    """
 
     drift: PositiveRatio
 
@@ -217,7 +291,16 @@ VISCOUS_LAWS = ("viscous", "viscous_power", "maxwell", "maxwell_power")
 class ViscousDesign(_Design):
     """Viscous dampers for a damping of the first mode, or for a drift with the least coefficients.
 
-    `amplitude` is that of the vibration in the first mode in which the dashpots count with their energy.
+    Attributes:
+        method: a damping ratio of the first mode by viscous dampers.
+        damping: damping ratio that the dampers add to the first mode; all distributions but `least_coefficient` need
+            it.
+        amplitude: amplitude of the first mode at which the dampers count with their energy; with a `level` that of its
+            spectrum.
+        brace: braces of a storey together along its drift.
+        distribution: coefficients of the dampers over the height; `least_coefficient` finds the least in sum for the
+            `drift`.
+        verify: time histories that close the loop.
     """
 
     method: Literal["viscous"]
@@ -238,8 +321,9 @@ HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgo
 class Optimum(Model):
     """The share of the storey shears for which histories answer least.
 
-    `range` is that of the shares. What is made least is the demand over the limit of the criteria of `verify`: that of
-    the worst of them, or their mean.
+    Attributes:
+        range: shares that are looked at.
+        least: what is made least: demand over limit of the worst criterion, or the mean over the criteria.
     """
 
     range: tuple[PositiveRatio, PositiveRatio] = (0.05, 1.0)
@@ -249,8 +333,17 @@ class Optimum(Model):
 class HystereticDesign(_Design):
     """Dampers that yield or slip: for a share of the storey shears, for a damping, or for the least response.
 
-    `amplitude` is that of the vibration in the first mode in which the dampers count with the secant of their loops;
-    `shear` says which shears are shared, those of the spectrum if a level is given, or gives them, storey by storey.
+    Attributes:
+        method: yield or slip forces by share, damping or optimum.
+        shear_share: yield force of the storeys over their shear; this key, `damping` or `optimum`.
+        damping: equivalent damping ratio that the dampers add to the first mode.
+        optimum: the share for which histories answer least.
+        shear: shears that are shared: by the spectrum of `level`, by the first mode, or one for each storey.
+        amplitude: amplitude of the first mode at which the dampers count with the secant of their loops.
+        equivalent_damping: whether the damping is that of a cycle of the amplitude, or the mean over all up to it.
+        brace: braces of a storey together along its drift.
+        distribution: yield forces of the dampers over the height.
+        verify: time histories that close the loop.
     """
 
     method: Literal["hysteretic"]

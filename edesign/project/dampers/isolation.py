@@ -20,9 +20,16 @@ NEEDS_STIFFNESS = "what presses on the isolator at every moment is known where i
 
 
 class BaseDevice(Model):
-    """A law between the ground and the base, horizontally, at some column lines; `number` of them at each.
+    """A law between the ground and the base, horizontally, at some column lines.
 
-    Layers are those of the law's prototype unless given. `scale` multiplies the forces of a law without prototype.
+    Attributes:
+        lines: column lines; without the key all that have a column.
+        law: one of `dampers.laws`.
+        number: devices side by side at each line.
+        layers: layers of elastomer; without the key those of the prototype.
+        layer_area: area of a layer; without the key that of the prototype.
+        layer_thickness: thickness of a layer; without the key that of the prototype.
+        scale: factor on the forces of a law without prototype.
     """
 
     lines: Lines = ALL_LINES
@@ -37,8 +44,10 @@ class BaseDevice(Model):
 class Isolator(BaseDevice):
     """An isolator under some column lines, which carries the column.
 
-    `vertical` is what one of them is in that direction. A friction pendulum has the `weight` that stands on it under
-    the gravity combination, or in histories at every moment, or that of its law.
+    Attributes:
+        vertical: one isolator in the vertical direction: `fixed`, a stiffness, or a spring.
+        weight: weight on a friction pendulum: under gravity (the default), at every moment of a history, or that of its
+            law.
     """
 
     vertical: Vertical = "fixed"
@@ -46,7 +55,13 @@ class Isolator(BaseDevice):
 
 
 class BaseBeams(Model):
-    """Elastic beams of an isolated base, from the foot of each column to the next one."""
+    """Elastic beams of an isolated base, from the foot of each column to the next one.
+
+    Attributes:
+        section: name of a profile of the catalogue, or of `sections`.
+        material: one of `materials`.
+        axis: axis of the section about which the beams bend in the plane of the frame.
+    """
 
     section: str
     material: str
@@ -56,9 +71,12 @@ class BaseBeams(Model):
 class IsolatedBase(Model):
     """The slab or grid of beams on the isolators, rigid horizontally, at floor 0.
 
-    `G` and `Q` are its loads along the frame (N/m); `mass` (kg) is all of it, without it the base has that of its loads
-    if `masses.from_loads` says so. The feet of the columns turn with its `beams`; or `rotation` holds them, as a
-    support would.
+    Attributes:
+        G: permanent load along the frame.
+        Q: variable load along the frame.
+        mass: mass of the base, all of it; without the key that of its loads if `masses.from_loads` says so.
+        beams: elastic beams from foot to foot, with which the feet of the columns turn; this key or `rotation`.
+        rotation: what holds the feet of the columns against turning, as a support would; this key or `beams`.
     """
 
     G: LineLoad = 0.0
@@ -69,7 +87,14 @@ class IsolatedBase(Model):
 
 
 class Isolation(Model):
-    """An isolated base; its isolators count in natural modes at `design_displacement` (m)."""
+    """An isolated base.
+
+    Attributes:
+        isolators: what carries the columns; each line has one of them at most.
+        beside: what else acts between ground and base horizontally: dampers, stops of a moat.
+        base: the slab or grid of beams on the isolators.
+        design_displacement: displacement of the base at which the isolators count in natural modes.
+    """
 
     isolators: Annotated[tuple[Isolator, ...], Field(min_length=1)]
     beside: tuple[BaseDevice, ...] = ()

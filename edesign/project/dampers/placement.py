@@ -25,10 +25,20 @@ Kind = Literal["chevron", "rising", "falling", "storey"]
 
 
 class CatalogueItem(Model):
-    """What one place may be equipped with: `number` equal dampers side by side behind their braces.
+    """What one place may be equipped with: equal dampers side by side behind their brace.
 
-    Sizes are those of a device of a project file, one value each. `kind` replaces that of the design; `cost` is that of
-    one damper, in any currency.
+    Attributes:
+        law: one of `dampers.laws` of the project.
+        number: dampers side by side in a place.
+        layers: layers of elastomer; without the key those of the prototype.
+        layer_area: area of a layer; without the key that of the prototype.
+        layer_thickness: thickness of a layer; without the key that of the prototype.
+        scale: factor on the forces of a law without prototype.
+        design_deformation: amplitude at which it counts in natural modes; without the key that of the estimate in each
+            place.
+        brace: brace in series with the dampers of a place.
+        kind: how the dampers stand, in place of the `kind` of the design.
+        cost: cost of one damper, in any currency.
     """
 
     law: str
@@ -44,7 +54,13 @@ class CatalogueItem(Model):
 
 
 class Costs(Model):
-    """What is paid beside the dampers: for each equipped place (brace, connections), storey, and bay."""
+    """What is paid beside the dampers: for each equipped place (brace, connections), storey, and bay.
+
+    Attributes:
+        place: cost of each equipped place, for brace and connections.
+        storey: cost of each equipped storey.
+        bay: cost of each equipped bay.
+    """
 
     place: Factor = 0.0
     storey: Factor = 0.0
@@ -54,9 +70,11 @@ class Costs(Model):
 class LayoutLimits(Model):
     """Which layouts are allowed.
 
-    `most_dampers` counts dampers; `mirrored` layouts are symmetric about the middle of the frame. `continuous` ones
-    have no empty storey below a damper of the same bay, down to the lowest candidate. The storeys of each of
-    `storey_groups` are equipped alike.
+    Attributes:
+        most_dampers: largest number of dampers.
+        mirrored: whether layouts are symmetric about the middle of the frame.
+        continuous: whether no place is empty below a damper of its bay, down to the lowest candidate.
+        storey_groups: storeys that are equipped alike in each bay, such as `[1-3, 4-6]`.
     """
 
     most_dampers: Annotated[int, Field(ge=1, le=100_000)] | None = None
@@ -68,8 +86,20 @@ class LayoutLimits(Model):
 class PlacementDesign(Model):
     """The layout of least cost with which histories meet the criteria.
 
-    `level` is the hazard level whose spectrum the estimates take that put candidates in order; without it the first of
-    `verify`. `monotone` lets the search leave out layouts on the assumption that more dampers never harm.
+    Attributes:
+        method: search of a layout at least cost.
+        kind: how the dampers stand.
+        bays: candidate bays.
+        storeys: candidate storeys.
+        catalogue: items that a place may get, by name.
+        costs: costs beside those of the dampers.
+        limits: which layouts are allowed.
+        temperature: temperature of the dampers; without the key that of their laws.
+        state: state of the frame whose modes order candidates: under the gravity combination, or unloaded.
+        level: hazard level whose spectrum orders candidates; without the key the first of `verify`.
+        inherent_damping: damping of the frame without dampers, for that order; without the key that of `damping`.
+        monotone: whether the search assumes that more dampers never harm.
+        verify: histories and criteria that decide.
     """
 
     method: Literal["placement"]

@@ -39,7 +39,9 @@ def _even(value: int) -> int:
 class Fracture(Model):
     """Low-cycle fatigue: fibres break by Manson and Coffin's law, rainflow and Miner's sum.
 
-    A cycle of the strain range `strain` breaks a fibre; N cycles of the range strain * N^exponent do.
+    Attributes:
+        strain: range of the strain cycle that breaks a fibre at once.
+        exponent: exponent m of Coffin and Manson: N cycles of the range strain N^m break a fibre.
     """
 
     strain: PositiveFactor = 0.095
@@ -49,9 +51,12 @@ class Fracture(Model):
 class BraceBuckling(Model):
     """The model of a brace that buckles.
 
-    `camber` is its height / buckling length, or `ec3`: with it first yield is at N_b,Rd of EN 1993-1-1. `axis` is that
-    of the section about which it buckles; a stack of rectangles has but one. `ends` turn freely, not at all, or against
-    a rotational stiffness such as that of a gusset plate (N m/rad). `elements` None: by the ends.
+    Attributes:
+        camber: height of the initial bow over the buckling length; with `ec3` first yield is at N_b,Rd of EN 1993-1-1.
+        axis: axis of the section about which the brace buckles; a stack of rectangles has but one.
+        ends: rotation of the ends against the chord: `pinned`, `fixed`, or the stiffness of a gusset plate.
+        elements: fibre beams over the buckling length, an even number; without the key 4 of pinned ends, 8 of others.
+        fracture: fibres break by low-cycle fatigue; `{}` takes the defaults, without the key they do not.
     """
 
     camber: Annotated[

@@ -13,7 +13,13 @@ GeometryKind = Literal["linear", "p_delta", "corotational"]
 
 
 class Geometry(Model):
-    """Geometric transformation of each kind of member."""
+    """Geometric transformation of each kind of member.
+
+    Attributes:
+        columns: geometric transformation of columns; P-Delta effects need `p_delta` or `corotational`.
+        beams: geometric transformation of beams.
+        braces: geometric transformation of braces.
+    """
 
     columns: GeometryKind = "p_delta"
     beams: GeometryKind = "linear"
@@ -21,14 +27,25 @@ class Geometry(Model):
 
 
 class RigidEnds(Model):
-    """Ends of members that do not bend: their length (m), or its share of half the depth of what the member meets."""
+    """Ends of members that do not bend.
+
+    Attributes:
+        columns: rigid end of columns: a length, or its share of half the depth of the deepest beam at the node.
+        beams: rigid end of beams: a length, or its share of half the depth of the deepest column at the node.
+    """
 
     columns: Place = Position(0.0, True)
     beams: Place = Position(0.0, True)
 
 
 class Elements(Model):
-    """Gauss-Lobatto points along a fibre member, geometric transformations, and rigid ends."""
+    """Gauss-Lobatto points along a fibre member, geometric transformations, and rigid ends.
+
+    Attributes:
+        integration_points: Gauss-Lobatto points along a member with fibres, or along each piece between loads on it.
+        geometry: geometric transformation of each kind of member.
+        rigid_ends: ends of columns and beams that do not bend.
+    """
 
     integration_points: Annotated[int, Field(ge=2, le=10)] = 5
     geometry: Geometry = Geometry()

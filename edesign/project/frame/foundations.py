@@ -24,14 +24,25 @@ Formula = Literal["pais_kausel", "gazetas"]
 
 
 class Eurocode8Strain(Model):
-    """Moduli and damping of EN 1998-5:2004, Table 4.1, at `acceleration` = alpha S g on the surface."""
+    """Moduli and damping of EN 1998-5:2004, Table 4.1, at `acceleration` = alpha S g on the surface.
+
+    Attributes:
+        code: the tables of EN 1998-5.
+        acceleration: acceleration alpha S g on the surface.
+    """
 
     code: Literal["en1998_5"]
     acceleration: PositiveAcceleration
 
 
 class Asce7Strain(Model):
-    """Moduli and damping of ASCE/SEI 7-16, Tables 19.3-2 and 19.3-3, at `acceleration` = S_DS g / 2.5."""
+    """Moduli and damping of ASCE/SEI 7-16, Tables 19.3-2 and 19.3-3, at `acceleration` = S_DS g / 2.5.
+
+    Attributes:
+        code: the tables of ASCE/SEI 7-16.
+        site_class: site class of ASCE/SEI 7.
+        acceleration: acceleration S_DS g / 2.5.
+    """
 
     code: Literal["asce7"]
     site_class: Literal["A", "B", "C", "D", "E"]
@@ -39,7 +50,12 @@ class Asce7Strain(Model):
 
 
 class GivenStrain(Model):
-    """Shear modulus under the earthquake over that at small strains."""
+    """Shear modulus under the earthquake over that at small strains.
+
+    Attributes:
+        code: a ratio that is given.
+        modulus_ratio: shear modulus under the earthquake over that at small strains.
+    """
 
     code: Literal["given"]
     modulus_ratio: PositiveRatio
@@ -56,8 +72,13 @@ Strain = Annotated[
 class Soil(Model):
     """A soil as a half-space: at small strains, and what the strains of the earthquake leave of it.
 
-    One of `shear_wave_velocity` and `shear_modulus` is given. `damping` is the hysteretic one, of critical; None: that
-    of the code of `strain`.
+    Attributes:
+        density: density of the soil.
+        shear_wave_velocity: shear wave velocity at small strains; this key or `shear_modulus`.
+        shear_modulus: shear modulus at small strains; this key or `shear_wave_velocity`.
+        poisson: Poisson's ratio, at most 0.5, that of saturated clay.
+        strain: what the strains of the earthquake leave of the modulus; without the key all of it.
+        damping: hysteretic damping, of critical; without the key that of the code of `strain`.
     """
 
     density: PositiveDensity
@@ -72,16 +93,18 @@ class Footing(Model):
     """A rigid rectangular footing.
 
     Attributes:
-        soil: name of the soil that it stands on.
-        length, width: along the frame and across it.
-        embedment: depth of its underside.
-        wall_contact: height of its walls that the soil touches; None: all of the embedment.
-        formula: of the static stiffness.
-        radiation: whether waves that it sends into the ground damp it.
-        period: at which stiffness and damping are taken; None: the first of the frame on its footings.
-        thickness, density: of the block, for its mass and weight; no thickness: it has none.
-        uplift: whether it lifts off.
-        bearing_resistance: pressure at which the soil gives way; only with uplift.
+        soil: name of the soil that the footing stands on.
+        length: length along the frame.
+        width: width across the frame.
+        embedment: depth of the underside below ground.
+        wall_contact: height of the walls that the soil touches; without the key all of the embedment.
+        formula: formulas of the static stiffness.
+        radiation: whether waves that the footing sends into the ground damp it.
+        period: period at which stiffness and damping are taken; without the key the first of the frame on its footings.
+        thickness: thickness of the block, for its mass and weight; without the key it has none.
+        density: density of the block; needs `thickness`.
+        uplift: whether the footing lifts off.
+        bearing_resistance: pressure at which the soil gives way; needs `uplift: true`.
     """
 
     soil: str
@@ -104,6 +127,10 @@ class Footing(Model):
 
 
 class FootingSupport(Model):
-    """A support that is a footing on soil."""
+    """A support that is a footing on soil.
+
+    Attributes:
+        footing: the footing under the column.
+    """
 
     footing: Footing

@@ -42,14 +42,24 @@ class BeamMember:
 
 
 class EqualBays(Model):
-    """Bays of one width."""
+    """Bays of one width.
+
+    Attributes:
+        count: number of bays.
+        width: width of each bay.
+    """
 
     count: Count
     width: PositiveLength
 
 
 class EqualStoreys(Model):
-    """Storeys of one height."""
+    """Storeys of one height.
+
+    Attributes:
+        count: number of storeys.
+        height: height of each storey.
+    """
 
     count: Count
     height: PositiveLength
@@ -60,6 +70,19 @@ class Frame(Model):
 
     Lines are named A, B, ...; bays count from 1 at the left, storeys and floors from 1 at the bottom; floor 0 is the
     base. Lengths are in m.
+
+    Attributes:
+        bays: widths of the bays from the left, as a list, or `{count, width}` for equal ones.
+        storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones.
+        supports: support of all columns, or a mapping by line; lines that it does not name take its `default`, else
+            `fixed`.
+        diaphragms: floors whose nodes share their horizontal displacement.
+        columns: runs of columns; every place of the grid needs one, or is `missing`.
+        beams: runs of beams; every place of the grid needs one, or is `missing`.
+        braces: runs of pin-ended braces.
+        missing: members that the regular grid has and this frame has not.
+        releases: moment releases at the ends of beams and columns.
+        leaning_column: gravity loads beside the frame that it must hold upright.
     """
 
     bays: Annotated[Annotated[Lengths, Tag("?plain")] | Annotated[EqualBays, Tag("?mapping")], Discriminator(by_shape)]

@@ -23,7 +23,17 @@ Ends = Literal["both", "start", "end"]
 
 
 class HingeSide(Model):
-    """A hinge turned one way; what is not given is as for the other way."""
+    """A hinge turned one way; what is not given is as for the other way.
+
+    Attributes:
+        M_y: effective yield moment.
+        M_c_ratio: moment at capping over M_y.
+        M_r_ratio: residual moment over M_y, kappa.
+        theta_p: plastic rotation from yield to capping.
+        theta_pc: rotation from capping to no moment.
+        theta_u: rotation at which the hinge ends.
+        D: rate of deterioration in this direction.
+    """
 
     M_y: PositiveMoment | None = None
     M_c_ratio: PositiveFactor | None = None
@@ -39,14 +49,18 @@ class HingeValues(Model):
 
     Attributes:
         M_y: effective yield moment.
-        M_c_ratio: moment at capping / M_y.
-        M_r_ratio: residual moment / M_y, kappa.
-        theta_p, theta_pc, theta_u: rotations from yield to capping, from there to no moment, and at the end.
-        Lambda: reference cumulative rotation of all deterioration; or one of each.
-        Lambda_s, Lambda_c, Lambda_k: of strength, of the line after capping, of the unloading stiffness.
+        M_c_ratio: moment at capping over M_y.
+        M_r_ratio: residual moment over M_y, kappa.
+        theta_p: plastic rotation from yield to capping.
+        theta_pc: rotation from capping to no moment.
+        theta_u: rotation at which the hinge ends.
+        Lambda: reference cumulative rotation of deterioration; without the key there is none.
+        Lambda_s: reference cumulative rotation of strength alone; without the key `Lambda`.
+        Lambda_c: reference cumulative rotation of the line after capping alone; without the key `Lambda`.
+        Lambda_k: reference cumulative rotation of the unloading stiffness alone; without the key `Lambda`.
         c: exponent of deterioration.
         D: rate of deterioration.
-        hogging: of beams, values under moments that pull at the top, where they differ.
+        hogging: of beams, the values under moments that pull at the top, where they differ.
     """
 
     M_y: PositiveMoment
@@ -65,7 +79,13 @@ class HingeValues(Model):
 
 
 class ReducedSection(Model):
-    """A reduced beam section: from the column's face to the cut, length of the cut, depth of the cut on each side."""
+    """A reduced beam section, with the letters of its cut in design guides.
+
+    Attributes:
+        a: distance from the face of the column to the cut.
+        b: length of the cut.
+        c: depth of the cut on each side of the flange.
+    """
 
     a: PositiveLength
     b: PositiveLength
@@ -76,13 +96,15 @@ class Hinges(Model):
     """Plastic hinges at the ends of members that stay elastic between them.
 
     Attributes:
-        beams, columns: which members (one of the two keys).
-        ends: where.
-        parameters: of the hinge; or the regression, for beams of I sections.
-        reduced_section: of beams.
-        distance: from the node to the hinge.
-        unbraced_length: L_b of the regression.
-        stiffness_ratio: n, stiffness of the hinge / that of the member.
+        beams: beams that have the hinges; this key or `columns`.
+        columns: columns that have the hinges; this key or `beams`.
+        ends: ends of the members that have the hinges.
+        parameters: values of the hinge, or the regression of Lignos and Krawinkler (2011) for beams of I sections.
+        reduced_section: reduced section of the beams, where the hinges are.
+        distance: distance from the node to the hinge; without the key 0, or the middle of the reduced section.
+        unbraced_length: length L_b between lateral braces, for the regression; without the key the most of AISC 341-10,
+            D1.2b.
+        stiffness_ratio: stiffness of the hinge over that of the member, n.
     """
 
     beams: BeamPlaces | None = None
@@ -102,11 +124,12 @@ class Joints(Model):
     """Joints that turn: springs between members' ends and their nodes (EN 1993-1-8, 5.1).
 
     Attributes:
-        beams, columns: which members (one of the two keys).
-        ends: where.
-        stiffness: S_j of the analysis.
-        resistance: M_j,Rd; without it the joint stays elastic.
-        hardening: stiffness beyond M_j,Rd / S_j.
+        beams: beams whose ends turn; this key or `columns`.
+        columns: columns whose ends turn; this key or `beams`.
+        ends: ends of the members that turn.
+        stiffness: rotational stiffness S_j of the analysis (EN 1993-1-8, 5.1).
+        resistance: design moment resistance M_j,Rd, beyond which the joint yields; without the key it stays elastic.
+        hardening: stiffness beyond the resistance over the stiffness before.
     """
 
     beams: BeamPlaces | None = None
@@ -121,8 +144,9 @@ class PanelZones(Model):
     """Joints whose panel shears.
 
     Attributes:
-        lines, floors: which joints.
-        doubler: thickness of doubler plates, together.
+        lines: column lines of the joints.
+        floors: floors of the joints, counted from 1.
+        doubler: thickness of the doubler plates together.
         hardening: slope beyond the full shear over that before yield (0.03: Gupta & Krawinkler 1999).
     """
 

@@ -23,9 +23,13 @@ FloorMasses = Annotated[
 class LeaningColumn(Model):
     """Pin-ended struts from the base to the roof, each floor tied to that of the frame.
 
-    They carry the gravity loads of the part of the plan that leans on the frame. `G` and `Q` are forces (N) and `mass`
-    masses (kg) at each floor: one value for all, or one for each from the lowest. Without `mass` the floors have that
-    of their loads if `masses.from_loads` says so, and else none.
+    They carry the gravity loads of the part of the plan that leans on the frame.
+
+    Attributes:
+        G: permanent load at each floor beside that of the frame; one for all, or a list from the lowest floor.
+        Q: variable load at each floor beside that of the frame; one for all, or a list from the lowest floor.
+        mass: mass at each floor, against horizontal motion; without the key that of its loads with `masses.from_loads`,
+            else none.
     """
 
     G: FloorForces = 0.0

@@ -11,14 +11,26 @@ from edesign.project.reading.base import Model, by_key
 
 
 class ElasticMaterial(Model):
-    """Linear elastic; E in Pa."""
+    """Linear elastic steel.
+
+    Attributes:
+        law: linear elastic.
+        E: modulus of elasticity.
+    """
 
     law: Literal["elastic"]
     E: PositiveStress
 
 
 class BilinearMaterial(Model):
-    """Elastic-plastic with kinematic hardening; E, fy in Pa, hardening = post-yield / elastic stiffness."""
+    """Elastic-plastic steel with kinematic hardening.
+
+    Attributes:
+        law: elastic-plastic with kinematic hardening.
+        E: modulus of elasticity.
+        fy: yield stress.
+        hardening: stiffness after yielding over the elastic stiffness.
+    """
 
     law: Literal["bilinear"]
     E: PositiveStress
@@ -27,7 +39,17 @@ class BilinearMaterial(Model):
 
 
 class MenegottoPintoMaterial(Model):
-    """Menegotto-Pinto steel; E, fy in Pa; R0, cR1, cR2 shape the transition from elastic to plastic."""
+    """Menegotto and Pinto's steel.
+
+    Attributes:
+        law: Menegotto and Pinto's steel, with a smooth transition.
+        E: modulus of elasticity.
+        fy: yield stress.
+        hardening: stiffness after yielding over the elastic stiffness.
+        R0: curvature of the first transition from elastic to plastic.
+        cR1: decrease of the curvature with plastic excursion.
+        cR2: decrease of the curvature with plastic excursion.
+    """
 
     law: Literal["menegotto_pinto"]
     E: PositiveStress

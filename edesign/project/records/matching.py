@@ -25,11 +25,12 @@ FactorBounds = Annotated[tuple[PositiveFactor, PositiveFactor], BeforeValidator(
 class Matching(Model):
     """Fit of a record to the 5 % (or other) elastic spectrum of the `hazard` at gamma_I = 1.
 
-    Where each level of the hazard has a spectrum of its own, `level` says which. A record of the vertical `component`
-    is fitted to the vertical spectrum.
-
-    `method` is `wavelets` (time domain), `frequency` (Fourier transform) or `scale` (one factor, shape unchanged);
-    `periods` (s) is the band of the fit, `scale_bounds` limits the constant factor.
+    Attributes:
+        level: level that the record is fitted to, where each level has a spectrum of its own.
+        component: component of the ground motion whose spectrum the record is fitted to.
+        method: wavelets in the time domain, a factor on the Fourier transform, or one constant factor.
+        periods: band of the fit, the shorter period first.
+        scale_bounds: bounds of the constant factor that is applied before the shape is changed.
     """
 
     level: LevelName | None = None

@@ -13,20 +13,36 @@ Order = Annotated[int, Field(ge=0, le=8)]
 
 
 class Baseline(Model):
-    """A polynomial fitted to velocity or acceleration is taken out."""
+    """A polynomial fitted to velocity or acceleration is taken out.
+
+    Attributes:
+        order: order of the polynomial.
+        fit: what the polynomial is fitted to.
+    """
 
     order: Order = 1
     fit: Literal["velocity", "acceleration"] = "velocity"
 
 
 class RemoveDrift(Model):
-    """A polynomial of the displacement is taken out so that the ground ends at rest in its place."""
+    """A polynomial of the displacement is taken out so that the ground ends at rest in its place.
+
+    Attributes:
+        order: order of the polynomial of the displacement.
+    """
 
     order: Annotated[int, Field(ge=3, le=8)] = 6
 
 
 class Filter(Model):
-    """Acausal Butterworth filter between two frequencies (Hz), or beyond one."""
+    """Acausal Butterworth filter between two frequencies, or beyond one.
+
+    Attributes:
+        low: lower corner frequency; without the key nothing is cut below.
+        high: upper corner frequency; without the key nothing is cut above.
+        order: order of the filter.
+        keep_pads: whether the zeros that the filter needs before and after the record are kept.
+    """
 
     low: PositiveFrequency | None = None
     high: PositiveFrequency | None = None
@@ -35,7 +51,13 @@ class Filter(Model):
 
 
 class Trim(Model):
-    """The part between two times, s."""
+    """The part between two times.
+
+    Attributes:
+        start: begin of the part.
+        end: end of the part, within the record.
+        taper: length of the half cosines at both ends.
+    """
 
     start: Duration
     end: PositiveTime
@@ -43,7 +65,14 @@ class Trim(Model):
 
 
 class Significant(Model):
-    """The part between two shares of the Arias intensity, with lead and tail, s."""
+    """The part between two shares of the Arias intensity.
+
+    Attributes:
+        bounds: the two shares of the Arias intensity.
+        lead: time kept before the part.
+        tail: time kept after the part.
+        taper: length of the half cosines at both ends.
+    """
 
     bounds: tuple[UnitRatio, PositiveRatio] = (0.001, 0.999)
     lead: Duration = 1.0
@@ -52,27 +81,53 @@ class Significant(Model):
 
 
 class Taper(Model):
-    """Half cosines at both ends, s."""
+    """Half cosines at both ends.
+
+    Attributes:
+        start: length of the half cosine at the start.
+        end: length of the half cosine at the end.
+    """
 
     start: Duration = 0.0
     end: Duration = 0.0
 
 
 class Pad(Model):
-    """Zeros before and after, s."""
+    """Zeros before and after.
+
+    Attributes:
+        before: time of zeros before the record.
+        after: time of zeros after the record.
+    """
 
     before: Duration = 0.0
     after: Duration = 0.0
 
 
 class Resample(Model):
-    """Another time step (s), band-limited."""
+    """Another time step, band-limited.
+
+    Attributes:
+        time_step: new time step.
+    """
 
     time_step: PositiveTime
 
 
 class Step(Model):
-    """One step: exactly one of the keys; `reverse` turns the motion to the other side."""
+    """One step of the processing: exactly one of the keys.
+
+    Attributes:
+        baseline: take out a polynomial fitted to velocity or acceleration.
+        remove_drift: take out a polynomial of the displacement, so that the ground ends at rest in its place.
+        filter: acausal Butterworth filter.
+        trim: keep the part between two times.
+        significant: keep the part between two shares of the Arias intensity.
+        taper: half cosines at the ends.
+        pad: zeros before and after.
+        resample: another time step.
+        reverse: turn the motion to the other side.
+    """
 
     baseline: Baseline | None = None
     remove_drift: RemoveDrift | None = None

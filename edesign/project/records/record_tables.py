@@ -14,7 +14,12 @@ Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 
 
 class Columns(Model):
-    """Columns of a CSV file, by header or by number from 1; without a time column the time step must be given."""
+    """Columns of a CSV file, by header or by number from 1.
+
+    Attributes:
+        time: column of time; without the key `time_step` is needed.
+        acceleration: column of acceleration.
+    """
 
     time: Column | None = None
     acceleration: Column

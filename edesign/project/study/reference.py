@@ -29,8 +29,10 @@ def _known_measure(value: str) -> str:
 class Cell(Model):
     """One printed value.
 
-    `within` is the largest difference that is allowed, relative to it; `note` says what is to be known of it, such as
-    a misprint.
+    Attributes:
+        value: value as printed.
+        within: largest difference that is allowed, relative to the value.
+        note: what is to be known of the value, such as a misprint.
     """
 
     value: float
@@ -51,16 +53,31 @@ Bar = Annotated[
 
 
 class Change(Model):
-    """Two variants of which a table prints the change: (`of` - `against`) / `against`."""
+    """Two variants of which a table prints the change: (`of` - `against`) / `against`.
+
+    Attributes:
+        of: variant whose change it is.
+        against: variant that it is compared with.
+    """
 
     of: Identifier
     against: Identifier
 
 
 class ResponseRow(Model):
-    """A response measure: values by variant and level in `unit`; `change` by level, in per cent.
+    """A response measure with its values by variant and level.
 
-    `storeys` and `members` restrict a measure of storeys or members to some of them.
+    Attributes:
+        measure: response measure, without the unit at the end of its name.
+        storeys: storeys that count; without the key all.
+        members: columns, beams or dampers that count; without the key all.
+        label: name of the row for the output.
+        unit: unit of the values, such as `cm`; of ratios `%` or `1`.
+        statistic: statistic of this row in place of that of the table.
+        within: largest difference that is allowed, in place of that of the table.
+        note: note on all values of the row.
+        values: printed values by variant, then level.
+        change: printed change in per cent, by level.
     """
 
     measure: Annotated[Text, AfterValidator(_known_measure), WithJsonSchema({"enum": sorted(SHORT_NAMES)})]
@@ -89,8 +106,15 @@ class ResponseRow(Model):
 class ResponseTable(Model):
     """Statistics over records of response measures.
 
-    `statistic` holds for rows that have none of their own; `records` restricts it to the histories of one record or
-    suite of the project.
+    Attributes:
+        kind: statistics of responses.
+        title: title of the table.
+        source: where the values come from.
+        statistic: statistic over the histories, for rows that have none of their own.
+        records: record or suite of the project whose histories count; without the key all.
+        within: largest difference that is allowed: for all, by variant, or by variant and level.
+        change: two variants of which rows print the change, (of - against) / against.
+        rows: rows of the table; labels differ.
     """
 
     kind: Literal["responses"]
@@ -112,7 +136,16 @@ class ResponseTable(Model):
 
 
 class VariableRow(Model):
-    """A variable of a group of the archive: its values in `unit`, in the order of the archive; null leaves one out."""
+    """A variable of a group of the archive.
+
+    Attributes:
+        variable: name of the variable in the group.
+        label: name of the row for the output.
+        unit: unit of the values.
+        within: largest difference that is allowed, in place of that of the table.
+        note: note on all values of the row.
+        values: printed values in the order of the archive; `null` leaves one out.
+    """
 
     variable: Text
     label: Text
@@ -129,8 +162,16 @@ class VariableRow(Model):
 class VariableTable(Model):
     """Variables of one group of the archive, such as `designs/NAME` or `analyses/NAME`.
 
-    `over` is their dimension (storey, mode); `labels` name its values, otherwise those of the archive do. Of variables
-    with further dimensions `at` chooses the place in each of these.
+    Attributes:
+        kind: variables of the archive.
+        title: title of the table.
+        source: where the values come from.
+        group: path of the group in the archive.
+        over: dimension of the variables, such as `storey` or `mode`.
+        at: place in each further dimension.
+        labels: names of the values for the output; without the key those of the archive.
+        within: largest difference that is allowed.
+        rows: rows of the table.
     """
 
     kind: Literal["variables"]
@@ -155,7 +196,16 @@ ReferenceTable = Annotated[
 
 
 class Reference(FileModel):
-    """A validated reference file; values are as printed, in the units of their rows. Made by `load_reference`."""
+    """A reference file: published or earlier results, with which an archive is compared.
+
+    Values are as printed, in the units of their rows. Made by `load_reference`.
+
+    Attributes:
+        edesign_reference: version of the file format.
+        title: one line for the tables.
+        source: where the values come from.
+        tables: tables in the order of the output; titles differ.
+    """
 
     edesign_reference: FormatVersion
     title: Text

@@ -33,9 +33,13 @@ Temperatures = Annotated[tuple[Temperature, ...], Field(min_length=1), Written(s
 class Variant(Model):
     """The project's frame with one kind of dampers: none, those of the project, or those of a design.
 
-    `temperature` (degC) replaces that of the laws; `property_factor` multiplies all forces of the dampers, as the
-    property modification factors of EN 15129 and ASCE 7 do. `values` are other values of the project by their places.
-    With `bounds` it is also run with the upper and lower properties of its dampers.
+    Attributes:
+        dampers: no dampers, or those of the project; this key or `design`.
+        design: design whose dampers the frame has; this key or `dampers`.
+        temperature: temperature of the dampers in place of that of their laws.
+        property_factor: factor on all forces of the dampers: a property modification factor of EN 15129 or ASCE 7.
+        values: other values of the project by their places, such as `{materials.S275.E: 200 GPa}`.
+        bounds: the variant is also run with the upper and lower properties of its dampers.
     """
 
     dampers: Literal["none", "project"] | None = None
@@ -59,9 +63,15 @@ def own_variant(name: str) -> str:
 class Histories(Model):
     """Histories of every variant x level x record x temperature; a suite stands for all its recordings.
 
-    `temperatures` (degC) of the dampers, without them each variant has its own; of records that are not fitted to the
-    spectrum `levels` may be left out. A history ends as collapsed beyond the storey drift `collapse_drift`. `vertical`
-    is the ground motion upwards beside each record.
+    Attributes:
+        variants: variants of the study, or `all`.
+        levels: hazard levels; records that are fitted to the spectrum need them.
+        records: records of the project: a record, a suite, or `SUITE/RECORDING`.
+        temperatures: temperatures of the dampers; without the key that of each variant.
+        free_vibration: time after the end of the record.
+        wave_passage: the motion reaches the feet one after the other; without the key all at once.
+        collapse_drift: storey drift at which a history ends as collapsed.
+        vertical: ground motion upwards beside each record.
     """
 
     variants: Names = ("all",)
@@ -77,7 +87,9 @@ class Histories(Model):
 class Modal(Model):
     """The natural modes that are reported of every variant; dampers add their stiffness at their design strain.
 
-    Without `modes` the first three, or all that there are.
+    Attributes:
+        modes: how many modes; without the key three, or all that there are.
+        state: state of the frame: under the gravity combination, or unloaded.
     """
 
     modes: ModeNumber | None = None
@@ -85,7 +97,13 @@ class Modal(Model):
 
 
 class Details(Model):
-    """Records whose histories are kept whole, and the members whose ends are recorded under them."""
+    """Records whose histories are kept whole, and the members whose ends are recorded under them.
+
+    Attributes:
+        records: records whose histories are kept whole.
+        histories: what is kept of them over time.
+        members: columns and beams whose end moments and rotations are kept.
+    """
 
     records: Names
     histories: tuple[HistoryKind, ...] = ("floors", "storeys", "energy", "dampers")
@@ -93,7 +111,14 @@ class Details(Model):
 
 
 class StudyOutputs(Model):
-    """What is kept, as in a project; of the records of `details` more."""
+    """What is kept, as in a project; of the records of `details` more.
+
+    Attributes:
+        archive: file of the archive, relative to the study file; without the key the name of the study file with .h5.
+        histories: what is kept over time of every history.
+        every: one step in so many is kept.
+        details: records of which more is kept.
+    """
 
     archive: Annotated[str, Field(min_length=1)] | None = None
     histories: tuple[HistoryKind, ...] = ()
@@ -102,7 +127,25 @@ class StudyOutputs(Model):
 
 
 class Study(FileModel):
-    """A validated study; all values are in SI. Made by `load_study`, which also loads the project."""
+    """A study file: variants of a project's frame under many ground motions, and what is demanded of them.
+
+    Once validated all values are in SI. Made by `load_study`, which also loads the project.
+
+    Attributes:
+        edesign_study: version of the file format.
+        title: one line for tables and reports.
+        project: project file, relative to this file; its `analyses` are not run.
+        designs: dampers to be sized, by name.
+        variants: frames that are compared, by name.
+        vary: values of the project in turn, each of which makes variants.
+        modal: natural modes that are reported of every variant.
+        histories: time histories of the plan.
+        incremental: incremental dynamic analyses.
+        pushovers: pushovers of the variants.
+        criteria: what is demanded of the variants.
+        objectives: cells of the table of FEMA 356 (performance level and probability) that are wanted.
+        outputs: what is kept in the archive.
+    """
 
     kind: ClassVar[str] = "study"
 

@@ -24,9 +24,15 @@ ForceOfStep = Literal["extrapolated", "held"]
 
 
 class Sensors(Model):
-    """What the readings add: noise as standard deviations (m, N), and steps of a converter of so many `bits`.
+    """What the readings add: noise, and steps of a converter.
 
-    The ranges (m, N) are to either side; without them they are the limits of stroke and force. `force_delay` is in s.
+    Attributes:
+        encoder_noise: standard deviation of the displacement; without the key that of the rig file, or none.
+        force_noise: standard deviation of the force.
+        bits: bits of the converters of displacement and force; without the key there are no steps.
+        displacement_range: range of the displacement to either side; without the key the stroke of the rig.
+        force_range: range of the force to either side; without the key the force of the rig.
+        force_delay: delay of the load cell and its filter.
     """
 
     encoder_noise: NoNegativeLength | None = None
@@ -38,10 +44,14 @@ class Sensors(Model):
 
 
 class Loop(Model):
-    """The main step (s) of numerical part and compensator, and in how many sub-steps the rig follows.
+    """The time steps of the loop.
 
-    `force`: the numerical part takes the force of the specimen extrapolated over the step, or held as it was last.
-    `unseen_delay`: main steps from the target to the compensator, which this cannot identify. `seed` is of the noise.
+    Attributes:
+        main_step: time step of the numerical part and the compensator.
+        sub_steps: steps of the rig in a main step.
+        force: whether the force of the specimen is extrapolated over the step, or held as it was last.
+        unseen_delay: main steps from the target to the compensator, which this cannot identify.
+        seed: seed of the noise.
     """
 
     main_step: PositiveTime = 1e-3
@@ -52,9 +62,12 @@ class Loop(Model):
 
 
 class Integration(Model):
-    """How the numerical part is integrated; `rho_inf` is of `kr_alpha` only.
+    """How the numerical part is integrated.
 
-    A frame that may yield is integrated as its project says, in `frame_steps` a main step.
+    Attributes:
+        method: method of integration; `exact` is that of a linear numerical part.
+        rho_inf: spectral radius at infinite frequency, of `kr_alpha` only.
+        frame_steps: steps of a frame that may yield in a main step.
     """
 
     method: Method = "exact"

@@ -32,7 +32,15 @@ TestName = Annotated[str, Field(pattern=r"^[A-Za-z0-9][A-Za-z0-9_.+-]*$", max_le
 
 
 class RandomCommand(Model):
-    """Noise between two frequencies (Hz) whose peak is the displacement (m)."""
+    """Noise between two frequencies.
+
+    Attributes:
+        type: band-limited noise.
+        displacement: peak of the displacement.
+        band: least and largest frequency.
+        duration: length of the command.
+        seed: seed of the noise.
+    """
 
     type: Literal["random"]
     displacement: PositiveLength
@@ -42,9 +50,14 @@ class RandomCommand(Model):
 
 
 class SineCommand(Model):
-    """Sines of one amplitude (m), so many cycles of each frequency (Hz), one after the other.
+    """Sines of one amplitude, some cycles of each frequency, one after the other.
 
-    `joined`: without a rest between them.
+    Attributes:
+        type: sines.
+        displacement: amplitude of the displacement.
+        frequency: frequency, or a list of them.
+        cycles: cycles of each frequency.
+        joined: whether the sines follow without a rest between them.
     """
 
     type: Literal["sine"]
@@ -55,7 +68,14 @@ class SineCommand(Model):
 
 
 class SweepCommand(Model):
-    """A sine of one amplitude (m) whose frequency goes from one to the other in proportion to time."""
+    """A sine of one amplitude whose frequency changes in proportion to time.
+
+    Attributes:
+        type: frequency sweep.
+        displacement: amplitude of the displacement.
+        band: first and last frequency.
+        duration: length of the command.
+    """
 
     type: Literal["sweep"]
     displacement: PositiveLength
@@ -64,7 +84,12 @@ class SweepCommand(Model):
 
 
 class CommandInFile(Model):
-    """A displacement history from a CSV file, scaled to the displacement (m) as its peak if that is given."""
+    """A displacement history from a CSV file.
+
+    Attributes:
+        file: CSV file of time and displacement, relative to this file.
+        displacement: peak that the history is scaled to; without the key it is taken as it is.
+    """
 
     file: Annotated[str, Field(min_length=1)]
     displacement: PositiveLength | None = None
@@ -85,20 +110,35 @@ Command = Annotated[
 
 
 class _Test(Model):
-    """What all tests share."""
+    """What all tests share.
+
+    Attributes:
+        name: unique name of the test.
+    """
 
     name: TestName
 
 
 class CommandTest(_Test):
-    """The target is given, and the force of the specimen acts on nothing."""
+    """The target is given, and the force of the specimen acts on nothing.
+
+    Attributes:
+        kind: the target is given.
+        command: the target.
+    """
 
     kind: Literal["command"]
     command: Command
 
 
 class RecordTest(_Test):
-    """A test under a record, scaled, with time after its end (s); without a record that of the structure's analysis."""
+    """A test under a record.
+
+    Attributes:
+        record: one of `records`; without the key that of the structure's analysis.
+        scale: factor of the record; without the key 1, or that of the analysis.
+        free_vibration: time after the end of the record; without the key none, or that of the analysis.
+    """
 
     record: Annotated[str, Field(min_length=1)] | None = None
     scale: PositiveFactor | None = None
@@ -106,27 +146,47 @@ class RecordTest(_Test):
 
 
 class RtsTest(RecordTest):
-    """A real-time test."""
+    """A real-time test.
+
+    Attributes:
+        kind: a real-time substructure test.
+    """
 
     kind: Literal["rts"]
 
 
 class Undershoot(Model):
-    """The actuator stops short of each increment by a share of it."""
+    """The actuator stops short of each increment.
+
+    Attributes:
+        kind: undershoot.
+        share: share of each increment that is missing.
+    """
 
     kind: Literal["undershoot"]
     share: PositiveRatio
 
 
 class Lag(Model):
-    """The actuator stays behind by a displacement (m), against the direction of each increment."""
+    """The actuator stays behind, against the direction of each increment.
+
+    Attributes:
+        kind: lag.
+        displacement: displacement by which the actuator is behind.
+    """
 
     kind: Literal["lag"]
     displacement: PositiveLength
 
 
 class ControlNoise(Model):
-    """Where the actuator stops is off at random, with a standard deviation (m)."""
+    """Where the actuator stops is off at random.
+
+    Attributes:
+        kind: random error.
+        displacement: standard deviation of the displacement.
+        seed: seed of the noise.
+    """
 
     kind: Literal["noise"]
     displacement: PositiveLength
@@ -142,10 +202,14 @@ AnyControlError = Annotated[
 
 
 class PseudoDynamicTest(RecordTest):
-    """A pseudo-dynamic test, `time_scale` times as slow as the earthquake.
+    """A pseudo-dynamic test, slower than the earthquake.
 
-    `physical`: the damper alone is tested, or the whole structure with an actuator a degree. `feedback`: the
-    integration goes on from the displacement that was measured, or the one that was computed.
+    Attributes:
+        kind: a pseudo-dynamic test.
+        physical: whether the damper alone is tested, or the whole structure with an actuator a degree.
+        time_scale: how many times as slow as the earthquake.
+        error: control error of the actuators; without the key there is none.
+        feedback: displacement from which the integration goes on.
     """
 
     kind: Literal["pseudo_dynamic"]
@@ -156,7 +220,14 @@ class PseudoDynamicTest(RecordTest):
 
 
 class EffectiveForceTest(RecordTest):
-    """An effective force test: gain of the force loop (m/s/N), oil (N/m), share of the velocity that is fed back."""
+    """An effective force test: the force of the actuator is what the ground would do.
+
+    Attributes:
+        kind: an effective force test.
+        gain: gain of the force loop.
+        oil_stiffness: stiffness of the oil column; without the key it is rigid.
+        velocity_feedback: share of the velocity that is fed back.
+    """
 
     kind: Literal["effective_force"]
     gain: PositiveVelocityPerForce
@@ -165,7 +236,14 @@ class EffectiveForceTest(RecordTest):
 
 
 class Table(Model):
-    """A shaking table: its mass (kg), the frequency of the oil below it (Hz), gain of its loop and leakage (1/s)."""
+    """A shaking table.
+
+    Attributes:
+        mass: mass of the table.
+        oil_frequency: frequency of the table on its oil.
+        gain: gain of the displacement loop.
+        leakage: rate at which the force of the actuator fades; without the key 2 `gain`.
+    """
 
     mass: PositiveMass
     oil_frequency: Hertz
@@ -174,7 +252,13 @@ class Table(Model):
 
 
 class ShakingTableTest(RecordTest):
-    """The whole structure on a shaking table, whose command is corrected in so many iterations before."""
+    """The whole structure on a shaking table.
+
+    Attributes:
+        kind: a shaking table test.
+        table: the table.
+        iterations: corrections of the command before the test.
+    """
 
     kind: Literal["shaking_table"]
     table: Table

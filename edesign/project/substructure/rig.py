@@ -30,9 +30,12 @@ MOST_STATES = 12
 
 
 class Limits(Model):
-    """What the actuator reaches to either side: m, m/s, N; None: no limit.
+    """What the actuator reaches to either side; without a key there is no limit.
 
-    `velocity` is that of the piston without load at full flow, `force` that at which it stands still.
+    Attributes:
+        stroke: largest displacement to either side.
+        velocity: velocity of the piston without load at full flow.
+        force: force at which the piston stands still.
     """
 
     stroke: PositiveLength | None = None
@@ -41,9 +44,11 @@ class Limits(Model):
 
 
 class Flexibility(Model):
-    """The stiffness (N/m) between actuator and specimen.
+    """What gives way between actuator and specimen.
 
-    `corrected`: the command is increased by what the encoder at the specimen is behind the actuator's own transducer.
+    Attributes:
+        stiffness: stiffness between actuator and specimen.
+        corrected: whether the command grows by what the encoder is behind the actuator's own transducer.
     """
 
     stiffness: PositiveStiffness
@@ -51,20 +56,35 @@ class Flexibility(Model):
 
 
 class _Rig(Model):
-    """What all rigs share."""
+    """What all rigs share.
+
+    Attributes:
+        limits: what the actuator reaches.
+        flexibility: what gives way between actuator and specimen; without the key nothing.
+    """
 
     limits: Limits = Limits()
     flexibility: Flexibility | None = None
 
 
 class IdealRig(_Rig):
-    """A rig that does what it is told, at once."""
+    """A rig that does what it is told, at once.
+
+    Attributes:
+        kind: displacement equals command.
+    """
 
     kind: Literal["ideal"]
 
 
 class DelayRig(_Rig):
-    """A pure delay (s), and a gain."""
+    """A pure delay, and a gain.
+
+    Attributes:
+        kind: pure delay.
+        delay: delay before all else.
+        gain: displacement over command at rest.
+    """
 
     kind: Literal["delay"]
     delay: Delay
@@ -72,7 +92,14 @@ class DelayRig(_Rig):
 
 
 class FirstOrderRig(_Rig):
-    """gain exp(-delay s) / (time_constant s + 1)."""
+    """The lag gain exp(-delay s) / (time_constant s + 1).
+
+    Attributes:
+        kind: first-order lag.
+        time_constant: time constant of the lag.
+        delay: delay before all else.
+        gain: displacement over command at rest.
+    """
 
     kind: Literal["first_order"]
     time_constant: PositiveTime
@@ -81,7 +108,15 @@ class FirstOrderRig(_Rig):
 
 
 class SecondOrderRig(_Rig):
-    """gain exp(-delay s) w^2 / (s^2 + 2 damping w s + w^2), w = 2 pi frequency (Hz)."""
+    """The oscillator gain exp(-delay s) w^2 / (s^2 + 2 damping w s + w^2), w = 2 pi frequency.
+
+    Attributes:
+        kind: second-order oscillator.
+        frequency: own frequency of the oscillator.
+        damping: damping ratio of the oscillator.
+        delay: delay before all else.
+        gain: displacement over command at rest.
+    """
 
     kind: Literal["second_order"]
     frequency: Hertz
@@ -91,7 +126,14 @@ class SecondOrderRig(_Rig):
 
 
 class TransferFunctionRig(_Rig):
-    """numerator(s) / denominator(s) exp(-delay s); coefficients in SI units, the highest power of s first."""
+    """The transfer function numerator(s) / denominator(s) exp(-delay s).
+
+    Attributes:
+        kind: transfer function.
+        numerator: coefficients in SI units, the highest power of s first.
+        denominator: coefficients in SI units, the highest power of s first; at most of order 12.
+        delay: delay before all else.
+    """
 
     kind: Literal["transfer_function"]
     numerator: Annotated[tuple[float, ...], Field(min_length=1)]
@@ -102,8 +144,15 @@ class TransferFunctionRig(_Rig):
 class ServoHydraulicRig(_Rig):
     """A valve in a displacement loop, and the oil: valve_time_constant q' + q = proportional_gain (u - x), u late.
 
-    q is the velocity of the piston without load. The force of the specimen shortens the column of oil and, with
-    limits of velocity and force, takes from the flow. `oil_stiffness` None: it does not give way.
+    q is the velocity of the piston without load. The force of the specimen shortens the column of oil and, with limits
+    of velocity and force, takes from the flow.
+
+    Attributes:
+        kind: servo-hydraulic actuator, not linear.
+        proportional_gain: gain of the displacement loop.
+        valve_time_constant: time constant of the valve.
+        delay: delay of the displacement that is fed back.
+        oil_stiffness: stiffness of the column of oil; without the key it does not give way.
     """
 
     kind: Literal["servo_hydraulic"]
@@ -114,7 +163,11 @@ class ServoHydraulicRig(_Rig):
 
 
 class RigInFile(_Rig):
-    """A rig that stands in a file of its own; its limits and flexibility count unless they are given here."""
+    """A rig that stands in a file of its own; its limits and flexibility count unless they are given here.
+
+    Attributes:
+        file: rig file, relative to this file; its limits and flexibility count unless they are given here.
+    """
 
     file: Annotated[str, Field(min_length=1)]
 
@@ -150,9 +203,13 @@ AnyRig = Annotated[
 class RigFile(Model):
     """A rig file, as `edesign rts identify` writes it.
 
-    `alpha` are the coefficients a0 (-), a1 (s), a2 (s2) that turn its displacement into its command; `encoder_noise` is
-    in m. `standard_errors` say how sure the values are, and `covariance` how their errors go together: in SI, rows and
-    columns in the order of `standard_errors`. `source` says what they come from.
+    Attributes:
+        rig: how the actuator follows its command.
+        alpha: coefficients a0 (-), a1 (s), a2 (s^2) that turn the displacement of the rig into its command.
+        encoder_noise: standard deviation of the measured displacement.
+        standard_errors: standard errors of the values, by name.
+        covariance: covariance of the errors, in SI, in the order of `standard_errors`.
+        source: what the values come from.
     """
 
     rig: RigModel

@@ -31,14 +31,24 @@ CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alph
 
 
 class RtsCriteria(Model):
-    """The largest error of the response, and the least factor between the delay and the critical one."""
+    """What a good test is.
+
+    Attributes:
+        response_error: largest error of the response.
+        delay_margin: least factor between the delay of the rig and the critical one.
+    """
 
     response_error: PositiveRatio = 0.05
     delay_margin: PositiveFactor = 2.0
 
 
 class RtsOutputs(Model):
-    """What is kept, beside the indicators; `archive` None: the name of the file with .h5."""
+    """What is kept, beside the indicators.
+
+    Attributes:
+        archive: file of the archive, relative to this file; without the key the name of this file with .h5.
+        histories: what is kept over time.
+    """
 
     archive: Annotated[str, Field(min_length=1)] | None = None
     histories: tuple[Channel, ...] = CHANNELS
@@ -64,7 +74,25 @@ class Motion:
 
 
 class RtsFile(RecordFiles, FileModel):
-    """Validated substructure tests; all values are in SI. Made by `load_rts_file`, which also reads what they name."""
+    """A file of substructure tests: the numerical part, the specimen, the rig, and what is done with them.
+
+    Once validated all values are in SI. Made by `load_rts_file`, which also reads what they name.
+
+    Attributes:
+        edesign_rts: version of the file format.
+        title: one line for tables and reports.
+        structure: the numerical part: a project, or a shear building.
+        specimen: the damper in the laboratory.
+        rig: how the actuator follows its command.
+        sensors: noise and steps of the readings.
+        loop: time steps of the loop.
+        integration: integration of the numerical part.
+        compensators: compensators of the delay, by names of your own.
+        tests: what is done with the rig, test by test.
+        records: ground motions by name, as in a project, without `match`.
+        criteria: what a good test is.
+        outputs: what is kept in the archive.
+    """
 
     kind: ClassVar[str] = "rts_file"
 

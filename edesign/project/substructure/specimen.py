@@ -24,10 +24,15 @@ LawChoice = Annotated[
 class Specimen(Model):
     """The virtual damper.
 
-    `law` is the name of a law of the project, or a law as projects have it; `law_file` is a file of `edesign fit` or
-    `calibrate`. Without both the physical devices say it. `effects` are in the forces of the specimen, and not in
-    the law that the written campaign names. `temperature` (degC) replaces that of the law. The size is that of the
-    law's prototype unless given; `number` of them stand side by side.
+    Attributes:
+        law: name of a law of the project, or a law as projects have it; without a law the physical devices say it.
+        law_file: law file of `edesign fit` or `calibrate`, in place of `law`.
+        effects: effects in the forces of the specimen, which the law that the written campaign names does not have.
+        temperature: temperature of the specimen; without the key that of the law.
+        number: specimens side by side.
+        layers: layers of elastomer; without the key those of the prototype.
+        layer_area: area of a layer; without the key that of the prototype.
+        layer_thickness: thickness of a layer; without the key that of the prototype.
     """
 
     law: LawChoice | None = None

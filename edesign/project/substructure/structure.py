@@ -17,8 +17,11 @@ Text = Annotated[str, Field(min_length=1)]
 class ProjectStructure(Model):
     """A project of which one device stands in the laboratory.
 
-    Its history `analysis` gives record, scale and free vibration of tests that say none, and is what they are
-    compared with. `frame`: linear about its state under gravity, or with all that yields in it.
+    Attributes:
+        project: project file, relative to this file.
+        physical: device of the project that stands in the laboratory, by name.
+        analysis: history of the project that gives record, scale and free vibration of tests that say none.
+        frame: the frame in the loop: linear about its state under gravity, or with all that yields in it.
     """
 
     project: Text
@@ -28,7 +31,13 @@ class ProjectStructure(Model):
 
 
 class ShearRayleigh(Model):
-    """Damping proportional to mass and stiffness, with `ratio` of critical in both `modes`."""
+    """Damping proportional to mass and stiffness.
+
+    Attributes:
+        kind: Rayleigh damping.
+        ratio: ratio of critical damping in both modes.
+        modes: the two modes that have the ratio.
+    """
 
     kind: Literal["rayleigh"]
     ratio: PositiveRatio
@@ -36,7 +45,13 @@ class ShearRayleigh(Model):
 
 
 class ShearModal(Model):
-    """`ratio` of critical in each of the first `modes` modes, nothing in the others; None: in all of them."""
+    """Damping mode by mode, nothing in the modes beyond.
+
+    Attributes:
+        kind: modal damping.
+        ratio: ratio of critical damping.
+        modes: how many modes are damped; without the key all.
+    """
 
     kind: Literal["modal"]
     ratio: PositiveRatio
@@ -52,9 +67,15 @@ ShearDamping = Annotated[
 
 
 class ShearBuilding(Model):
-    """Floors on storeys, from the bottom: kg and N/m. The specimen stands in one storey, beside its stiffness.
+    """A shear building whose floors stand on storeys. The specimen stands in one storey, beside its stiffness.
 
     Modes, damping and stiffnesses are those of the structure without the specimen.
+
+    Attributes:
+        masses: masses of the floors from the bottom.
+        stiffnesses: stiffnesses of the storeys from the bottom, without the specimen.
+        damping: inherent damping of the structure without the specimen.
+        storey: storey in which the specimen stands.
     """
 
     masses: Annotated[tuple[PositiveMass, ...], Field(min_length=1, max_length=200)]
