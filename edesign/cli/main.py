@@ -27,6 +27,7 @@ from edesign.cli.quantities import quantities
 from edesign.cli.report import report
 from edesign.cli.rts import app as rts
 from edesign.cli.run import run
+from edesign.cli.schema import schema
 from edesign.cli.sections import sections
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
@@ -57,7 +58,7 @@ app = typer.Typer(
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 _PROJECTS = (new, check, run, design, show, compare, report, extract)
-_PARTS = (spectrum, match, sections, laws, quantities, test, characterise, fit, calibrate)
+_PARTS = (spectrum, match, sections, laws, quantities, schema, test, characterise, fit, calibrate)
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)
 app.add_typer(rts)

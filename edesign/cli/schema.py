@@ -1,0 +1,39 @@
+"""`edesign schema`: JSON Schemas of the YAML files, with which editors complete and check them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def schema(
+    kind: Annotated[
+        str | None,
+        typer.Argument(help="A kind of file, such as `project`; without it all of them.", show_default=False),
+    ] = None,
+    output: Annotated[
+        Path | None,
+        typer.Option("--output", "-o", metavar="FOLDER", help="Write KIND.schema.json into this folder."),
+    ] = None,
+) -> None:
+    """Print or write the JSON Schema of a kind of YAML file; without a kind list them, or write all."""
+    from edesign.schema.kinds import KINDS, kind_named
+
+    if kind is None and output is None:
+        from edesign.schema.write import kinds_table
+
+        print(kinds_table())
+        return
+    chosen = list(KINDS.values()) if kind is None else [kind_named(kind)]
+    if output is None:
+        from edesign.schema.write import schema_text
+
+        print(schema_text(chosen[0]), end="")
+        return
+    from edesign.schema.write import write_schemas
+
+    written = write_schemas(chosen, output, combined=kind is None)
+    print(f"{len(written)} written to {output}: {', '.join(path.name for path in written)}")
+    print(f"First line of a file that an editor checks with one: # yaml-language-server: $schema={written[-1]}")
