@@ -33,7 +33,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format bench memcheck clean distclean
+.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs-keys bench memcheck clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -51,6 +51,7 @@ help:
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
+	@echo "make docs-keys write the reference of all keys, docs/reference/keys, out of the models"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 
@@ -169,6 +170,9 @@ memcheck: $(STAMPS)/build
 format: $(STAMPS)/test
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
+
+docs-keys: setup
+	@$(PY) -m tools.docs_keys
 
 clean:
 	rm -rf build dist *.egg-info core_c/build edesign/core/_edcore*.so .pytest_cache .mypy_cache .ruff_cache .hypothesis \
