@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Make sure that what pip cannot install is there: a C compiler, SuiteSparse and SUNDIALS with headers, Python >= 3.11
-# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind and chromium.
+# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind, chromium and Pango.
 #
 #   setup_system.sh run | test | memcheck
 #
@@ -108,10 +108,20 @@ END
         lack "chromium" chromium
         hard=$((hard - 1))
     fi
+    if [[ "$mode" == test && "$(uname)" == Linux ]] && ! has_pango; then
+        lack "Pango" libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz-subset0
+        hard=$((hard - 1))
+    fi
 }
 
 # The chromium of Ubuntu is a stub of a snap, which cannot read the folders of tests; they look for others themselves.
 has_browser() { command -v chromium || command -v google-chrome || grep -s '^ID=ubuntu' /etc/os-release; } >/dev/null
+
+# What weasyprint opens to lay out text; libharfbuzz-subset0 is younger than some systems, and only makes it faster.
+has_pango() {
+    [[ -n "$python" ]] && "$python" -c 'import ctypes
+for name in ("pango-1.0", "pangoft2-1.0"): ctypes.CDLL(f"lib{name}.so.0")' 2>/dev/null
+}
 
 # The libraries that a development package names and the core links.
 linked_of() {
@@ -151,6 +161,8 @@ apt_install() {
             # shellcheck disable=SC2206
             names+=($linked)
             unpacked+=("$name")
+        elif [[ "$name" == libharfbuzz-subset0 ]] && ! apt-cache show "$name" >/dev/null 2>&1; then
+            continue
         else
             names+=("$name")
         fi

@@ -13,7 +13,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from edesign.cli.pdf_options import PaperOption, print_options
+
 if TYPE_CHECKING:
+    from edesign.report.page.render import Page
+    from edesign.report.pdf.paper import PrintOptions
     from edesign.report.tables.table import Table
 
 
@@ -26,6 +30,8 @@ def calibrate(
         ),
     ] = None,
     page: Annotated[bool, typer.Option("--page/--no-page", help="Write calibration.html.")] = True,
+    pdf: Annotated[bool, typer.Option("--pdf", help="Write the report as calibration.pdf too.")] = False,
+    paper: PaperOption = None,
     json_output: Annotated[bool, typer.Option("--json", help="Print calibration.json instead of tables.")] = False,
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace laws and results that are not of this campaign.")
@@ -51,7 +57,12 @@ def calibrate(
     from edesign.report.tables.text import print_tables
 
     folder = campaign.parent if output is None else output
+    options = print_options(pdf, paper, appendix=False)
     check_folder(folder)  # rather than after the search
+    if pdf:
+        from edesign.report.pdf.document import check_pdf_engine
+
+        check_pdf_engine()
     begin = time.monotonic()
 
     def tell(what: str) -> None:
@@ -62,9 +73,9 @@ def calibrate(
     with one_thread():
         found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds, folder, overwrite))
     written = found.write(folder)
-    if page:
+    if page or pdf:
         tell("drawing the report")
-        written.append(found.page(folder / "calibration.html"))
+        written += _reports(found.report(), folder, page, options if pdf else None)
     if json_output:
         print(json.dumps(found.json(), indent=1, allow_nan=False))
     elif not quiet:
@@ -74,6 +85,17 @@ def calibrate(
             print(f"written: {path}")
     if found.interrupted:
         raise Interrupted(f"the search was interrupted; what it had found is in {folder}")
+
+
+def _reports(report: Page, folder: Path, page: bool, pdf: PrintOptions | None) -> list[Path]:
+    """Write a report as a page, a PDF or both."""
+    from edesign.report.page.document import write_html
+    from edesign.report.pdf.document import write_page_as_pdf
+
+    written = [write_html(report, folder / "calibration.html")] if page else []
+    if pdf is not None:
+        written.append(write_page_as_pdf(report, folder / "calibration.pdf", options=pdf))
+    return written
 
 
 _SECONDS = 54.0  # of processor time, with tests of a damper
@@ -105,7 +127,7 @@ class _Found:
     """What may be asked of a calibration, whatever the tests are of."""
 
     write: Callable[[Path], list[Path]]
-    page: Callable[[Path], Path]
+    report: Callable[[], Page]
     json: Callable[[], dict[str, Any]]
     tables: Callable[[], list[Table]]
     verdict: Callable[[], str]
@@ -126,7 +148,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.write import calibration_json
     from edesign.damper.campaign import Campaign, load_campaign
     from edesign.report.calibration.tables import tables_of, verdict_text
-    from edesign.report.page.calibration import write_calibration_page
+    from edesign.report.page.calibration import calibration_page
 
     loaded: Campaign | StructureCampaign
     if is_structure_campaign(campaign):
@@ -141,7 +163,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
         found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
-        lambda path: write_calibration_page(found, path, workers=search.workers),
+        lambda: calibration_page(found, workers=search.workers),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),
@@ -154,14 +176,14 @@ def _properties(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.properties.run import calibrate_properties
     from edesign.calibrate.properties.write import property_calibration_json, write_property_files
     from edesign.report.calibration.properties import property_tables, property_verdict
-    from edesign.report.page.property_calibration import write_property_calibration_page
+    from edesign.report.page.property_calibration import property_calibration_page
 
     loaded = load_property_campaign(campaign)
     search.check(campaign, loaded.title or loaded.specimen.name)
     found = calibrate_properties(loaded, *search.within())
     return _Found(
         lambda folder: write_property_files(found, folder),
-        lambda path: write_property_calibration_page(found, path),
+        lambda: property_calibration_page(found),
         lambda: property_calibration_json(found),
         lambda: property_tables(found),
         lambda: property_verdict(found),

@@ -1,4 +1,4 @@
-"""`edesign report`: an archive as one HTML page."""
+"""`edesign report`: an archive as one HTML page, or as a PDF."""
 
 from __future__ import annotations
 
@@ -9,6 +9,8 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.pdf_options import AppendixOption, PaperOption, print_options
+
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
 LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures
 
@@ -16,15 +18,29 @@ LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some 
 def report(
     archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
     output: Annotated[
-        Path | None, typer.Option("--output", "-o", metavar="FILE", help="The page; by default beside the archive.")
+        Path | None,
+        typer.Option("--output", "-o", metavar="FILE", help="The page or PDF; by default beside the archive."),
     ] = None,
+    pdf: Annotated[
+        bool, typer.Option("--pdf", help="A PDF with numbered pages in place of the HTML page.", show_default=False)
+    ] = False,
+    paper: PaperOption = None,
+    appendix: AppendixOption = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
-    """Write the report of an archive as one HTML page that opens offline and can be mailed."""
-    from edesign.report.page.document import write_page
+    """Write the report of an archive as one HTML page that opens offline and can be mailed, or as a PDF."""
+    tell = (lambda line: None) if quiet else _Progress()
+    pdf = pdf or (output is not None and output.suffix.lower() == ".pdf")
+    options = print_options(pdf, paper, appendix)
+    if pdf:
+        from edesign.report.pdf.document import write_pdf
 
-    page = write_page(archive, output, (lambda line: None) if quiet else _Progress())
-    print(f"report: {page} ({page.stat().st_size / 1e6:.1f} MB)")
+        written = write_pdf(archive, output, tell, options)
+    else:
+        from edesign.report.page.document import write_page
+
+        written = write_page(archive, output, tell)
+    print(f"report: {written} ({written.stat().st_size / 1e6:.1f} MB)")
 
 
 class _Progress:

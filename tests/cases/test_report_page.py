@@ -114,6 +114,40 @@ def test_page_in_a_browser(made: Made, width: int, tmp_path: Path) -> None:
     assert found["tables"] == tags.count("table") > 8
 
 
+def test_pdf_of_an_archive(made: Made, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Beside the archive, with the sections and figures of the page, the moment of the run and no other."""
+    pypdf = pytest.importorskip("pypdf")
+    archive = Path(shutil.copy(made.archive, tmp_path / "office.h5"))
+    code = main(["report", str(archive), "--pdf", "--paper", "letter", "--quiet"])
+    said = capsys.readouterr()
+    if "Pango" in said.err or "edesign[pdf]" in said.err:
+        pytest.skip(said.err)
+    assert code == 0 and said.out.startswith(f"report: {tmp_path / 'office.pdf'} (")
+    reader = pypdf.PdfReader(tmp_path / "office.pdf")
+    texts = [re.sub(r"\s+", "", sheet.extract_text()) for sheet in reader.pages]  # without where lines are broken
+    assert TITLE.replace(" ", "") in texts[0] and f"Page1of{len(texts)}" in texts[0]
+    text, page = "".join(texts), made.page.read_text(encoding="utf-8")
+    shown = re.sub(r"<details>.*?</details>", "", page, flags=re.DOTALL)
+    for caption in re.findall(r"<figcaption>(.*?)</figcaption>", shown, re.DOTALL):
+        words = html.unescape(re.sub(r"<[^>]*>", "", caption)).split()
+        assert "".join(words[:3]) in text
+    with h5py.File(archive) as file:
+        created = file["provenance"].attrs["created"].decode()
+    assert reader.metadata.creation_date.isoformat() == created
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["--paper", "A4"], "edesign: --paper: only a PDF has sheets; say --pdf too\n"),
+        (["--pdf", "-o", "page.html"], "edesign: page.html: the name of a PDF ends in .pdf\n"),
+    ],
+)
+def test_errors_of_a_pdf(made: Made, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["report", str(made.archive), "--quiet", *words]) == 2
+    assert capsys.readouterr().err == said
+
+
 def test_sections_of_a_plain_run(made: Made) -> None:
     """It has no design, no other temperature, no incremental study: nothing empty stands for them."""
     text = made.page.read_text(encoding="utf-8")

@@ -6,12 +6,10 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import check_file, write_text
 from edesign.calibrate.result import Calibration
-from edesign.errors import ArchiveError, InputError
 from edesign.report.calibration.view import View
-from edesign.report.page.document import PAGE_SUFFIXES
-from edesign.report.page.render import Cover, render
+from edesign.report.page.document import check_page_path, write_html
+from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.sections.calibration import SECTIONS
 
 
@@ -33,19 +31,22 @@ def write_calibration_page(
         InputError: the page has another ending than that of a page.
         ArchiveError: it cannot be written.
     """
-    if path.suffix.lower() not in PAGE_SUFFIXES:
-        raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
-    if not path.parent.is_dir():
-        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    check_file(path)
-    write_text(calibration_page_text(calibration, tell, workers), path)
-    return path
+    check_page_path(path)
+    return write_html(calibration_page(calibration, tell, workers), path)
 
 
 def calibration_page_text(
     calibration: Calibration, tell: Callable[[str], None] = lambda line: None, workers: int = 1
 ) -> str:
     """Return the report as HTML; arguments as `write_calibration_page`."""
+    page = calibration_page(calibration, tell, workers)
+    return render(page.cover, page.sections)
+
+
+def calibration_page(
+    calibration: Calibration, tell: Callable[[str], None] = lambda line: None, workers: int = 1
+) -> Page:
+    """Return the report as data; arguments as `write_calibration_page`."""
     view = View(calibration, workers)
     made = []
     for section in SECTIONS:
@@ -58,9 +59,10 @@ def calibration_page_text(
         title=calibration.title,
         kind="Calibration report",
         about=f"{_model(calibration)} · {len(tests)} tests, {validated} of them for validation · edesign {__version__}",
+        origin=f"edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
     )
-    return render(cover, [section for section in made if section])
+    return Page(cover, tuple(section for section in made if section))
 
 
 def _model(calibration: Calibration) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from edesign._version import __version__
@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_a
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive, is_substructure_archive
-from edesign.report.page.render import Cover, render
+from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.section import Section
 from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections
@@ -85,30 +85,71 @@ def write_page(
         DamagedArchive: the archive is damaged; the page shows what can be read.
     """
     path = default_page_path(archive) if path is None else path
-    if path.suffix.lower() not in PAGE_SUFFIXES:  # never over an archive, or a file of the user
-        raise InputError(f"{path}: the name of a page ends in {' or '.join(PAGE_SUFFIXES)}")
-    if not path.parent.is_dir():
-        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
-    check_file(path)
-    text, damage = read_archive(archive, lambda opened: page_text(opened, tell))
-    write_text(text, path)
+    check_page_path(path)
+    page, damage = read_archive(archive, lambda opened: page_of(opened, tell))
+    write_html(page, path)
     if damage:
         raise DamagedArchive(f"{damage}\n  {path} shows what can be read")
     return path
 
 
+def write_html(page: Page, path: Path) -> Path:
+    """Write a report as one HTML page that needs nothing beside it.
+
+    Args:
+        page: of any report.
+        path: the file, whole or not at all.
+
+    Returns:
+        The file.
+
+    Raises:
+        InputError: it has another ending than that of a page.
+        ArchiveError: it cannot be written.
+    """
+    check_page_path(path)
+    write_text(render(page.cover, page.sections), path)
+    return path
+
+
+def check_page_path(path: Path, suffixes: Sequence[str] = PAGE_SUFFIXES, what: str = "a page") -> None:
+    """Check that a report can be written, never over an archive or a file of the user.
+
+    Args:
+        path: the report.
+        suffixes: how its name may end.
+        what: the report is, for the message.
+
+    Raises:
+        InputError: its name has another ending.
+        ArchiveError: it cannot be written.
+    """
+    if path.suffix.lower() not in suffixes:
+        raise InputError(f"{path}: the name of {what} ends in {' or '.join(suffixes)}")
+    if not path.parent.is_dir():
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
+    check_file(path)
+
+
 def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> str:
     """Return the report of an archive, path or open, as HTML; other arguments and errors as `write_page`."""
+    page = page_of(archive, tell)
+    return render(page.cover, page.sections)
+
+
+def page_of(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> Page:
+    """Return the report of an archive, path or open, as data; other arguments and errors as `write_page`."""
     if not isinstance(archive, Archive):
         with open_archive(archive) as opened:
-            return page_text(opened, tell)
+            return page_of(opened, tell)
     source = Source(archive, tell)
     own, others = building_sections(source), SECTIONS
     if is_substructure_archive(archive):
         from edesign.report.page.sections.substructure import substructure_sections
 
         own, others = substructure_sections(source), (provenance,)
-    return render(_cover(source), [*own, *(section for make in others if (section := make(source)))])
+    sections = [*own, *(section for make in others if (section := make(source)))]
+    return Page(_cover(source), tuple(sections))
 
 
 def _kind(source: Source) -> str:
@@ -136,6 +177,8 @@ def _cover(source: Source) -> Cover:
         title=str(about.get("title") or source.archive.path.stem),
         kind=_kind(source),
         about=" · ".join(part for part in (date, who, source.archive.path.name) if part),
+        origin=" · ".join(part for part in (who, date) if part),
+        created=str(source.provenance.get("created", "")),
         banner=" ".join(filter(None, told)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
         f"{str(checksum)[:16]}. "

@@ -1,12 +1,10 @@
-"""The report of a calibration by a property table: one HTML page that needs nothing beside it."""
+"""The report of a calibration by a property table: its sections and cover."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from pathlib import Path
 
 from edesign._version import __version__
-from edesign.archive.files import check_file, write_text
 from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.report.calibration.effect_tables import effect_tables
 from edesign.report.calibration.properties import (
@@ -16,18 +14,13 @@ from edesign.report.calibration.properties import (
     property_verdict,
 )
 from edesign.report.calibration.tables import law_parameters_table
-from edesign.report.page.render import Cover, render
+from edesign.report.page.render import Cover, Page
 from edesign.report.page.section import Picture, Section
 from edesign.report.page.source import picture_of
 
 
-def write_property_calibration_page(calibration: PropertyCalibration, path: Path) -> Path:
-    """Write the report, whole or not at all.
-
-    Raises:
-        ArchiveError: it cannot be written.
-    """
-    check_file(path)
+def property_calibration_page(calibration: PropertyCalibration) -> Page:
+    """Return the report as data."""
     campaign, found = calibration.campaign, calibration.found
     pictures = dict(_pictures(calibration))
     residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))
@@ -43,10 +36,10 @@ def write_property_calibration_page(calibration: PropertyCalibration, path: Path
         title=found.title,
         kind="Calibration report",
         about=f"law {found.law} · {len(campaign.table)} rows of a property table · edesign {__version__}",
+        origin=f"edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured properties.",
     )
-    write_text(render(cover, [section for section in sections if section]), path)
-    return path
+    return Page(cover, tuple(section for section in sections if section))
 
 
 def _pictures(calibration: PropertyCalibration) -> Iterator[tuple[str, Picture]]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import resources
 from itertools import groupby
@@ -57,6 +57,9 @@ class Cover:
         about: one line below it.
         banner: why the run is not complete, "" if it is.
         footer: the last line.
+        document: client, author, checker and the like, by what they are.
+        origin: version and date of what is shown, at the foot of printed pages.
+        created: the moment of the run, ISO 8601; "" if it is not known.
     """
 
     title: str
@@ -64,6 +67,22 @@ class Cover:
     about: str
     banner: str = ""
     footer: str = ""
+    document: tuple[tuple[str, str], ...] = ()
+    origin: str = ""
+    created: str = ""
+
+
+@dataclass(frozen=True)
+class Page:
+    """A report, before it is HTML or a PDF.
+
+    Attributes:
+        cover: title and what stands around the sections.
+        sections: those that have content, in their order.
+    """
+
+    cover: Cover
+    sections: tuple[Section, ...]
 
 
 def render(cover: Cover, sections: Sequence[Section]) -> str:
@@ -72,6 +91,20 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
     Args:
         cover: title and what stands around the sections.
         sections: those that have content, in their order.
+    """
+    css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
+    return share_styles(visible(fill_template(cover, sections, css))) + "\n"
+
+
+def fill_template(
+    cover: Cover, sections: Sequence[Section], css: str, printed: Mapping[str, object] | None = None
+) -> str:
+    """Return the page as the template makes it.
+
+    Args:
+        cover, sections: as `render` takes them.
+        css: the style sheet.
+        printed: what the template needs for a PDF (see `edesign.report.pdf.document`), None for a page.
     """
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -84,10 +117,8 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
         "state": state,
         "runs": runs,
     }
-    css = resources.files("edesign.report.page").joinpath("page.css").read_text(encoding="utf-8")
     page = environment.get_template("page.html")
-    text = page.render(**vars(cover), sections=sections, css=css, version=__version__)
-    return share_styles(visible(text)) + "\n"
+    return page.render(**vars(cover), sections=sections, css=css, version=__version__, printed=printed)
 
 
 def typeset(text: str) -> Markup:

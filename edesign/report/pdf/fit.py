@@ -1,0 +1,128 @@
+"""How wide tables and figures become on paper, so that nothing is cut."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import lru_cache
+
+from edesign.report.page.render import alignments, state
+from edesign.report.page.section import Heading, Part, Picture
+from edesign.report.pdf.fonts import fonts_folder
+from edesign.report.pdf.paper import Paper
+from edesign.report.tables.table import Table
+
+SIZES = (7.5, 7.0, 6.5, 6.0, 5.5)
+"""Type of tables, points, largest first."""
+SMALLEST = 5.0  # on a sheet that lies on its long side, where nothing else helps
+PADDING = 1.0  # em on both sides of a cell together, with a little for rounding; as in print.css
+LINES = {"text": 2.0, "long": 4.0}  # into so many a cell is broken rather than the type made smaller
+LONG_WORD = 16.0  # em, from which a word is broken
+LONG_TITLE = 9.0  # em, from which the title of a column is broken though there is room
+BADGE = 1.4  # em around a verdict
+SCALE = 0.92  # of figures: their type of 8 points is then about as large as that of the tables
+HALF = 278.0  # points: two figures of this height stand on a sheet with their captions and a heading
+LEAST_SCALE = 0.74  # to which a figure is made smaller so that two stand on a sheet; its type is then 6 points
+CAPTION = 56.0  # points kept for the caption below a figure and the heading above it
+
+_BOX = re.compile(r'viewBox="[-\d.]+ [-\d.]+ ([\d.]+) ([\d.]+)"')
+
+
+@dataclass(frozen=True)
+class TableFit:
+    """How a table is set.
+
+    Attributes:
+        size: of the type, points.
+        widths: of the columns, em of that type.
+        wide: whether it goes on a sheet that lies on its long side.
+    """
+
+    size: float
+    widths: tuple[float, ...]
+    wide: bool = False
+
+
+def fit_table(table: Table, paper: Paper) -> TableFit:
+    """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns."""
+    columns = _columns(table)
+    needed = sum(column.fair for column in columns)
+    for size in SIZES:
+        if needed * size <= paper.line:
+            return TableFit(size, _shared(columns, paper.line / size))
+    for size in (*SIZES, SMALLEST):
+        if needed * size <= paper.long_line:
+            return TableFit(size, _shared(columns, paper.long_line / size), wide=True)
+    squeezed = paper.long_line / SMALLEST / needed  # words and numbers are broken
+    return TableFit(SMALLEST, tuple(squeezed * column.fair for column in columns), wide=True)
+
+
+def begins_wide(parts: Iterable[Part], paper: Paper) -> bool:
+    """Return whether parts begin, after headings, with a table on a sheet that lies on its long side.
+
+    What stands above them goes on that sheet too, so that no heading is left alone.
+    """
+    first = next((part for part in parts if not isinstance(part, Heading)), None)
+    return isinstance(first, Table) and fit_table(first, paper).wide
+
+
+def picture_size(picture: Picture, paper: Paper) -> tuple[float, float]:
+    """Return width and height of a figure on paper, points: with its caption it fits on one sheet."""
+    box = _BOX.search(picture.svg)
+    ratio = float(box[2]) / float(box[1]) if box and float(box[1]) else 0.7
+    width = min(SCALE * picture.width, paper.line, (paper.column - CAPTION) / ratio)
+    half = HALF / ratio
+    if LEAST_SCALE * picture.width <= half < width:
+        width = half
+    return width, width * ratio
+
+
+@dataclass(frozen=True)
+class _Column:
+    """Widths of a column with its padding, em: with its cells in few lines, and in one line each; a short title too."""
+
+    fair: float
+    whole: float
+
+
+def _columns(table: Table) -> list[_Column]:
+    found = []
+    for i, kind in enumerate(alignments(table)):
+        cells = [row[i] for row in table.rows if i < len(row)]
+        head = table.columns[i] if i < len(table.columns) else ""
+        words = [text_width(word, bold=True) for word in head.split()]
+        if kind in LINES:
+            words += [text_width(word) for cell in cells for word in cell.split()]
+        least = min(max(words, default=0.0), LONG_WORD)
+        whole = max(
+            (text_width(cell, bold=True) + BADGE if state(cell) else text_width(cell) for cell in cells), default=0
+        )
+        title = text_width(head, bold=True)
+        fair = max(least, whole / LINES.get(kind, 1.0) if whole > LONG_WORD else whole)
+        found.append(_Column(fair + PADDING, max(fair, whole, title if title < LONG_TITLE else 0.0) + PADDING))
+    return found
+
+
+def _shared(columns: list[_Column], line: float) -> tuple[float, ...]:
+    """Widths of columns: what is left of the line goes to those whose cells are broken, until none is."""
+    spare = line - sum(column.fair for column in columns)
+    wanted = sum(column.whole - column.fair for column in columns)
+    share = min(1.0, spare / wanted) if wanted else 0.0
+    return tuple(column.fair + share * (column.whole - column.fair) for column in columns)
+
+
+def text_width(text: str, bold: bool = False) -> float:
+    """Return the width of a line of text in the type of the PDF, em."""
+    widths = _widths("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")
+    return sum(widths.get(ord(character), 1.0) for character in text)
+
+
+@lru_cache(maxsize=2)
+def _widths(file: str) -> dict[int, float]:
+    """Of each character of a font, em."""
+    from fontTools.ttLib import TTFont  # comes with matplotlib, and with WeasyPrint
+
+    with TTFont(fonts_folder() / file) as font:
+        unit, glyphs = font["head"].unitsPerEm, font["hmtx"]
+        return {code: glyphs[name][0] / unit for code, name in font.getBestCmap().items()}

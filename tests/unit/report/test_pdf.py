@@ -1,0 +1,246 @@
+"""The report as a PDF: heads and feet, contents, tables over several sheets, nothing cut, nothing folded unasked."""
+
+from __future__ import annotations
+
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib.font_manager
+import pytest
+from matplotlib.figure import Figure
+from matplotlib.textpath import TextPath
+
+from edesign.errors import ArchiveError, InputError
+from edesign.report.page.render import Cover, Page
+from edesign.report.page.section import Facts, Folded, Heading, Part, Picture, Section
+from edesign.report.page.source import picture_of
+from edesign.report.pdf.appendix import appendix_number, printed
+from edesign.report.pdf.document import check_pdf_engine, print_text, write_page_as_pdf
+from edesign.report.pdf.fit import fit_table, picture_size, text_width
+from edesign.report.pdf.fonts import fonts_folder
+from edesign.report.pdf.paper import MARGIN_SIDE, PAPERS, PrintOptions
+from edesign.report.tables.table import Table
+
+TITLE = 'Tower "A" of <b>Fort-de-France</b> & annexes, which has a title that is longer than the head of a page can be'
+COVER = Cover(
+    TITLE,
+    "Study report",
+    "2026-03-31 · edesign 9.8",
+    footer="The last line.",
+    document=(("Client", "City"), ("Project number", "17-B"), ("Revision", "C"), ("Author", "E. Author")),
+    origin="edesign 9.8 · 2026-03-31",
+    created="2026-03-31T12:00:00+00:00",
+)
+LONG = Table(
+    "Storeys of the tower", ("storey", "drift [%]", "verdict"), [[f"s{i}", f"{i}.5", "met"] for i in range(60)]
+)
+WIDE = Table("Twenty measures", [f"measure{i} [kN·m]" for i in range(20)], [[f"{i}12345.678" for i in range(20)]] * 3)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _engine() -> None:
+    pytest.importorskip("pypdf")
+    try:
+        check_pdf_engine()
+    except InputError as error:
+        pytest.skip(str(error))
+
+
+def _picture(name: str, height: float = 4.5) -> Picture:
+    figure = Figure(figsize=(6.5, height))
+    figure.subplots().plot([0.0, 1.0], [0.0, 1.0], label=name)
+    return picture_of(name, f"Caption of {name}. More words.", figure)
+
+
+def _page(*parts: Part) -> Page:
+    return Page(COVER, (Section("one", "First part", ("What it says.",), parts), Section("two", "Last", (), (LONG,))))
+
+
+def _texts(path: Path) -> list[str]:
+    from pypdf import PdfReader
+
+    return [sheet.extract_text() for sheet in PdfReader(path).pages]
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A PDF with all kinds of parts, some of them folded."""
+    folded = Folded("The file of the project", text="frame: {storeys: 3}"), Folded("Each record", (WIDE,))
+    page = _page(Heading("Drifts"), _picture("drift"), WIDE, *folded, Facts((("Steel", "S275"),)))
+    return write_page_as_pdf(page, tmp_path_factory.mktemp("pdf") / "report.pdf")
+
+
+def test_every_sheet_says_what_it_is(made: Path) -> None:
+    """Title, number, revision and kind above, version, date and sheet of sheets below; the first has the cover."""
+    texts = _texts(made)
+    for i, text in enumerate(texts, 1):
+        assert f"Page {i} of {len(texts)}" in text and "edesign 9.8 · 2026-03-31" in text
+        assert ("Project number 17-B · Revision C · Study report · City" in text) == (i > 1)
+        assert 'Tower "A" of <b>Fort-de-France</b> & annexes' in text.replace("\n", " ")
+    assert "Author E. Author" in texts[0]
+
+
+def test_the_contents_name_the_sheets_of_the_sections(made: Path) -> None:
+    from pypdf import PdfReader
+
+    reader = PdfReader(made)
+    texts = [sheet.extract_text() for sheet in reader.pages]
+    contents = re.findall(r"(First part|Last)[ .]+(\d+)", texts[0].partition("Contents")[2])
+    assert [name for name, _ in contents] == ["First part", "Last"]
+    marks = {
+        mark.title: reader.get_destination_page_number(mark) + 1
+        for mark in reader.outline
+        if mark and not isinstance(mark, list)
+    }
+    for name, number in contents:
+        assert name in texts[int(number) - 1]
+        assert marks[f"{'1' if name == 'First part' else '2'} {name}"] == int(number)
+
+
+def test_a_table_goes_on_under_its_header(made: Path) -> None:
+    """Sixty rows take two sheets or more, each begins with the header; no row is lost, none is alone."""
+    sheets = [text for text in _texts(made) if re.search(r"^s\d+ ", text, re.MULTILINE)]
+    assert len(sheets) >= 2
+    rows = []
+    for text in sheets:
+        found = re.findall(r"^(s\d+) [\d.]+", text, re.MULTILINE)
+        assert len(found) >= 2
+        assert text.index("drift [%]") < text.index(f"{found[0]} ")
+        rows += found
+    assert rows == [f"s{i}" for i in range(60)]
+
+
+def test_a_wide_table_lies_on_a_sheet_on_its_long_side_and_nothing_is_cut(made: Path) -> None:
+    from pypdf import PdfReader
+
+    sheets = [sheet for sheet in PdfReader(made).pages if "Twenty measures" in sheet.extract_text()]
+    assert len(sheets) == 1 and sheets[0].mediabox.width > sheets[0].mediabox.height
+    ends: list[float] = []
+
+    def collect(text: str, cm: list[float], tm: list[float], font: object, size: float) -> None:
+        if re.fullmatch(r"measure\d+|\[kN·m\]", text.strip()):
+            ends.append(cm[4] + cm[0] * (tm[4] + text_width(text.strip(), bold=True) * size))
+
+    text = sheets[0].extract_text(visitor_text=collect)
+    assert all(len(re.findall(rf"\b{i}12345\.678", text)) == 3 for i in range(20))
+    assert len(ends) == 40  # the titles of the columns, two lines each
+    assert max(ends) <= float(sheets[0].mediabox.width) - MARGIN_SIDE + 0.5  # as a cell is rounded
+
+
+def test_what_is_folded_is_printed_on_demand(made: Path, tmp_path: Path) -> None:
+    plain = "\n".join(_texts(made))
+    assert "frame: {storeys: 3}" not in plain and "Each record" not in plain
+    assert "HTML report has them: First part (2)." in plain
+    page = _page(Facts((("Steel", "S275"),)), Folded("The file", text="frame: {storeys: 3}"), Folded("Each", (LONG,)))
+    full = _texts(write_page_as_pdf(page, tmp_path / "full.pdf", options=PrintOptions(appendix=True)))
+    begin = next(i for i, text in enumerate(full) if re.search(r"Appendix A\s+First part", text))
+    assert re.search(rf"A\s+First part[ .]+{begin + 1}", full[0])
+    assert "frame: {storeys: 3}" in full[begin] and "s59" in "".join(full[begin:])
+    assert "HTML report has them" not in "".join(full)
+
+
+@pytest.mark.parametrize(("name", "sides"), [("A4", (210.0 / 25.4, 297.0 / 25.4)), ("Letter", (8.5, 11.0))])
+def test_paper(name: str, sides: tuple[float, float], tmp_path: Path) -> None:
+    """Sizes of ISO 216 and of ANSI/ASME Y14.1, inches."""
+    from pypdf import PdfReader
+
+    options = PrintOptions(PAPERS[name])
+    box = PdfReader(write_page_as_pdf(_page(WIDE), tmp_path / "a.pdf", options=options)).pages[0].mediabox
+    found = (float(box.width) / 72.0, float(box.height) / 72.0)
+    assert found == pytest.approx(sides, abs=3e-4)  # points are written to a hundredth
+
+
+def test_the_same_page_gives_the_same_bytes(tmp_path: Path) -> None:
+    page = Page(COVER, (Section("one", "First part", ("What it says.",), (WIDE, _picture("drift"))),))
+    first, second = (write_page_as_pdf(page, tmp_path / f"{i}.pdf").read_bytes() for i in range(2))
+    assert first == second
+
+
+def test_no_heading_and_no_caption_alone(tmp_path: Path) -> None:
+    """Headings come at every height of a sheet, as the facts before them are of many lengths."""
+    parts: list[Part] = []
+    for i in range(14):
+        parts += [Heading(f"Heading {i}"), Facts(tuple((f"name {k}", "text") for k in range(3 + 2 * i)))]
+    parts += [part for i in range(4) for part in (Heading(f"Heading of figure {i}"), _picture(f"figure{i}", 3.0 + i))]
+    texts = _texts(write_page_as_pdf(_page(*parts), tmp_path / "report.pdf"))
+    assert len(texts) > 6
+    for text in texts:
+        lines = [line for line in text.splitlines() if line.strip()]
+        body = [line for line in lines if not line.startswith(("edesign 9.8", "Page ", "Tower", "Project number"))]
+        assert body, "an empty sheet"
+        assert not body[-1].startswith("Heading")
+        assert not body[0].startswith("Caption of")
+
+
+def test_appendices_have_letters_and_no_heading_is_left_without_content() -> None:
+    assert [appendix_number(i) for i in (0, 25, 26, 52)] == ["A", "Z", "A1", "A2"]
+    parts = (Heading("gone"), Folded("f", text="t"), Heading("kept"), LONG, Heading("gone too"), Folded("g", (LONG,)))
+    shown = printed([Section("one", "One", (), parts), Section("two", "Two", (), parts[1:2])], appendix=False)
+    assert [section.id for section in shown.sections] == ["one"]
+    assert shown.sections[0].parts == (Heading("kept"), LONG)
+    assert shown.left_out == ("One (2)", "Two (1)")
+
+
+@pytest.mark.parametrize("text", ["ImperialValley1979_H-CHI012", "0.8513 rad", "γ_M0 ± 12 %, 35 °C"])
+def test_widths_of_text_are_those_that_matplotlib_draws(text: str) -> None:
+    """To the side bearings of the first and last letter, and to kerning, which the width leaves out."""
+    font = matplotlib.font_manager.FontProperties(fname=str(fonts_folder() / "DejaVuSans.ttf"), size=100.0)
+    drawn = TextPath((0.0, 0.0), text, prop=font).get_extents().width / 100.0
+    assert drawn <= text_width(text) <= drawn + 0.3
+
+
+def test_tables_get_smaller_type_before_they_lie_down() -> None:
+    paper = PAPERS["A4"]
+    fits = [
+        fit_table(replace(WIDE, columns=WIDE.columns[:n], rows=[row[:n] for row in WIDE.rows]), paper)
+        for n in (3, 11, 20)
+    ]
+    assert [fit.wide for fit in fits] == [False, False, True]
+    assert fits[0].size > fits[1].size
+    for fit in fits:
+        assert fit.size * sum(fit.widths) <= (paper.long_line if fit.wide else paper.line) + 1e-9  # rounding of doubles
+    broken = fit_table(Table("t", ["w" * 200] * 30, [["1" * 40] * 30]), paper)
+    assert broken.wide and broken.size * sum(broken.widths) <= paper.long_line + 1e-9
+
+
+@pytest.mark.parametrize(("width", "height"), [(400.0, 200.0), (468.0, 324.0), (900.0, 300.0), (400.0, 2000.0)])
+def test_a_figure_fits_on_a_sheet(width: float, height: float) -> None:
+    paper = PAPERS["Letter"]
+    found = picture_size(Picture("n", "c", f'<svg viewBox="0 0 {10 * width} {10 * height}">', width), paper)
+    assert found[1] / found[0] == pytest.approx(height / width)
+    assert found[0] <= paper.line and found[1] < paper.column
+
+
+def test_nothing_is_fetched(tmp_path: Path, caplog: pytest.LogCaptureFixture) -> None:
+    """Text that looks like HTML is text; fonts are the only files that are read."""
+    hostile = '<img src="https://example.org/x.png"><link rel=stylesheet href=https://example.org/x.css>'
+    page = Page(replace(COVER, title=hostile), (Section("one", hostile, (hostile,), (Facts(((hostile, hostile),)),)),))
+    assert "<img" not in print_text(page)
+    path = write_page_as_pdf(page, tmp_path / "report.pdf")
+    assert "<img src=" in _texts(path)[0]
+    assert not [record for record in caplog.records if "example.org" in record.getMessage()]
+
+
+def test_errors_are_for_people(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    page = _page(LONG)
+    with pytest.raises(InputError, match=r"report\.html: the name of a PDF ends in \.pdf"):
+        write_page_as_pdf(page, tmp_path / "report.html")
+    with pytest.raises(ArchiveError, match="the folder .* does not exist"):
+        write_page_as_pdf(page, tmp_path / "no" / "report.pdf")
+    monkeypatch.setitem(sys.modules, "weasyprint", None)
+    with pytest.raises(InputError, match=r"pip install 'edesign\[pdf\]'"):
+        write_page_as_pdf(page, tmp_path / "report.pdf")
+
+
+def test_a_missing_library_of_the_system_is_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What weasyprint says where Pango is missing, from a package of that name."""
+    for name in [name for name in sys.modules if name.partition(".")[0] == "weasyprint"]:
+        monkeypatch.delitem(sys.modules, name)
+    (tmp_path / "weasyprint.py").write_text('raise OSError("cannot load library libpango-1.0-0\\nmore")\n')
+    monkeypatch.syspath_prepend(tmp_path)
+    with pytest.raises(InputError, match=r"Pango(.|\n)*libpango-1.0-0") as raised:
+        check_pdf_engine()
+    assert "more" not in str(raised.value)
+    monkeypatch.delitem(sys.modules, "weasyprint", raising=False)
