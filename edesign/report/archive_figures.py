@@ -22,6 +22,7 @@ from edesign.report.drawing.captions import UniqueNames
 from edesign.report.drawing.style import check_format, garbage_between_figures, save
 from edesign.report.ground_motion.hazard_figures import hazard_figures
 from edesign.report.ground_motion.record_figures import record_figures
+from edesign.report.model.archived import model_figures
 from edesign.report.response.axial_figures import axial_figures
 from edesign.report.response.brace_figures import brace_figures
 from edesign.report.response.damper_loops import damper_figures
@@ -56,6 +57,7 @@ def substructure_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]
 FIGURES = (
     building_drawings,
     substructure_drawings,
+    model_figures,
     hazard_figures,
     record_figures,
     mode_figures,

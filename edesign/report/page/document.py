@@ -25,6 +25,7 @@ from edesign.report.page.sections.histories import histories
 from edesign.report.page.sections.incremental import incremental
 from edesign.report.page.sections.inputs import inputs
 from edesign.report.page.sections.isolation import isolation
+from edesign.report.page.sections.model import model
 from edesign.report.page.sections.modes import modes
 from edesign.report.page.sections.moment_rotation import moment_rotation
 from edesign.report.page.sections.provenance import provenance
@@ -37,6 +38,7 @@ from edesign.report.page.source import Source
 
 SECTIONS: tuple[Callable[[Source], Section], ...] = (
     summary,
+    model,
     inputs,
     ground_motion,
     modes,

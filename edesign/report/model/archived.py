@@ -1,0 +1,37 @@
+"""The model of an archive as figures."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from edesign.archive.reader import Archive
+from edesign.project.project import Project
+from edesign.project.study.study import Study
+from edesign.report.archived import archived_project, archived_study, is_building_archive, is_substructure_archive
+from edesign.report.model.figures import Named, project_figures
+from edesign.report.model.study import designed_dampers, study_figures
+from edesign.study.results.kinds import DESIGNS
+
+
+def model_figures(archive: Archive) -> Iterator[Named]:
+    """Give the drawings of the model whose analyses an archive has; none of other archives."""
+    if is_building_archive(archive) or is_substructure_archive(archive):
+        return
+    project = archived_project(archive)
+    if project is not None:
+        yield from model_drawings(archive, project, archived_study(archive))
+
+
+def model_drawings(archive: Archive, project: Project, study: Study | None) -> Iterator[Named]:
+    """Give the drawings of a project or study with the dampers that its designs have found.
+
+    Args:
+        archive: of it.
+        project, study: that it holds.
+    """
+    if study is None:
+        yield from project_figures(project)
+        return
+    places = {name: f"{DESIGNS}/{name}" for name in study.designs}
+    groups = {name: archive.group(place) for name, place in places.items() if archive.has(place)}
+    yield from study_figures(study, designed_dampers(study, groups))

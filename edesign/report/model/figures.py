@@ -1,0 +1,158 @@
+"""The model of a project as figures: geometry and sections with dampers, loads and masses."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import TYPE_CHECKING
+
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.project import Project
+from edesign.report.drawing.captions import file_name
+from edesign.report.model.devices import draw_devices, draw_sizes
+from edesign.report.model.elevation import Elevation, draw_axes
+from edesign.report.model.loads import draw_loads, draw_masses, load_entries
+from edesign.report.model.members import draw_ends, draw_frame_members, draw_sections
+from edesign.report.model.sheet import Entry, Sheet, on_sheet
+from edesign.report.model.supports import draw_supports
+from edesign.report.model.words import short
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Named = tuple[str, str, "Figure"]
+WIDTH = 6.6  # of the legend, inches
+
+
+def project_figures(project: Project, heading: Sequence[str] = (), of: str = "") -> Iterator[Named]:
+    """Give the drawings of a project's model: name of the file, caption, figure.
+
+    Args:
+        project: the validated project.
+        heading: lines above each drawing; (): none.
+        of: what the model is of where there are several: `variant damped`.
+    """
+    yield geometry(project, heading, of)
+    if has_loads(project):
+        yield loads_and_masses(project, heading, of)
+
+
+def geometry(project: Project, heading: Sequence[str] = (), of: str = "") -> Named:
+    """Return the drawing of axes, members, supports and dampers; arguments as `project_figures`."""
+    dampers = ", dampers" if has_dampers(project) else ""
+    caption = f"The model{_of(of)}: axes, spans, heights and levels in m, sections, supports{dampers}."
+    return file_name("model", of), caption + _scales(project), geometry_figure(project, _under(heading, caption))
+
+
+def loads_and_masses(project: Project, heading: Sequence[str] = (), of: str = "") -> Named:
+    """Return the drawing of loads and masses; arguments as `project_figures`."""
+    caption = f"Loads and masses of the model{_of(of)}: permanent (G) and variable (Q) loads in kN/m and kN."
+    told = f"{caption} The sums are those of the floors.{_scales(project)}"
+    return file_name("model_loads", of), told, loads_figure(project, _under(heading, caption))
+
+
+def _of(what: str) -> str:
+    return f" of {what}" if what else ""
+
+
+def _under(heading: Sequence[str], caption: str) -> tuple[str, ...]:
+    return (*heading, caption.rstrip(".")) if heading else ()
+
+
+def has_dampers(project: Project) -> bool:
+    """Whether dampers, isolators or tuned masses stand in a project's frame."""
+    return project.dampers is not None and not project.dampers.none
+
+
+def has_loads(project: Project) -> bool:
+    """Whether a project has loads or masses to draw."""
+    loads = project.loads
+    return bool(
+        loads.are_vertical or loads.columns or project.masses or project.frame.leaning_column or project.isolation
+    )
+
+
+def geometry_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
+    """Draw axes, members with their sections, supports, ends of members, and dampers with laws and sizes."""
+
+    def draw(sheet: Sheet) -> None:
+        place = Elevation.of(project.frame)
+        draw_axes(sheet, place)
+        entries = draw_supports(sheet, place, project)
+        entries += draw_frame_members(sheet, place, project)
+        entries += draw_ends(sheet, place, project)
+        drawn = draw_devices(sheet, place, project)
+        left_out = draw_sections(sheet, project, place)
+        left_out += draw_sizes(sheet, place, project)
+        entries += [*drawn.entries, *_materials(project), *_rigid_floors(project), Entry("spans, heights and levels in m"), *_unwritten(left_out)]
+        sheet.legend(entries, WIDTH)
+
+    return on_sheet(draw, heading)
+
+
+def loads_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
+    """Draw the loads on members and nodes by load case, the masses of the nodes, and sums by floor."""
+
+    def draw(sheet: Sheet) -> None:
+        place = Elevation.of(project.frame)
+        draw_axes(sheet, place, dimensions=False)
+        draw_supports(sheet, place, project)
+        draw_frame_members(sheet, place, project, faint=True)
+        left_out = draw_loads(sheet, place, project)
+        left_out += draw_masses(sheet, place, project)
+        sheet.legend([*load_entries(project), *_unwritten(left_out)], WIDTH)
+
+    return on_sheet(draw, heading)
+
+
+def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = "") -> Figure:
+    """Draw what dampers add to a frame that is drawn elsewhere: where they act, their laws and sizes.
+
+    Args:
+        project: the frame with its dampers.
+        heading: lines above the drawing; (): none.
+        design: which will find their sizes; "": they have them.
+    """
+
+    def draw(sheet: Sheet) -> None:
+        place = Elevation.of(project.frame)
+        draw_axes(sheet, place, dimensions=False)
+        entries = draw_supports(sheet, place, project) if project.isolation is not None else []
+        if project.isolation is None:
+            draw_supports(sheet, place, project)
+        draw_frame_members(sheet, place, project, faint=True)
+        drawn = draw_devices(sheet, place, project, design)
+        left_out = draw_sizes(sheet, place, project)
+        sheet.legend([*entries, *drawn.entries, *_unwritten(left_out)], WIDTH)
+
+    return on_sheet(draw, heading)
+
+
+def _scales(project: Project) -> str:
+    return "" if Elevation.of(project.frame).true else " Widths and heights have different scales."
+
+
+def _materials(project: Project) -> list[Entry]:
+    used = dict.fromkeys(run.material for run in project.frame.members.values())
+    texts = []
+    for name in used:
+        steel = project.materials[name]
+        text = f"{name}: {steel.law.replace('_', '-')}, E = {short(steel.E / 1e9)} GPa"
+        if not isinstance(steel, ElasticMaterial):
+            text += f", f_y = {short(steel.fy / 1e6)} MPa, hardening {100.0 * steel.hardening:g} %"
+        texts.append(Entry(f"{text}{', all members' if len(used) == 1 else ''}"))
+    return texts
+
+
+def _rigid_floors(project: Project) -> list[Entry]:
+    floors = project.frame.diaphragm_floors
+    if not floors:
+        return [Entry("no floor is rigid in its plane")]
+    every = len(floors) == project.frame.n_storeys
+    which = "all floors are" if every else f"floors {str(project.frame.diaphragms).strip('[]')} are"
+    return [Entry(f"{which} rigid in their plane")]
+
+
+def _unwritten(left_out: list[str]) -> list[Entry]:
+    """What stands in words for want of room."""
+    return [Entry(f"Not written in the drawing for want of room: {'; '.join(left_out)}.")] if left_out else []
+

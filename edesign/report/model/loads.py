@@ -1,0 +1,333 @@
+"""The gravity loads of a plane frame on a sheet by load cases, and the masses of its floors."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from itertools import groupby
+
+from edesign.building.isolation import base_loads, base_masses
+from edesign.building.loads import floor_loads
+from edesign.building.masses import node_masses
+from edesign.project.frame.leaning_column import of_floors
+from edesign.project.notation import names
+from edesign.project.project import Project
+from edesign.report.drawing.style import AFTER
+from edesign.report.model.elevation import Elevation
+from edesign.report.model.sheet import SMALLEST, SOFT, Entry, Point, Sheet, Spot
+from edesign.report.model.supports import axes
+from edesign.report.model.words import short
+
+G_Q = tuple[float, float]
+BAND, ARROW = 0.1, 0.2  # height of line loads and of forces, inches
+AREA = "#e3ecf6"
+MASS = "#d9822b"
+MOST_GIVEN = 4  # masses that the legend lists; of more the sums by floor are told
+
+
+@dataclass
+class Loaded:
+    """The loads of a frame by where they act, G and Q in N and N/m.
+
+    Attributes:
+        uniform: on beams, by bay and floor.
+        points: on beams: bay, floor, place (m from the start of the beam), load.
+        parts: on beams: bay, floor, from and to (m from the start of the beam), G and Q at both ends.
+        columns: on columns, to the right, by line and storey.
+        nodes: by line and floor.
+    """
+
+    uniform: dict[tuple[int, int], G_Q] = field(default_factory=dict)
+    points: list[tuple[int, int, float, G_Q]] = field(default_factory=list)
+    parts: list[tuple[int, int, float, float, G_Q, G_Q]] = field(default_factory=list)
+    columns: dict[tuple[str, int], G_Q] = field(default_factory=dict)
+    nodes: dict[tuple[str, int], G_Q] = field(default_factory=dict)
+
+
+def loads_of(project: Project) -> Loaded:
+    """Return what acts on each member and node, loads at one place added up."""
+    frame, loads, found = project.frame, project.loads, Loaded()
+    sums: dict[tuple[int, int], list[float]] = defaultdict(lambda: [0.0, 0.0])
+    for load in (*loads.beams, *loads.floors):
+        width = getattr(load, "width", 1.0)
+        for place in frame.standing_beams(load):
+            sums[place][0] += width * load.G
+            sums[place][1] += width * load.Q
+    found.uniform = {place: (G, Q) for place, (G, Q) in sums.items() if G or Q}
+    for load in loads.beams:
+        for bay, floor in frame.standing_beams(load):
+            span = frame.bay_widths[bay - 1]
+            found.points += [(bay, floor, at.along(span), (p.G, p.Q)) for p in load.points for at in p.at]
+            for part in load.partial:
+                ends = part.start.along(span), part.end.along(span)
+                found.parts.append((bay, floor, *ends, part.G, part.Q))
+    for one in loads.columns:
+        for at in frame.column_places(one):
+            if at in frame.column_at:
+                G, Q = found.columns.get(at, (0.0, 0.0))
+                found.columns[at] = G + one.G, Q + one.Q
+    for node in loads.nodes:
+        for at in frame.node_places(node.lines, node.floors):
+            G, Q = found.nodes.get(at, (0.0, 0.0))
+            found.nodes[at] = G + node.G, Q + node.Q
+    return found
+
+
+def draw_loads(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
+    """Draw the loads of a project; return values for which there is no room, in words."""
+    found = loads_of(project)
+    labels = [  # all signs are drawn before the first label looks for its place
+        *_uniform(sheet, place, found),
+        *_parts(sheet, place, found),
+        *_points(sheet, place, found),
+        *_nodes(sheet, place, found),
+        *_columns(sheet, place, found),
+        *_base(sheet, place, project),
+    ]
+    return [f"{label.where}: {label.text} {label.unit}" for label in labels if not _told(sheet, label)]
+
+
+@dataclass(frozen=True)
+class _Label:
+    """The values of a load, where they may stand, and where the load is, in words."""
+
+    spots: list[Spot]
+    text: str
+    where: str
+    unit: str = "kN/m"
+
+
+def _told(sheet: Sheet, label: _Label) -> bool:
+    return sheet.place(label.spots, label.text, color=AFTER)
+
+
+def g_and_q(load: G_Q) -> str:
+    """Return a load by its cases, in kN or kN/m: G 23, Q 9.6; of none of Q the G alone."""
+    parts = [f"{case} {short(value / 1e3)}" for case, value in zip("GQ", load, strict=True) if value]
+    return ", ".join(parts) or "0"
+
+
+def _uniform(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
+    frame = place.frame
+    for floor in range(1, frame.n_storeys + 1):
+        y = place.up * frame.y[floor]
+        loaded = [bay for bay in range(1, frame.n_bays + 1) if (bay, floor) in found.uniform]
+        for load, run in groupby(loaded, key=lambda bay, f=floor: found.uniform[bay, f]):  # type: ignore[misc]
+            bays = list(run)
+            for bay in bays:
+                left, right = (place.across * frame.x[k] for k in (bay - 1, bay))
+                high = _high(place, floor)
+                box = [(left, y), (right, y), (right, y + high), (left, y + high)]
+                sheet.shape(box, AREA, AFTER, 0.5, zorder=1.0)
+                _rows(sheet, left, right, y, high)
+            text = g_and_q(load)
+            order = sorted(bays, key=lambda b: abs(b - bays[(len(bays) - 1) // 2]))
+            spots = [_above(place, bay, share, floor) for share in (0.5, 0.3, 0.7) for bay in order]
+            yield _Label(spots, text, f"floor {floor}, bays {bays[0]}-{bays[-1]}")
+
+
+def _high(place: Elevation, floor: int) -> float:
+    """Height of the band of a line load on a floor, inches."""
+    above = place.storey(floor + 1) if floor < place.frame.n_storeys else BAND / 0.3
+    return min(BAND, 0.3 * above)
+
+
+def _above(place: Elevation, bay: int, share: float, floor: int, lift: float = 0.02) -> Spot:
+    x = place.frame.x[bay - 1] + share * place.frame.bay_widths[bay - 1]
+    at = place.at(x, place.frame.y[floor])
+    return Spot(at[0], at[1] + _high(place, floor) + lift, "center", "bottom")
+
+
+def _rows(sheet: Sheet, left: float, right: float, y: float, high: float) -> None:
+    """Arrows of a line load, downwards."""
+    count = max(2, round((right - left) / 0.16))
+    xs = [left + (i + 0.5) * (right - left) / count for i in range(count)]
+    sheet.lines([((x, y + high), (x, y + 0.01)) for x in xs], AFTER, 0.4)
+    sheet.dots([(x, y + 0.02) for x in xs], 1.6, AFTER, AFTER, marker="v", mew=0.2)
+
+
+def _parts(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
+    frame = place.frame
+    most = max((G[k] + Q[k] for *_, G, Q in found.parts for k in (0, 1)), default=0.0, key=abs)
+    for bay, floor, start, end, G, Q in found.parts:
+        y = place.up * frame.y[floor] + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
+        left, right = (place.across * (frame.x[bay - 1] + at) for at in (start, end))
+        heights = [1.3 * BAND * abs((G[k] + Q[k]) / most) if most else BAND for k in (0, 1)]
+        sheet.shape([(left, y), (right, y), (right, y + heights[1]), (left, y + heights[0])], "#cfdcec", AFTER, 0.5)
+        ends = [g_and_q((G[k], Q[k])) for k in (0, 1)]
+        text = ends[0] if ends[0] == ends[1] else f"{ends[0]} to {ends[1]}"
+        middle = 0.5 * (left + right)
+        spots = [Spot(middle, y + max(heights) + lift, "center", "bottom") for lift in (0.02, 0.14, 0.26)]
+        sheet.block(middle, y + 0.5 * max(heights), right - left, max(heights))
+        yield _Label(spots, text, f"floor {floor}, bay {bay}, {start:g} m to {end:g} m")
+
+
+def _points(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
+    """Forces on beams; of equal ones on one beam one is labelled if there is no room for all."""
+    frame = place.frame
+    order = sorted(found.points, key=lambda p: (p[1], p[0], p[3]))
+    for (floor, bay, load), run in groupby(order, key=lambda p: (p[1], p[0], p[3])):
+        points = list(run)
+        text = g_and_q(load)
+        each = f"{text} each" if len(points) > 1 else text
+        spots = []
+        for _, _, at, _ in points:
+            x, y = place.at(frame.x[bay - 1] + at, frame.y[floor])
+            low = y + (_high(place, floor) if (bay, floor) in found.uniform else 0.0)
+            _force(sheet, x, low)
+            spots += [Spot(x, low + ARROW + lift, "center", "bottom") for lift in (0.02, 0.13)]
+            spots += [Spot(x + side * 0.03, low + 0.12, ha) for side, ha in ((1.0, "left"), (-1.0, "right"))]
+        yield _Label(spots, each, f"floor {floor}, bay {bay}", "kN")
+
+
+def _force(sheet: Sheet, x: float, y: float) -> None:
+    sheet.line((x, y + ARROW), (x, y + 0.02), color=AFTER, width=0.9, zorder=3.0)
+    sheet.dots([(x, y + 0.035)], 3.6, AFTER, AFTER, marker="v")
+    sheet.block(x, y + 0.5 * ARROW, 0.05, ARROW)
+
+
+def _nodes(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
+    """Forces on nodes; equal ones of a floor are labelled once."""
+    frame = place.frame
+    by_load: dict[tuple[int, G_Q], list[str]] = {}
+    for (line, floor), load in found.nodes.items():
+        by_load.setdefault((floor, load), []).append(line)
+    for (floor, load), lines in by_load.items():
+        text = f"{g_and_q(load)}{' each' if len(lines) > 1 else ''}"
+        spots = []
+        for line in lines:
+            x, y = place.at(frame.x[frame.lines.index(line)], frame.y[floor])
+            _force(sheet, x, y)
+            spots += [Spot(x + 0.04, y + ARROW, "left", "center"), Spot(x - 0.04, y + ARROW, "right", "center")]
+            spots += [Spot(x, y + ARROW + 0.02, "center", "bottom")]
+        yield _Label(spots, text, f"floor {floor}, nodes {axes(lines, frame.lines)}", "kN")
+
+
+def _columns(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
+    frame = place.frame
+    for (line, storey), load in found.columns.items():
+        x, low = place.at(frame.x[frame.lines.index(line)], frame.y[storey - 1])
+        high = low + place.storey(storey)
+        levels = [low + (i + 0.5) * (high - low) / 6.0 for i in range(6)]
+        sheet.shape([(x, low), (x, high), (x - BAND, high), (x - BAND, low)], AREA, AFTER, 0.5, zorder=1.0)
+        sheet.lines([((x - BAND, y), (x - 0.01, y)) for y in levels], AFTER, 0.4)
+        sheet.dots([(x - 0.02, y) for y in levels], 1.6, AFTER, AFTER, marker=">", mew=0.2)
+        middle = 0.5 * (low + high)
+        text = g_and_q(load)
+        spots = [Spot(x - BAND - 0.02, middle, "center", "bottom", 90.0), Spot(x + 0.03, middle, "center", "top", 90.0)]
+        yield _Label(spots, text, f"column {line}, storey {storey}")
+
+
+def _base(sheet: Sheet, place: Elevation, project: Project) -> Iterator[_Label]:
+    """Loads of an isolated base."""
+    if project.isolation is None:
+        return
+    base = project.isolation.base
+    if base.G or base.Q:
+        sheet.shape([(0.0, 0.0), (place.width, 0.0), (place.width, BAND), (0.0, BAND)], AREA, AFTER, 0.5, zorder=1.0)
+        _rows(sheet, 0.0, place.width, 0.0, BAND)
+        text = g_and_q((base.G, base.Q))
+        spots = [Spot(share * place.width, BAND + 0.02, "center", "bottom") for share in (0.5, 0.4, 0.6)]
+        yield _Label(spots, text, "isolated base")
+
+
+# --- masses
+
+
+def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
+    """Draw the masses of the nodes and write sums by floor: mass, gravity combination, what leans on the frame.
+
+    Returns:
+        The floors for which there is no room, in words.
+    """
+    frame = project.frame
+    of_node, at_base = node_masses(project), base_masses(project)
+    floors = {names.node_name(line, f): f for line in frame.lines for f in range(frame.n_storeys + 1)}
+    floors |= {names.beam_name(b, f): f for b in range(1, frame.n_bays + 1) for f in range(frame.n_storeys + 1)}
+    mass = [0.0] * (frame.n_storeys + 1)
+    for name, value in (*of_node.items(), *at_base.items()):
+        mass[floors[name]] += value
+    _dots(sheet, place, {**of_node, **at_base})
+    gravity = [float(value) for value in floor_loads(project)]
+    if project.isolation is not None:
+        gravity[0] += sum(base_loads(frame, project.isolation, project.loads.gravity).values())
+    columns: list[tuple[str, list[float], float]] = []
+    if any(mass):
+        columns.append(("mass [t]", mass, 1e3))
+    if any(gravity):
+        columns.append(("gravity [kN]", gravity, 1e3))
+    leaning = frame.leaning_column
+    if leaning is not None:
+        for case, values in (("G", leaning.G), ("Q", leaning.Q)):
+            columns.append((f"leaning {case} [kN]", [0.0, *of_floors(values, frame.n_storeys)], 1e3))
+        if leaning.mass is not None:
+            columns.append(("leaning [t]", [0.0, *of_floors(leaning.mass, frame.n_storeys)], 1e3))
+    return list(_table(sheet, place, columns))
+
+
+def _dots(sheet: Sheet, place: Elevation, of_node: dict[str, float]) -> None:
+    """Circles whose areas go with the masses."""
+    most = max(of_node.values(), default=0.0)
+    sizes: dict[float, list[Point]] = {}
+    for name, mass in of_node.items():
+        if mass > 0.0:
+            sizes.setdefault(round(max(2.0, 6.5 * (mass / most) ** 0.5), 1), []).append(place.node(name))
+    for size, at in sizes.items():
+        sheet.dots(at, size, MASS, "white", mew=0.4, zorder=2.5)
+
+
+def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float], float]]) -> Iterator[str]:
+    """Columns of numbers beside the floors, with their sums below."""
+    frame = place.frame
+    left = max(sheet.right, place.width) + 0.3
+    above = place.top + 0.24
+    below = -0.3
+    order = [frame.n_storeys, *range(frame.n_storeys - 1, -1, -1)]
+    untold: dict[int, list[str]] = {}
+    for header, values, unit in columns:
+        words, _, label = header.rpartition(" ")
+        sheet.text(Spot(left + 0.45, above, "right", "bottom"), words, SMALLEST, SOFT)
+        sheet.text(Spot(left + 0.45, above - 0.09, "right", "bottom"), label, SMALLEST, SOFT)
+        for floor in order:
+            if values[floor]:
+                text = short(values[floor] / unit)
+                if not sheet.place([Spot(left + 0.45, place.up * frame.y[floor], "right")], text):
+                    untold.setdefault(floor, []).append(f"{words} {text} {label[1:-1]}")
+        sheet.line((left, below + 0.1), (left + 0.45, below + 0.1), color=SOFT, width=0.5)
+        sheet.text(Spot(left + 0.45, below, "right"), short(sum(values) / unit))
+        left += 0.68
+    if columns:
+        sheet.text(Spot(left - 0.1, below, "left"), "in all", SMALLEST, SOFT)
+    for floor, texts in untold.items():
+        yield f"floor {floor}: {', '.join(texts)}"
+
+
+def load_entries(project: Project) -> list[Entry]:
+    """Return what the signs and numbers of a drawing of loads mean, as far as they occur."""
+    found, loads, masses = loads_of(project), project.loads, project.masses
+    gravity = loads.gravity
+    entries = []
+    if found.uniform or found.parts or found.columns or project.isolation is not None:
+        entries.append(Entry("line load [kN/m], by load case", _band_sign))
+    if found.points or found.nodes:
+        entries.append(Entry("force [kN], by load case", lambda on, x, y: _force(on, x + 0.14, y - 0.1), 0.22))
+    if masses is not None:
+        if masses.from_loads is not None:
+            of = f"from {masses.from_loads.G:g} G + {masses.from_loads.Q:g} Q"
+        else:
+            given = [
+                f"{short(item.mass / 1e3)} t at lines {str(item.lines).strip('[]')}, floors {str(item.floors).strip('[]')}"
+                for item in masses.given or ()
+            ]
+            of = f"given: {'; '.join(given)}" if len(given) <= MOST_GIVEN else "given node by node"
+        of += ", horizontal only" if masses.directions == "horizontal" else ", in both directions"
+        entries.append(Entry(f"mass of a node, {of}", lambda on, x, y: on.dots([(x + 0.14, y)], 5.5, MASS, "white")))
+    if any(floor_loads(project)) or project.isolation is not None:
+        entries.append(Entry(f"gravity: {gravity.G:g} G + {gravity.Q:g} Q, acts before and during earthquakes"))
+    return entries
+
+
+def _band_sign(sheet: Sheet, x: float, y: float) -> None:
+    sheet.shape([(x, y - 0.04), (x + 0.28, y - 0.04), (x + 0.28, y + 0.05), (x, y + 0.05)], AREA, AFTER, 0.5)
+    _rows(sheet, x, x + 0.28, y - 0.04, 0.09)

@@ -1,0 +1,291 @@
+"""A drawing in inches on which no two texts overlap, as large as what is drawn on it."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from functools import lru_cache
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from edesign.report.drawing.style import styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Point = tuple[float, float]
+INK, SOFT, FAINT = "#1c2430", "#6b7480", "#c9ced6"
+"""Colours of members and texts, of what explains them, and of grid lines."""
+TEXT = 6.5  # points, of labels
+SMALLEST = 5.5
+GAP = 0.012  # inches between texts
+MARGIN = 0.08  # around the drawing, inches
+HANDLE = 0.36  # width of a sign in the legend
+LINE = 0.125  # height of a line of the legend
+INCH = 72.0
+
+
+@dataclass(frozen=True)
+class Spot:
+    """Where a text may stand: its anchor in inches, which part of it is there, and how it is turned, degrees."""
+
+    x: float
+    y: float
+    ha: str = "center"
+    va: str = "center"
+    turned: float = 0.0
+
+
+@dataclass(frozen=True)
+class Entry:
+    """A line of the legend.
+
+    Attributes:
+        text: what a thing is.
+        sign: of it, drawn from its left end at a height; None: of what stands above.
+        high: what the sign takes above and below the middle of the line, inches.
+    """
+
+    text: str
+    sign: Callable[[Sheet, float, float], None] | None = None
+    high: float = 0.0
+
+
+class Sheet:
+    """A drawing whose coordinates are inches, to the right and upwards; it grows with what is drawn."""
+
+    def __init__(self) -> None:
+        from matplotlib.figure import Figure
+
+        self.figure = Figure(figsize=(1.0, 1.0))
+        self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
+        self.axes.set_axis_off()
+        self._texts: list[np.ndarray] = []
+        self._signs: list[np.ndarray] = []
+        self._low, self._high = np.full(2, np.inf), np.full(2, -np.inf)
+
+    # --- lines and shapes
+
+    def lines(self, parts: Iterable[Sequence[Point]], color: str = INK, width: float = 0.8, **style: Any) -> None:
+        """Draw lines through points as one path."""
+        from matplotlib.lines import Line2D
+
+        gap = np.full((1, 2), np.nan)
+        found = [part for points in parts if len(points) for part in (np.asarray(points, dtype=float), gap)]
+        if not found:
+            return
+        path = np.concatenate(found)
+        style = {"solid_capstyle": "butt", "zorder": 1.5, **style}
+        self.axes.add_artist(Line2D(path[:, 0], path[:, 1], color=color, lw=width, **style))
+        self._reach(path[np.isfinite(path[:, 0])])
+
+    def line(self, *points: Point, color: str = INK, width: float = 0.8, **style: Any) -> None:
+        """Draw one line through points."""
+        self.lines([points], color, width, **style)
+
+    def shape(self, points: Sequence[Point], face: str = "white", edge: str = INK, width: float = 0.6, **s: Any) -> None:
+        """Draw a closed shape."""
+        from matplotlib.patches import Polygon
+
+        self.axes.add_artist(Polygon(np.asarray(points), closed=True, fc=face, ec=edge, lw=width, **{"zorder": 2.0, **s}))
+        self._reach(np.asarray(points, dtype=float))
+
+    def dots(self, at: Sequence[Point], size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
+        """Draw circles, or other signs by `marker`, of a size in points."""
+        from matplotlib.lines import Line2D
+
+        if not len(at):
+            return
+        places = np.asarray(at, dtype=float)
+        style = {"marker": "o", "mew": 0.7, "zorder": 3.0, **style}
+        self.axes.add_artist(Line2D(places[:, 0], places[:, 1], ls="none", ms=size, mfc=face, mec=edge, **style))
+        reach = 0.5 * size / INCH
+        self._reach(np.concatenate((places - reach, places + reach)))
+
+    def block(self, x: float, y: float, wide: float, high: float) -> None:
+        """Keep texts that have a choice away from a rectangle about a point."""
+        self._signs.append(_corners(Spot(x, y), wide, high))
+
+    # --- texts
+
+    def text(self, spot: Spot, words: str, size: float = TEXT, color: str = INK, **style: Any) -> None:
+        """Write a text where it is wanted, whatever stands there."""
+        box = self._box(spot, words, size)
+        self._texts.append(box)
+        self._write(spot, words, size, color, box, style)
+
+    def place(
+        self,
+        spots: Iterable[Spot],
+        words: str,
+        sizes: Sequence[float] = (TEXT, 6.0, SMALLEST),
+        color: str = INK,
+        **style: Any,
+    ) -> bool:
+        """Write a text at the first spot where no other one stands, if need be small or over a sign.
+
+        Returns:
+            Whether there was room.
+        """
+        wanted = list(spots)
+        for avoided in (self._texts + self._signs, self._texts):
+            there = np.array(avoided) if avoided else np.empty((0, 4, 2))
+            for size in sizes:
+                for spot in wanted:
+                    box = self._box(spot, words, size)
+                    if not _meets(box, there):
+                        self._texts.append(box)
+                        self._write(spot, words, size, color, box, style)
+                        return True
+        return False
+
+    def fits(self, words: str, length: float, size: float = TEXT) -> bool:
+        """Whether a text is shorter than a length in inches."""
+        return text_size(words, size)[0] < length - 2.0 * GAP
+
+    def _write(self, spot: Spot, words: str, size: float, color: str, box: np.ndarray, style: dict[str, Any]) -> None:
+        style = {"zorder": 5.0, **style}
+        self.axes.text(
+            spot.x,
+            spot.y,
+            words,
+            fontsize=size,
+            color=color,
+            ha=spot.ha,
+            va=spot.va,
+            rotation=spot.turned,
+            rotation_mode="anchor",
+            **style,
+        )
+        self._reach(box)
+
+    @staticmethod
+    def _box(spot: Spot, words: str, size: float) -> np.ndarray:
+        wide, high = text_size(words, size)
+        return _corners(spot, wide + 2.0 * GAP, high + GAP)
+
+    # --- legend and end
+
+    def legend(self, entries: Iterable[Entry], width: float) -> None:
+        """Write lines below all that is drawn, in two columns where they are short; long ones are broken.
+
+        Args:
+            entries: in their order.
+            width: that they may take, inches.
+        """
+        left, y = float(self._low[0]), float(self._low[1]) - 0.16
+        wide = max(width, float(self._high[0]) - left)
+        half = 0.5 * wide
+        rows: list[list[Entry]] = []
+        for entry in entries:
+            short = HANDLE + text_size(entry.text, TEXT)[0] < half - 0.1
+            if short and rows and len(rows[-1]) == 1 and HANDLE + text_size(rows[-1][0].text, TEXT)[0] < half - 0.1:
+                rows[-1].append(entry)
+            else:
+                rows.append([entry])
+        for row in rows:
+            extra = max(0.0, 0.5 * (max(entry.high for entry in row) - LINE))
+            y -= extra
+            for column, entry in enumerate(row):
+                if entry.sign is not None:
+                    entry.sign(self, left + column * half, y)
+                lines = _wrapped(entry.text, (half if len(row) > 1 else wide) - HANDLE - 0.1)
+                for i, line in enumerate(lines):
+                    self.text(Spot(left + column * half + HANDLE, y - i * LINE, "left", "center"), line)
+            y -= LINE * (len(lines) if len(row) == 1 else 1) + extra
+
+    def heading(self, lines: Sequence[str]) -> None:
+        """Write a title and what else is to be known above all that is drawn."""
+        y = float(self._high[1]) + 0.12 + LINE * (len(lines) - 1)
+        room = max(4.0, float(self._high[0] - self._low[0]))
+        for i, words in enumerate(lines):
+            fitted = _wrapped(words, room)
+            text = fitted[0] if len(fitted) == 1 else f"{fitted[0]} …"
+            self.text(Spot(float(self._low[0]), y - i * LINE, "left", "bottom"), text, 7.5 if i == 0 else TEXT)
+
+    def finish(self) -> Figure:
+        """Give the figure the size of what is drawn, and return it."""
+        low, high = self._low - MARGIN, self._high + MARGIN
+        self.figure.set_size_inches(*(high - low))
+        self.axes.set_xlim(low[0], high[0])
+        self.axes.set_ylim(low[1], high[1])
+        return self.figure
+
+    @property
+    def right(self) -> float:
+        """How far to the right the drawing reaches, inches."""
+        return float(self._high[0])
+
+    def _reach(self, points: np.ndarray) -> None:
+        if len(points):
+            self._low = np.minimum(self._low, points.min(axis=0))
+            self._high = np.maximum(self._high, points.max(axis=0))
+
+
+def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figure:
+    """Return the figure of what a function draws on a new sheet, in the style of all figures.
+
+    Args:
+        draw: on the sheet that it is given.
+        heading: lines above the drawing, the first one a title.
+    """
+
+    def made() -> Figure:
+        sheet = Sheet()
+        draw(sheet)
+        if heading:
+            sheet.heading(heading)
+        return sheet.finish()
+
+    return styled(made)()
+
+
+@lru_cache(maxsize=4096)
+def text_size(words: str, size: float) -> tuple[float, float]:
+    """Width and height of a line of text of a size in points, inches."""
+    from matplotlib.backend_bases import RendererBase
+    from matplotlib.font_manager import FontProperties
+
+    font, renderer = FontProperties(size=size), RendererBase()
+    wide, _, _ = renderer.get_text_width_height_descent(words, font, False)
+    _, high, _ = renderer.get_text_width_height_descent("lp", font, False)
+    return wide / INCH, high / INCH
+
+
+def _wrapped(words: str, room: float) -> list[str]:
+    """A text in lines that are not wider than a room in inches."""
+    wide = text_size(words, TEXT)[0]
+    if wide <= room:
+        return [words]
+    for letters in range(int(len(words) * room / wide * 1.15), 8, -2):
+        lines = textwrap.wrap(words, letters)
+        if all(text_size(line, TEXT)[0] <= room for line in lines):
+            return lines
+    return [words]
+
+
+def _corners(spot: Spot, wide: float, high: float) -> np.ndarray:
+    """Corners of a rectangle with its anchor at a spot, (4, 2) inches, counter-clockwise."""
+    left = {"left": 0.0, "center": -0.5, "right": -1.0}[spot.ha] * wide
+    low = {"bottom": 0.0, "center": -0.5, "top": -1.0}[spot.va] * high
+    box = np.array([(left, low), (left + wide, low), (left + wide, low + high), (left, low + high)])
+    turn = math.radians(spot.turned)
+    c, s = math.cos(turn), math.sin(turn)
+    return np.asarray(box @ np.array([[c, s], [-s, c]]) + np.array([spot.x, spot.y]))
+
+
+def _meets(box: np.ndarray, others: np.ndarray) -> bool:
+    """Whether a rectangle has an area in common with one of others, (n, 4, 2): no side of either separates them."""
+    if not len(others):
+        return False
+    low, high = others.min(axis=1), others.max(axis=1)
+    near = others[np.all(low < box.max(axis=0), axis=1) & np.all(high > box.min(axis=0), axis=1)]
+    for other in near:
+        normals = np.concatenate([np.diff(corners[:3], axis=0) for corners in (box, other)])
+        mine, its = box @ normals.T, other @ normals.T
+        if np.all(mine.max(axis=0) > its.min(axis=0) + 1e-9) and np.all(its.max(axis=0) > mine.min(axis=0) + 1e-9):
+            return True
+    return False

@@ -1,0 +1,115 @@
+"""Laws and sizes of dampers in words, as the project file gives them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+
+from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
+from edesign.project.dampers.isolation import BaseDevice
+from edesign.project.project import Project
+from edesign.report.drawing.style import VARIANTS
+
+MOST = 170  # letters of parameters
+
+
+def short(value: float, digits: int = 4) -> str:
+    """Return a number with at most so many digits, without zeros at its end, and all that stand before the point."""
+    return f"{value:.{digits}g}" if abs(value) < 10.0**digits else f"{value:.0f}"
+
+
+def law_colors(project: Project) -> dict[str, str]:
+    """Return a colour for each law that stands in a project, by its name."""
+    dampers = project.dampers
+    used = [name for name in dampers.laws if name in dampers.used_laws] if dampers is not None else []
+    order = (VARIANTS[2], VARIANTS[0], *VARIANTS[3:], VARIANTS[1])
+    return {name: order[i % len(order)] for i, name in enumerate(used)}
+
+
+def law_words(name: str, law: DamperLaw) -> str:
+    """Return what a law is: its type with its parameters, the size of its prototype, temperature and factor."""
+    if law.file is not None:
+        parts = [f"law of {Path(law.file).name}"]
+    else:
+        parts = [str(law.type).replace("_", " ")]
+        if isinstance(law.parameters, str):
+            parts.append(f"parameters {law.parameters}")
+        elif law.parameters:
+            parts.append(_parameters(law.parameters))
+    if law.prototype is not None:
+        size = law.prototype
+        parts.append(f"prototype {_layers(size.layers, size.layer_area, size.layer_thickness)}")
+    parts += [f"effect {effect.name}" for effect in law.effects]
+    parts += [f"at {law.temperature:g} °C"] if law.temperature is not None else []
+    parts += [f"forces × {law.property_factor:g}"] if law.property_factor != 1.0 else []
+    return f"{name}: {', '.join(parts)}"
+
+
+def _parameters(values: Mapping[str, object]) -> str:
+    found = ""
+    for key, value in values.items():
+        text = f"{key} = {_value(value)}"
+        if len(found) + len(text) > MOST:
+            return f"{found}, …"
+        found = f"{found}, {text}" if found else text
+    return found
+
+
+def _value(value: object) -> str:
+    return " / ".join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
+
+
+def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:
+    """Return what a damper says of its size: number, layers or factor on the forces; "" if all is that of its law.
+
+    Args:
+        project: with the law.
+        device: whose law is in the project.
+        index: of the storey among those of a run.
+    """
+    parts = [f"{device.number} dampers"] if device.number > 1 else []
+    assert project.dampers is not None
+    law = project.dampers.laws.get(device.law)
+    prototype = law.prototype if law is not None else None
+    area, scale = _of_storey(device.layer_area, index), _of_storey(device.scale, index)
+    if prototype is not None:
+        layers = device.layers or prototype.layers
+        area = prototype.layer_area if area is None else area
+        parts.append(_layers(layers, area, device.layer_thickness or prototype.layer_thickness))
+    elif device.layers is not None or area is not None or device.layer_thickness is not None:  # of a law file
+        parts += [f"{device.layers} layers"] if device.layers is not None else []
+        parts += [f"layer {_area(area)}"] if area is not None else []
+        parts += [f"{_millimetres(device.layer_thickness)} thick"] if device.layer_thickness is not None else []
+    parts += [f"forces × {short(scale)}"] if scale is not None else []
+    return ", ".join(parts)
+
+
+def brace_words(device: DamperRun | DamperBetween, index: int = 0) -> str:
+    """Return what is in series with a damper; "" of a rigid brace."""
+    brace = device.brace
+    if isinstance(brace, BraceSection):
+        return f"brace {brace.section} {brace.material}"
+    if isinstance(brace, BraceStiffness):
+        stiffness = _of_storey(brace.stiffness, index)
+        assert stiffness is not None
+        play = f", play {_millimetres(brace.play)}" if brace.play else ""
+        return f"brace {short(stiffness / 1e6)} kN/mm{play}"
+    return ""
+
+
+def _of_storey(values: float | tuple[float, ...] | None, index: int) -> float | None:
+    return values[index] if isinstance(values, tuple) else values
+
+
+def _layers(count: int, area: float, thickness: float) -> str:
+    return f"{count} layer{'s' * (count > 1)} of {_area(area)} × {_millimetres(thickness)}"
+
+
+def _area(area: float | None) -> str:
+    assert area is not None
+    return f"{short(area)} m²" if area >= 0.01 else f"{short(area * 1e4)} cm²"
+
+
+def _millimetres(length: float | None) -> str:
+    assert length is not None
+    return f"{short(1e3 * length)} mm"

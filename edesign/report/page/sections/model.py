@@ -1,0 +1,24 @@
+"""The model as it was analysed: geometry, sections, supports, loads, masses, dampers with the sizes that they got."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edesign.archive.reader import Archive
+from edesign.report.model.archived import model_drawings
+from edesign.report.page.section import Section
+from edesign.report.page.source import Source
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def model(source: Source) -> Section:
+    """The drawings of the model; none where the archive has no project that this version can read."""
+
+    def drawings_of_the_model(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+        if source.project is not None:
+            yield from model_drawings(archive, source.project, source.study)
+
+    return Section("model", "The model", (), source.pictures(drawings_of_the_model))
