@@ -14,7 +14,7 @@ from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.assessment.vary_figures import vary_figures
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.elevations import elevations
-from edesign.report.building.plans import plans
+from edesign.report.building.model_figures import archived_building_model
 from edesign.report.capacity.incremental_figures import incremental_figures
 from edesign.report.capacity.pushover_figures import hinge_figures, pushover_figures
 from edesign.report.design.figures import design_figures
@@ -37,7 +37,7 @@ from edesign.report.response.temperature_figures import temperature_figures
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-BUILDING_FIGURES = (plans, spectra, mode_shapes, storey_curves, elevations)
+BUILDING_FIGURES = (archived_building_model, spectra, mode_shapes, storey_curves, elevations)
 
 
 def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:

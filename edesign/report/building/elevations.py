@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.reader import Archive
-from edesign.report.building.results import BuildingResults
+from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.drawing.style import new_figure, styled
 
 if TYPE_CHECKING:
@@ -41,7 +41,7 @@ def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         yield f"elevation_{frame}", caption, _elevation(results, frame)
 
 
-def hinges(results: BuildingResults, members: np.ndarray) -> np.ndarray:
+def hinges(results: BuildingValues, members: np.ndarray) -> np.ndarray:
     """Return the places of the pinned ends of beams, (n, 3) m."""
     start, end = (results.values("members", name)[members] for name in ("start", "end"))
     stiffness = results.values("members", "ends")[members]

@@ -11,7 +11,7 @@ import numpy as np
 
 from edesign.archive.reader import Archive
 from edesign.report.building.elevations import INK, hinges, strokes
-from edesign.report.building.results import BuildingResults
+from edesign.report.building.results import BuildingResults, BuildingValues
 from edesign.report.drawing.style import AFTER, TARGET, new_figure, styled
 
 if TYPE_CHECKING:
@@ -30,7 +30,11 @@ _NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     """Give the plans of the storeys that differ: name of the file, caption, figure."""
-    results = BuildingResults(archive)
+    return plans_of(BuildingResults(archive))
+
+
+def plans_of(results: BuildingValues) -> Iterator[tuple[str, str, Figure]]:
+    """Give the plans of the storeys of a building that differ: name of the file, caption, figure."""
     different = _different_storeys(results)
     drawn = _other_outlines_first(results, different)[:PANELS]
     left_out = f" {len(different) - len(drawn)} more plans are not drawn." if len(different) > len(drawn) else ""
@@ -44,7 +48,7 @@ def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         yield f"plan_{storeys[0]}", caption, _plan(results, storeys[0])
 
 
-def _different_storeys(results: BuildingResults) -> list[list[int]]:
+def _different_storeys(results: BuildingValues) -> list[list[int]]:
     """Storeys with equal members in equal places, from below."""
     names = ("kind", "section", "start", "end", "web", "ends", "storey")
     columns = [results.values("members", name) for name in names]
@@ -61,7 +65,7 @@ def _different_storeys(results: BuildingResults) -> list[list[int]]:
     return list(found.values())
 
 
-def _other_outlines_first(results: BuildingResults, different: list[list[int]]) -> list[list[int]]:
+def _other_outlines_first(results: BuildingValues, different: list[list[int]]) -> list[list[int]]:
     """Groups of storeys in the order in which they are drawn: one of each set of places of columns, then the others."""
     storey, kind, start = (results.values("members", name) for name in ("storey", "kind", "start"))
     first: list[list[int]] = []
@@ -81,7 +85,7 @@ def _runs(numbers: list[int]) -> str:
     return ", ".join(str(run[0]) if len(run) == 1 else f"{run[0]}-{run[-1]}" for run in runs)
 
 
-def _grid(results: BuildingResults) -> tuple[dict[str, float], dict[str, float]]:
+def _grid(results: BuildingValues) -> tuple[dict[str, float], dict[str, float]]:
     """Names of the lines across x and across y with their places, m."""
     across_x: dict[str, float] = {}
     across_y: dict[str, float] = {}
@@ -92,7 +96,7 @@ def _grid(results: BuildingResults) -> tuple[dict[str, float], dict[str, float]]
 
 
 @styled
-def _plan(results: BuildingResults, storey: int) -> Figure:
+def _plan(results: BuildingValues, storey: int) -> Figure:
     across_x, across_y = _grid(results)
     of_storey = results.values("members", "storey") == storey
     kind = results.values("members", "kind")
@@ -147,7 +151,7 @@ def _draw_grid(axes: Axes, across_x: dict[str, float], across_y: dict[str, float
             last = place
 
 
-def _draw_beams(axes: Axes, results: BuildingResults, beams: np.ndarray, braces: np.ndarray, named: bool) -> None:
+def _draw_beams(axes: Axes, results: BuildingValues, beams: np.ndarray, braces: np.ndarray, named: bool) -> None:
     """Beams, and the section of each way and size beside one of them where nothing else is."""
     start, end = (results.values("members", name)[beams] for name in ("start", "end"))
     section = results.values("members", "section")[beams]
@@ -174,7 +178,7 @@ def _draw_beams(axes: Axes, results: BuildingResults, beams: np.ndarray, braces:
             axes.annotate(name, (x, y), shift, textcoords="offset points", fontsize=6.0, **place)  # type: ignore[arg-type]
 
 
-def _bays(results: BuildingResults, members: np.ndarray) -> list[tuple[str, int]]:
+def _bays(results: BuildingValues, members: np.ndarray) -> list[tuple[str, int]]:
     """Frame of each member and its place in it, mm along."""
     frames = results.values("members", "frame")[members]
     middle = 0.5 * (results.values("members", "start")[members] + results.values("members", "end")[members])
@@ -182,7 +186,7 @@ def _bays(results: BuildingResults, members: np.ndarray) -> list[tuple[str, int]
     return [(str(frame), round(1e3 * float(place))) for frame, place in zip(frames, places, strict=True)]
 
 
-def _draw_braces(axes: Axes, results: BuildingResults, braces: np.ndarray, narrow: float, named: bool) -> None:
+def _draw_braces(axes: Axes, results: BuildingValues, braces: np.ndarray, narrow: float, named: bool) -> None:
     start, end = (results.values("members", name)[braces] for name in ("start", "end"))
     section = results.values("members", "section")[braces]
     told: set[str] = set()
@@ -202,7 +206,7 @@ def _draw_braces(axes: Axes, results: BuildingResults, braces: np.ndarray, narro
             axes.text(x, y, str(name), fontsize=6.0, color=AFTER, va="bottom" if along_x else "center", **turned)  # type: ignore[arg-type]
 
 
-def _column_lines(results: BuildingResults, number: int, size: float) -> list[np.ndarray]:
+def _column_lines(results: BuildingValues, number: int, size: float) -> list[np.ndarray]:
     """An I with its web as it stands, a circle or a rectangle, as lines of points."""
     section = str(results.values("members", "section")[number])
     middle = results.values("members", "start")[number][:2]
@@ -219,7 +223,7 @@ def _column_lines(results: BuildingResults, number: int, size: float) -> list[np
     return [np.array(ends), *(np.array([of + size * flange, of - size * flange]) for of in ends)]
 
 
-def _name_columns(axes: Axes, results: BuildingResults, columns: np.ndarray, shift: float) -> None:
+def _name_columns(axes: Axes, results: BuildingValues, columns: np.ndarray, shift: float) -> None:
     """The section of a column, beside the last one that has it."""
     section, start = results.values("members", "section")[columns], results.values("members", "start")[columns]
     for name in dict.fromkeys(section.tolist()):
@@ -227,7 +231,7 @@ def _name_columns(axes: Axes, results: BuildingResults, columns: np.ndarray, shi
         axes.text(x + shift, y + shift, name, fontsize=6.0, ha="left", va="bottom", zorder=4)
 
 
-def _sections(results: BuildingResults, storey: int) -> str:
+def _sections(results: BuildingValues, storey: int) -> str:
     """The sections of a storey in words."""
     of_storey = results.values("members", "storey") == storey
     kind, section = (results.values("members", name)[of_storey] for name in ("kind", "section"))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Protocol
 
 import numpy as np
 
@@ -23,6 +24,13 @@ UNITS = {
     "1": ("", 1.0),
 }
 """Unit of the archive: the one that is shown, and how much it is."""
+
+
+class BuildingValues(Protocol):
+    """What drawings of a building are made from, whether it was analysed or not."""
+
+    def values(self, name: str, variable: str) -> np.ndarray:
+        """Return the values of a variable or coordinate of a group."""
 
 
 class BuildingResults:

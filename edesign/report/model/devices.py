@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import dataclass, field
 
 from edesign.project.dampers.dampers import DamperBetween, DamperRun, TunedMass
@@ -12,9 +12,10 @@ from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.report.drawing.frame_drawing import damper_drawing
 from edesign.report.drawing.style import TARGET
+from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
-from edesign.report.model.sheet import SMALLEST, Entry, Point, Sheet, Spot
-from edesign.report.model.words import brace_words, device_size, law_colors, law_words, short
+from edesign.report.model.sheet import SMALLEST, Entry, Point, Sheet
+from edesign.report.model.words import brace_words, chosen, device_size, law_colors, law_words, short
 
 LONG, HIGH = 0.2, 0.085  # of the sign of a damper, inches
 UNDER = 0.075  # of a damper on a chevron, below the beam
@@ -43,13 +44,16 @@ class Drawn:
     left_out: list[str] = field(default_factory=list)
 
 
-def draw_devices(sheet: Sheet, place: Elevation, project: Project, design: str = "") -> Drawn:
+def draw_devices(
+    sheet: Sheet, place: Elevation, project: Project, design: str = "", tested: Collection[str] = ()
+) -> Drawn:
     """Draw the dampers of a project and its tuned masses; sizes that change over the height are for `draw_sizes`.
 
     Args:
         sheet, place: where.
         project: with the dampers.
         design: which will find their sizes; "": they have them.
+        tested: names of the dampers that stand in a laboratory.
     """
     found, frame, dampers = Drawn(), project.frame, project.dampers
     if dampers is None:
@@ -64,10 +68,15 @@ def draw_devices(sheet: Sheet, place: Elevation, project: Project, design: str =
             found.entries += [Entry(said), *(Entry(f"{name} {words}", sign) for words in runs)]
     for run in dampers.devices:
         for kind, name in _places(frame, run):
-            _draw(sheet, place, kind, name, colors.get(run.law, TARGET))
+            at = _draw(sheet, place, kind, name, colors.get(run.law, TARGET))
+            if name in tested and at is not None:
+                _mark(sheet, *at)
+    if tested:
+        found.entries.append(Entry(f"in the laboratory: {', '.join(tested)}", lambda on, x, y: _mark(on, x + 0.14, y)))
     _tuned(sheet, place, project)
     if dampers.attachments:
-        found.entries.append(Entry("tuned mass or liquid damper", lambda on, x, y: _mass_sign(on, x + 0.14, y - 0.1), 0.24))
+        words = "tuned mass or liquid damper"
+        found.entries.append(Entry(words, lambda on, x, y: _mass_sign(on, x + 0.14, y - 0.1), 0.24))
     return found
 
 
@@ -105,11 +114,7 @@ def _changes(run: DamperRun) -> bool:
 def _storey_words(project: Project, run: DamperRun, index: int, several: bool) -> str:
     brace = brace_words(run, index) if isinstance(_stiffness(run), tuple) else ""
     size = ", ".join(part for part in (device_size(project, run, index), brace) if part)
-    return f"{run.law}, bay{'s' * (not str(run.bays).isdigit())} {_plain(run)}: {size}" if several else size
-
-
-def _plain(run: DamperRun) -> str:
-    return str(run.bays).strip("[]")
+    return f"{run.law}, {chosen('bay', run.bays)}: {size}" if several else size
 
 
 def _run_words(project: Project, run: DamperRun | DamperBetween, design: str) -> str:
@@ -117,7 +122,7 @@ def _run_words(project: Project, run: DamperRun | DamperBetween, design: str) ->
     if isinstance(run, DamperBetween):
         parts = [f"between {run.nodes[0]} and {run.nodes[1]}"]
     else:
-        where = f"bay{'s' * (not str(run.bays).isdigit())} {_plain(run)}, storey{'s' * (not str(run.storeys).isdigit())} {str(run.storeys).strip('[]')}"
+        where = f"{chosen('bay', run.bays)}, {chosen('storey', run.storeys)}"
         parts = [f"{KINDS[run.kind]}, {where}"]
     if design:
         parts.append(f"sizes by the design {design}")
@@ -145,24 +150,35 @@ def _places(frame: Frame, run: DamperRun | DamperBetween) -> Iterator[tuple[str,
 # --- signs
 
 
-def _draw(sheet: Sheet, place: Elevation, kind: str, name: str, color: str) -> None:
-    """Draw a damper with what holds it: braces to the apex of a chevron, else a line with the damper in its middle."""
+def _mark(sheet: Sheet, x: float, y: float) -> None:
+    """A ring around what stands in a laboratory."""
+    sheet.dots([(x, y)], 20.0, "none", TARGET, mew=1.2, zorder=3.0)
+
+
+def _draw(sheet: Sheet, place: Elevation, kind: str, name: str, color: str) -> Point | None:
+    """Draw a damper with what holds it: braces to the apex of a chevron, else a line with the damper in its middle.
+
+    Returns:
+        Where the damper is; None if the frame has no such place.
+    """
     drawing = damper_drawing(place.frame, name)
     if drawing is None:
-        return
+        return None
     lines = [(place.at(*start), place.at(*end)) for start, end in drawing.braces]
     x, y = place.at(*drawing.at)
     if kind == "chevron":
         apex = (x, y - UNDER - 0.5 * HIGH)
         sheet.lines([(start, apex) for start, _ in lines], color, 0.9)
         _box(sheet, (x, y - UNDER), 0.0, color)
-    elif kind == "storey":
+        return x, y - UNDER
+    if kind == "storey":
         sheet.lines(lines, color, 0.9)
         _box(sheet, (x, y), 0.0, color)
     else:
         sheet.lines(lines, color, 0.9)
         (start, end), *_ = lines
         _box(sheet, (x, y), math.atan2(end[1] - start[1], end[0] - start[0]), color)
+    return x, y
 
 
 def _box(sheet: Sheet, at: Point, turned: float, color: str) -> None:

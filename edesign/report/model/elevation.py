@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from itertools import groupby, pairwise
 
 from edesign.project.frame.frame import Frame
-from edesign.report.model.sheet import FAINT, INK, SOFT, Point, Sheet, Spot, text_size
+from edesign.report.model.boxes import Spot, text_size
+from edesign.report.model.sheet import FAINT, SMALLEST, SOFT, TEXT, Point, Sheet
 
 WIDEST, TALLEST = 4.9, 6.4  # inches of a frame
 MANY, OF_MANY = 6, 6.6  # bays, from which a frame may be that wide
@@ -17,38 +18,44 @@ DIMENSIONS, TOTAL, NAMES = 0.5, 0.68, 0.88  # of rows below the base, inches
 HEIGHTS, LEVELS = 0.3, 0.4  # of columns left of the frame
 LEANING = 0.5  # of the last bay, from the frame to its leaning column
 BUBBLE = 0.105
+FLOORS = 0.42  # of the numbers of floors left of their levels
 
 
 @dataclass(frozen=True)
-class Elevation:
-    """Where metres of a frame are on a sheet.
+class Grid:
+    """Axes and levels on a sheet.
 
     Attributes:
-        frame: what is drawn.
+        names: of the axes, from the left.
+        xs, ys: places of the axes, and levels from the base, m.
         across, up: inches a metre.
     """
 
-    frame: Frame
+    names: tuple[str, ...]
+    xs: tuple[float, ...]
+    ys: tuple[float, ...]
     across: float
     up: float
 
     @classmethod
-    def of(cls, frame: Frame) -> Elevation:
-        """Return the elevation of a frame, at one scale if its bays and storeys are then large enough to be labelled."""
-        wide = frame.x[-1] + (LEANING * frame.bay_widths[-1] if frame.leaning_column is not None else 0.0)
-        widest = WIDEST if frame.n_bays <= MANY else OF_MANY
-        scale = min(widest / wide, TALLEST / frame.height, LARGEST)
-        across = max(scale, min(LEAST_BAY / min(frame.bay_widths), widest / wide))
-        up = max(scale, min(LEAST_STOREY / min(frame.storey_heights), TALLEST / frame.height))
-        return cls(frame, across, up)
+    def of(cls, names: Sequence[str], xs: Sequence[float], ys: Sequence[float], wide: float = 0.0) -> Grid:
+        """Return axes and levels at one scale if bays and storeys are then large enough to be labelled, else at two.
+
+        Args:
+            names, xs, ys: of the axes and levels.
+            wide: of all that is drawn, m; at least the distance of the outer axes.
+        """
+        wide, high = max(wide, xs[-1] - xs[0]), ys[-1] - ys[0]
+        widest = WIDEST if len(xs) - 1 <= MANY else OF_MANY
+        scale = min(widest / wide, TALLEST / high, LARGEST)
+        bay, storey = (min(b - a for a, b in pairwise(places)) for places in (xs, ys))
+        across = max(scale, min(LEAST_BAY / bay, widest / wide))
+        up = max(scale, min(LEAST_STOREY / storey, TALLEST / high))
+        return cls(tuple(names), tuple(xs), tuple(ys), across, up)
 
     def at(self, x: float, y: float) -> Point:
         """Return the place of a point in metres."""
         return self.across * x, self.up * y
-
-    def node(self, name: str) -> Point:
-        """Return the place of a node of the frame."""
-        return self.at(*self.frame.nodes[name])
 
     @property
     def true(self) -> bool:
@@ -56,14 +63,36 @@ class Elevation:
         return abs(self.across - self.up) < 1e-9 * self.up
 
     @property
+    def top(self) -> float:
+        """Of the uppermost level, inches."""
+        return self.up * self.ys[-1]
+
+
+@dataclass(frozen=True)
+class Elevation(Grid):
+    """Where metres of a plane frame are on a sheet.
+
+    Attributes:
+        frame: what is drawn.
+    """
+
+    frame: Frame
+
+    @classmethod
+    def of_frame(cls, frame: Frame) -> Elevation:
+        """Return the elevation of a frame."""
+        wide = frame.x[-1] + (LEANING * frame.bay_widths[-1] if frame.leaning_column is not None else 0.0)
+        grid = Grid.of(frame.lines, frame.x, frame.y, wide)
+        return cls(grid.names, grid.xs, grid.ys, grid.across, grid.up, frame)
+
+    def node(self, name: str) -> Point:
+        """Return the place of a node of the frame."""
+        return self.at(*self.frame.nodes[name])
+
+    @property
     def width(self) -> float:
         """Of the frame without its leaning column, inches."""
         return self.across * self.frame.x[-1]
-
-    @property
-    def top(self) -> float:
-        """Of the roof, inches above the base."""
-        return self.up * self.frame.height
 
     @property
     def leaning_x(self) -> float:
@@ -75,43 +104,55 @@ class Elevation:
         return self.up * self.frame.storey_heights[number - 1]
 
 
-def draw_axes(sheet: Sheet, place: Elevation, dimensions: bool = True) -> None:
+def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
     """Draw axes with their names, levels, and if wanted the spans and storey heights, m."""
-    frame = place.frame
     below = -(NAMES if dimensions else DIMENSIONS)
-    xs = [place.across * x for x in frame.x]
-    _axis_names(sheet, frame.lines, xs, below, dimensions)
+    xs = [grid.across * x for x in grid.xs]
+    draw_axis_names(sheet, grid.names, [(x, below) for x in xs], [(x, -0.27) for x in xs])
     if dimensions:
         marks = [(x, -DIMENSIONS) for x in xs]
-        _chain(sheet, marks, frame.bay_widths, 0.0)
-        if frame.n_bays > 1:
-            _chain(sheet, [marks[0], marks[-1]], (frame.x[-1],), 0.0, DIMENSIONS - TOTAL)
-        _chain(sheet, [(-HEIGHTS, place.up * y) for y in frame.y], frame.storey_heights, 90.0)
-    _levels(sheet, place, LEVELS if dimensions else 0.15)
+        draw_chain(sheet, marks, grid.xs, 0.0)
+        if len(xs) > 2:
+            low = -TOTAL
+            draw_chain(sheet, [(xs[0], low), (xs[-1], low)], (grid.xs[0], grid.xs[-1]), 0.0)
+        draw_chain(sheet, [(xs[0] - HEIGHTS, grid.up * y) for y in grid.ys], grid.ys, 90.0)
+    _levels(sheet, grid, xs[0] - (LEVELS if dimensions else 0.15))
 
 
-def _axis_names(sheet: Sheet, names: Sequence[str], xs: Sequence[float], below: float, ticks: bool) -> None:
-    last = xs[-1]
-    told: list[float] = []
-    for name, x in sorted(zip(names, xs, strict=True), key=lambda axis: axis[1] not in (0.0, last)):
-        wide = 2.0 * BUBBLE + 0.01
-        if any(abs(x - other) < wide for other in told):
+def draw_axis_names(sheet: Sheet, names: Sequence[str], places: Sequence[Point], ends: Sequence[Point]) -> None:
+    """Draw circles with the names of axes, and the axes up to where they end; the outer ones before the others.
+
+    Args:
+        sheet: where.
+        names: of the axes.
+        places: of the circles, inches.
+        ends: of the lines from there, inches.
+    """
+    told: list[Point] = []
+    order = sorted(range(len(names)), key=lambda k: 0 < k < len(names) - 1)
+    for k in order:
+        (x, y), wide = places[k], 2.0 * BUBBLE + 0.01
+        if any(abs(x - u) < wide and abs(y - v) < wide for u, v in told):
             continue
-        told.append(x)
-        sheet.line((x, -0.27), (x, below + BUBBLE), color=FAINT, width=0.5, zorder=0.5)
-        sheet.dots([(x, below)], 2.0 * BUBBLE * 72.0, mew=0.5)
-        sheet.text(Spot(x, below), name, 6.5 if len(name) < 3 else 5.0)
+        told.append((x, y))
+        sheet.line((x, y), ends[k], color=FAINT, width=0.5, zorder=0.5)
+        sheet.dots([(x, y)], 2.0 * BUBBLE * 72.0, mew=0.5)
+        sheet.text(Spot(x, y), names[k], TEXT if len(names[k]) < 3 else 5.0)
 
 
-def _chain(
-    sheet: Sheet, marks: Sequence[Point], lengths: Sequence[float], turned: float, shift: float = 0.0
-) -> None:
-    """Draw a line with ticks at marks and the lengths between them, m; equal ones that do not fit are counted."""
+def draw_chain(sheet: Sheet, marks: Sequence[Point], places: Sequence[float], turned: float) -> None:
+    """Draw a line with ticks at marks and the distances between them; equal ones that do not fit are counted.
+
+    Args:
+        sheet: where.
+        marks: of a horizontal or vertical line, inches.
+        places: what the marks stand for, m.
+        turned: 0 or 90 degrees, as the line.
+    """
     along = 0 if turned == 0.0 else 1
-    marks = [(x, y + shift) if along == 0 else (x + shift, y) for x, y in marks]
     sheet.line(marks[0], marks[-1], color=SOFT, width=0.5)
     sheet.lines([((x - 0.03, y - 0.03), (x + 0.03, y + 0.03)) for x, y in marks], SOFT, 0.7)
-    spans = list(zip(lengths, pairwise(marks), strict=True))
+    spans = list(zip([round(b - a, 6) for a, b in pairwise(places)], pairwise(marks), strict=True))
     for length, run in groupby(spans, key=lambda span: span[0]):
         parts = [ends for _, ends in run]
         text = f"{length:.2f}" if abs(round(length, 2) - length) < 1e-9 else f"{length:.3f}"
@@ -127,28 +168,16 @@ def _beside(start: Point, end: Point, along: int) -> Spot:
     return Spot(x, y + 0.02, "center", "bottom") if along == 0 else Spot(x - 0.02, y, "center", "bottom", 90.0)
 
 
-def _levels(sheet: Sheet, place: Elevation, left: float) -> None:
+def _levels(sheet: Sheet, grid: Grid, left: float) -> None:
     """Floors with their levels above the base, m; the base and the roof first, the others where there is room."""
-    frame = place.frame
-    x = -left - text_size("0.00", 6.5)[1]
-    order = [0, frame.n_storeys, *range(1, frame.n_storeys)]
-    for floor in order:
-        y = place.up * frame.y[floor]
-        text = f"{frame.y[floor]:+.2f}" if floor else "±0.00"
+    x = left - text_size("0.00", TEXT)[1]
+    last = len(grid.ys) - 1
+    for floor in (0, last, *range(1, last)):
+        y = grid.up * grid.ys[floor]
+        text = f"{grid.ys[floor]:+.2f}" if floor else "±0.00"
         if sheet.place([Spot(x, y + 0.01, "right", "bottom")], text):
             sheet.line((x - 0.33, y), (x + 0.05, y), color=SOFT, width=0.5)
-            sheet.place([Spot(x - 0.42, y + 0.01, "right", "bottom")], str(floor), (SMALLEST_FLOOR,), SOFT)
-    top = place.top + 0.2
-    sheet.text(Spot(x, top, "right", "bottom"), "level [m]", 5.5, SOFT)
-    if frame.n_storeys:
-        sheet.text(Spot(x - 0.42, top, "right", "bottom"), "floor", 5.5, SOFT)
-
-
-SMALLEST_FLOOR = 6.0  # points, of numbers of floors
-
-
-def draw_members(
-    sheet: Sheet, place: Elevation, lines: Sequence[tuple[Point, Point]], color: str = INK, width: float = 1.6, **s: object
-) -> None:
-    """Draw members from their ends, m."""
-    sheet.lines([(place.at(*start), place.at(*end)) for start, end in lines], color, width, **s)
+            sheet.place([Spot(x - FLOORS, y + 0.01, "right", "bottom")], str(floor), (6.0,), SOFT)
+    top = grid.top + 0.2
+    sheet.text(Spot(x, top, "right", "bottom"), "level [m]", SMALLEST, SOFT)
+    sheet.text(Spot(x - FLOORS, top, "right", "bottom"), "floor", SMALLEST, SOFT)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import TYPE_CHECKING
 
 from edesign.project.frame.materials import ElasticMaterial
@@ -10,11 +10,13 @@ from edesign.project.project import Project
 from edesign.report.drawing.captions import file_name
 from edesign.report.model.devices import draw_devices, draw_sizes
 from edesign.report.model.elevation import Elevation, draw_axes
-from edesign.report.model.loads import draw_loads, draw_masses, load_entries
-from edesign.report.model.members import draw_ends, draw_frame_members, draw_sections
-from edesign.report.model.sheet import Entry, Sheet, on_sheet
+from edesign.report.model.ends import draw_ends
+from edesign.report.model.loads import draw_loads, load_entries
+from edesign.report.model.masses import draw_masses
+from edesign.report.model.members import draw_frame_members, draw_sections, member_steels
+from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.supports import draw_supports
-from edesign.report.model.words import short
+from edesign.report.model.words import short, steels_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,19 +73,26 @@ def has_loads(project: Project) -> bool:
     )
 
 
-def geometry_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
-    """Draw axes, members with their sections, supports, ends of members, and dampers with laws and sizes."""
+def geometry_figure(project: Project, heading: Sequence[str] = (), tested: Collection[str] = ()) -> Figure:
+    """Draw axes, members with their sections, supports, ends of members, and dampers with laws and sizes.
+
+    Args:
+        project: the model.
+        heading: lines above the drawing; (): none.
+        tested: names of the dampers that stand in a laboratory.
+    """
 
     def draw(sheet: Sheet) -> None:
-        place = Elevation.of(project.frame)
+        place = Elevation.of_frame(project.frame)
         draw_axes(sheet, place)
         entries = draw_supports(sheet, place, project)
         entries += draw_frame_members(sheet, place, project)
         entries += draw_ends(sheet, place, project)
-        drawn = draw_devices(sheet, place, project)
+        drawn = draw_devices(sheet, place, project, tested=tested)
         left_out = draw_sections(sheet, project, place)
         left_out += draw_sizes(sheet, place, project)
-        entries += [*drawn.entries, *_materials(project), *_rigid_floors(project), Entry("spans, heights and levels in m"), *_unwritten(left_out)]
+        entries += [*drawn.entries, *_materials(project), *_rigid_floors(project)]
+        entries += [Entry("spans, heights and levels in m"), *unwritten(left_out)]
         sheet.legend(entries, WIDTH)
 
     return on_sheet(draw, heading)
@@ -93,13 +102,13 @@ def loads_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
     """Draw the loads on members and nodes by load case, the masses of the nodes, and sums by floor."""
 
     def draw(sheet: Sheet) -> None:
-        place = Elevation.of(project.frame)
+        place = Elevation.of_frame(project.frame)
         draw_axes(sheet, place, dimensions=False)
         draw_supports(sheet, place, project)
         draw_frame_members(sheet, place, project, faint=True)
         left_out = draw_loads(sheet, place, project)
         left_out += draw_masses(sheet, place, project)
-        sheet.legend([*load_entries(project), *_unwritten(left_out)], WIDTH)
+        sheet.legend([*load_entries(project), *unwritten(left_out)], WIDTH)
 
     return on_sheet(draw, heading)
 
@@ -114,7 +123,7 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
     """
 
     def draw(sheet: Sheet) -> None:
-        place = Elevation.of(project.frame)
+        place = Elevation.of_frame(project.frame)
         draw_axes(sheet, place, dimensions=False)
         entries = draw_supports(sheet, place, project) if project.isolation is not None else []
         if project.isolation is None:
@@ -122,25 +131,24 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
         draw_frame_members(sheet, place, project, faint=True)
         drawn = draw_devices(sheet, place, project, design)
         left_out = draw_sizes(sheet, place, project)
-        sheet.legend([*entries, *drawn.entries, *_unwritten(left_out)], WIDTH)
+        sheet.legend([*entries, *drawn.entries, *unwritten(left_out)], WIDTH)
 
     return on_sheet(draw, heading)
 
 
 def _scales(project: Project) -> str:
-    return "" if Elevation.of(project.frame).true else " Widths and heights have different scales."
+    return "" if Elevation.of_frame(project.frame).true else " Widths and heights have different scales."
 
 
 def _materials(project: Project) -> list[Entry]:
-    used = dict.fromkeys(run.material for run in project.frame.members.values())
-    texts = []
-    for name in used:
+    entries = []
+    for name, kinds in steels_of(member_steels(project.frame)).items():
         steel = project.materials[name]
         text = f"{name}: {steel.law.replace('_', '-')}, E = {short(steel.E / 1e9)} GPa"
         if not isinstance(steel, ElasticMaterial):
             text += f", f_y = {short(steel.fy / 1e6)} MPa, hardening {100.0 * steel.hardening:g} %"
-        texts.append(Entry(f"{text}{', all members' if len(used) == 1 else ''}"))
-    return texts
+        entries.append(Entry(f"{text}, {kinds}"))
+    return entries
 
 
 def _rigid_floors(project: Project) -> list[Entry]:
@@ -150,9 +158,3 @@ def _rigid_floors(project: Project) -> list[Entry]:
     every = len(floors) == project.frame.n_storeys
     which = "all floors are" if every else f"floors {str(project.frame.diaphragms).strip('[]')} are"
     return [Entry(f"{which} rigid in their plane")]
-
-
-def _unwritten(left_out: list[str]) -> list[Entry]:
-    """What stands in words for want of room."""
-    return [Entry(f"Not written in the drawing for want of room: {'; '.join(left_out)}.")] if left_out else []
-

@@ -1,4 +1,4 @@
-"""The gravity loads of a plane frame on a sheet by load cases, and the masses of its floors."""
+"""The gravity loads of a plane frame on a sheet by load cases."""
 
 from __future__ import annotations
 
@@ -7,22 +7,20 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import groupby
 
-from edesign.building.isolation import base_loads, base_masses
 from edesign.building.loads import floor_loads
-from edesign.building.masses import node_masses
-from edesign.project.frame.leaning_column import of_floors
-from edesign.project.notation import names
+from edesign.project.actions.loads import BeamLoad, FloorLoad
 from edesign.project.project import Project
 from edesign.report.drawing.style import AFTER
+from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
-from edesign.report.model.sheet import SMALLEST, SOFT, Entry, Point, Sheet, Spot
+from edesign.report.model.masses import MASS
+from edesign.report.model.sheet import Entry, Sheet
 from edesign.report.model.supports import axes
-from edesign.report.model.words import short
+from edesign.report.model.words import chosen, short
 
 G_Q = tuple[float, float]
 BAND, ARROW = 0.1, 0.2  # height of line loads and of forces, inches
 AREA = "#e3ecf6"
-MASS = "#d9822b"
 MOST_GIVEN = 4  # masses that the legend lists; of more the sums by floor are told
 
 
@@ -49,11 +47,12 @@ def loads_of(project: Project) -> Loaded:
     """Return what acts on each member and node, loads at one place added up."""
     frame, loads, found = project.frame, project.loads, Loaded()
     sums: dict[tuple[int, int], list[float]] = defaultdict(lambda: [0.0, 0.0])
-    for load in (*loads.beams, *loads.floors):
-        width = getattr(load, "width", 1.0)
-        for place in frame.standing_beams(load):
-            sums[place][0] += width * load.G
-            sums[place][1] += width * load.Q
+    strips: list[tuple[BeamLoad | FloorLoad, float]] = [(load, 1.0) for load in loads.beams]
+    strips += [(load, load.width) for load in loads.floors]
+    for strip, width in strips:
+        for place in frame.standing_beams(strip):
+            sums[place][0] += width * strip.G
+            sums[place][1] += width * strip.Q
     found.uniform = {place: (G, Q) for place, (G, Q) in sums.items() if G or Q}
     for load in loads.beams:
         for bay, floor in frame.standing_beams(load):
@@ -232,77 +231,6 @@ def _base(sheet: Sheet, place: Elevation, project: Project) -> Iterator[_Label]:
         yield _Label(spots, text, "isolated base")
 
 
-# --- masses
-
-
-def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
-    """Draw the masses of the nodes and write sums by floor: mass, gravity combination, what leans on the frame.
-
-    Returns:
-        The floors for which there is no room, in words.
-    """
-    frame = project.frame
-    of_node, at_base = node_masses(project), base_masses(project)
-    floors = {names.node_name(line, f): f for line in frame.lines for f in range(frame.n_storeys + 1)}
-    floors |= {names.beam_name(b, f): f for b in range(1, frame.n_bays + 1) for f in range(frame.n_storeys + 1)}
-    mass = [0.0] * (frame.n_storeys + 1)
-    for name, value in (*of_node.items(), *at_base.items()):
-        mass[floors[name]] += value
-    _dots(sheet, place, {**of_node, **at_base})
-    gravity = [float(value) for value in floor_loads(project)]
-    if project.isolation is not None:
-        gravity[0] += sum(base_loads(frame, project.isolation, project.loads.gravity).values())
-    columns: list[tuple[str, list[float], float]] = []
-    if any(mass):
-        columns.append(("mass [t]", mass, 1e3))
-    if any(gravity):
-        columns.append(("gravity [kN]", gravity, 1e3))
-    leaning = frame.leaning_column
-    if leaning is not None:
-        for case, values in (("G", leaning.G), ("Q", leaning.Q)):
-            columns.append((f"leaning {case} [kN]", [0.0, *of_floors(values, frame.n_storeys)], 1e3))
-        if leaning.mass is not None:
-            columns.append(("leaning [t]", [0.0, *of_floors(leaning.mass, frame.n_storeys)], 1e3))
-    return list(_table(sheet, place, columns))
-
-
-def _dots(sheet: Sheet, place: Elevation, of_node: dict[str, float]) -> None:
-    """Circles whose areas go with the masses."""
-    most = max(of_node.values(), default=0.0)
-    sizes: dict[float, list[Point]] = {}
-    for name, mass in of_node.items():
-        if mass > 0.0:
-            sizes.setdefault(round(max(2.0, 6.5 * (mass / most) ** 0.5), 1), []).append(place.node(name))
-    for size, at in sizes.items():
-        sheet.dots(at, size, MASS, "white", mew=0.4, zorder=2.5)
-
-
-def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float], float]]) -> Iterator[str]:
-    """Columns of numbers beside the floors, with their sums below."""
-    frame = place.frame
-    left = max(sheet.right, place.width) + 0.3
-    above = place.top + 0.24
-    below = -0.3
-    order = [frame.n_storeys, *range(frame.n_storeys - 1, -1, -1)]
-    untold: dict[int, list[str]] = {}
-    for header, values, unit in columns:
-        words, _, label = header.rpartition(" ")
-        sheet.text(Spot(left + 0.45, above, "right", "bottom"), words, SMALLEST, SOFT)
-        sheet.text(Spot(left + 0.45, above - 0.09, "right", "bottom"), label, SMALLEST, SOFT)
-        for floor in order:
-            if values[floor]:
-                text = short(values[floor] / unit)
-                if not sheet.place([Spot(left + 0.45, place.up * frame.y[floor], "right")], text):
-                    untold.setdefault(floor, []).append(f"{words} {text} {label[1:-1]}")
-        sheet.line((left, below + 0.1), (left + 0.45, below + 0.1), color=SOFT, width=0.5)
-        sheet.text(Spot(left + 0.45, below, "right"), short(sum(values) / unit))
-        left += 0.68
-    if columns:
-        sheet.text(Spot(left - 0.1, below, "left"), "in all", SMALLEST, SOFT)
-    for floor, texts in untold.items():
-        yield f"floor {floor}: {', '.join(texts)}"
-
-
 def load_entries(project: Project) -> list[Entry]:
     """Return what the signs and numbers of a drawing of loads mean, as far as they occur."""
     found, loads, masses = loads_of(project), project.loads, project.masses
@@ -317,7 +245,7 @@ def load_entries(project: Project) -> list[Entry]:
             of = f"from {masses.from_loads.G:g} G + {masses.from_loads.Q:g} Q"
         else:
             given = [
-                f"{short(item.mass / 1e3)} t at lines {str(item.lines).strip('[]')}, floors {str(item.floors).strip('[]')}"
+                f"{short(item.mass / 1e3)} t at {chosen('line', item.lines)}, {chosen('floor', item.floors)}"
                 for item in masses.given or ()
             ]
             of = f"given: {'; '.join(given)}" if len(given) <= MOST_GIVEN else "given node by node"

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
-import textwrap
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
-from functools import lru_cache
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from edesign.report.drawing.style import styled
+from edesign.report.model.boxes import INCH, Spot, corners_of, meets, text_size, wrapped
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,18 +23,6 @@ GAP = 0.012  # inches between texts
 MARGIN = 0.08  # around the drawing, inches
 HANDLE = 0.36  # width of a sign in the legend
 LINE = 0.125  # height of a line of the legend
-INCH = 72.0
-
-
-@dataclass(frozen=True)
-class Spot:
-    """Where a text may stand: its anchor in inches, which part of it is there, and how it is turned, degrees."""
-
-    x: float
-    y: float
-    ha: str = "center"
-    va: str = "center"
-    turned: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -86,12 +72,15 @@ class Sheet:
         """Draw one line through points."""
         self.lines([points], color, width, **style)
 
-    def shape(self, points: Sequence[Point], face: str = "white", edge: str = INK, width: float = 0.6, **s: Any) -> None:
+    def shape(
+        self, points: Sequence[Point], face: str = "white", edge: str = INK, width: float = 0.6, zorder: float = 2.0
+    ) -> None:
         """Draw a closed shape."""
         from matplotlib.patches import Polygon
 
-        self.axes.add_artist(Polygon(np.asarray(points), closed=True, fc=face, ec=edge, lw=width, **{"zorder": 2.0, **s}))
-        self._reach(np.asarray(points, dtype=float))
+        corners = np.asarray(points, dtype=float)
+        self.axes.add_artist(Polygon(corners, closed=True, fc=face, ec=edge, lw=width, zorder=zorder))
+        self._reach(corners)
 
     def dots(self, at: Sequence[Point], size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
         """Draw circles, or other signs by `marker`, of a size in points."""
@@ -107,7 +96,7 @@ class Sheet:
 
     def block(self, x: float, y: float, wide: float, high: float) -> None:
         """Keep texts that have a choice away from a rectangle about a point."""
-        self._signs.append(_corners(Spot(x, y), wide, high))
+        self._signs.append(corners_of(Spot(x, y), wide, high))
 
     # --- texts
 
@@ -136,7 +125,7 @@ class Sheet:
             for size in sizes:
                 for spot in wanted:
                     box = self._box(spot, words, size)
-                    if not _meets(box, there):
+                    if not meets(box, there):
                         self._texts.append(box)
                         self._write(spot, words, size, color, box, style)
                         return True
@@ -165,7 +154,7 @@ class Sheet:
     @staticmethod
     def _box(spot: Spot, words: str, size: float) -> np.ndarray:
         wide, high = text_size(words, size)
-        return _corners(spot, wide + 2.0 * GAP, high + GAP)
+        return corners_of(spot, wide + 2.0 * GAP, high + GAP)
 
     # --- legend and end
 
@@ -192,7 +181,7 @@ class Sheet:
             for column, entry in enumerate(row):
                 if entry.sign is not None:
                     entry.sign(self, left + column * half, y)
-                lines = _wrapped(entry.text, (half if len(row) > 1 else wide) - HANDLE - 0.1)
+                lines = wrapped(entry.text, (half if len(row) > 1 else wide) - HANDLE - 0.1, TEXT)
                 for i, line in enumerate(lines):
                     self.text(Spot(left + column * half + HANDLE, y - i * LINE, "left", "center"), line)
             y -= LINE * (len(lines) if len(row) == 1 else 1) + extra
@@ -202,7 +191,7 @@ class Sheet:
         y = float(self._high[1]) + 0.12 + LINE * (len(lines) - 1)
         room = max(4.0, float(self._high[0] - self._low[0]))
         for i, words in enumerate(lines):
-            fitted = _wrapped(words, room)
+            fitted = wrapped(words, room, TEXT)
             text = fitted[0] if len(fitted) == 1 else f"{fitted[0]} …"
             self.text(Spot(float(self._low[0]), y - i * LINE, "left", "bottom"), text, 7.5 if i == 0 else TEXT)
 
@@ -225,6 +214,11 @@ class Sheet:
             self._high = np.maximum(self._high, points.max(axis=0))
 
 
+def unwritten(texts: Sequence[str]) -> list[Entry]:
+    """Return what did not fit into a drawing as a line of its legend; none if all did."""
+    return [Entry(f"Not written in the drawing for want of room: {'; '.join(texts)}.")] if texts else []
+
+
 def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figure:
     """Return the figure of what a function draws on a new sheet, in the style of all figures.
 
@@ -241,51 +235,3 @@ def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figu
         return sheet.finish()
 
     return styled(made)()
-
-
-@lru_cache(maxsize=4096)
-def text_size(words: str, size: float) -> tuple[float, float]:
-    """Width and height of a line of text of a size in points, inches."""
-    from matplotlib.backend_bases import RendererBase
-    from matplotlib.font_manager import FontProperties
-
-    font, renderer = FontProperties(size=size), RendererBase()
-    wide, _, _ = renderer.get_text_width_height_descent(words, font, False)
-    _, high, _ = renderer.get_text_width_height_descent("lp", font, False)
-    return wide / INCH, high / INCH
-
-
-def _wrapped(words: str, room: float) -> list[str]:
-    """A text in lines that are not wider than a room in inches."""
-    wide = text_size(words, TEXT)[0]
-    if wide <= room:
-        return [words]
-    for letters in range(int(len(words) * room / wide * 1.15), 8, -2):
-        lines = textwrap.wrap(words, letters)
-        if all(text_size(line, TEXT)[0] <= room for line in lines):
-            return lines
-    return [words]
-
-
-def _corners(spot: Spot, wide: float, high: float) -> np.ndarray:
-    """Corners of a rectangle with its anchor at a spot, (4, 2) inches, counter-clockwise."""
-    left = {"left": 0.0, "center": -0.5, "right": -1.0}[spot.ha] * wide
-    low = {"bottom": 0.0, "center": -0.5, "top": -1.0}[spot.va] * high
-    box = np.array([(left, low), (left + wide, low), (left + wide, low + high), (left, low + high)])
-    turn = math.radians(spot.turned)
-    c, s = math.cos(turn), math.sin(turn)
-    return np.asarray(box @ np.array([[c, s], [-s, c]]) + np.array([spot.x, spot.y]))
-
-
-def _meets(box: np.ndarray, others: np.ndarray) -> bool:
-    """Whether a rectangle has an area in common with one of others, (n, 4, 2): no side of either separates them."""
-    if not len(others):
-        return False
-    low, high = others.min(axis=1), others.max(axis=1)
-    near = others[np.all(low < box.max(axis=0), axis=1) & np.all(high > box.min(axis=0), axis=1)]
-    for other in near:
-        normals = np.concatenate([np.diff(corners[:3], axis=0) for corners in (box, other)])
-        mine, its = box @ normals.T, other @ normals.T
-        if np.all(mine.max(axis=0) > its.min(axis=0) + 1e-9) and np.all(its.max(axis=0) > mine.min(axis=0) + 1e-9):
-            return True
-    return False

@@ -20,8 +20,9 @@ from edesign.project.frame.supports import (
 )
 from edesign.project.notation import names
 from edesign.project.project import Project
+from edesign.report.model.boxes import Spot
 from edesign.report.model.elevation import Elevation
-from edesign.report.model.sheet import INK, SOFT, Entry, Sheet, Spot
+from edesign.report.model.sheet import INK, SOFT, Entry, Sheet
 from edesign.report.model.words import device_size, law_colors, short
 
 Support = SupportKind | SupportSprings | FootingSupport
@@ -50,7 +51,9 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
             if mark:
                 sheet.place([Spot(x + 0.22, y - 0.08, "left"), Spot(x - 0.22, y - 0.08, "right")], mark, color=SOFT)
         where = f" ({axes(lines, frame.lines)})" if len(kinds) > 1 else ""
-        entries.append(Entry(f"{mark + ': ' if mark else ''}{words(support)}{where}", _handle(sign, support), 0.1 if support == "fixed" else 0.26))
+        high = 0.1 if support == "fixed" else 0.26
+        told = f"{mark}: {words(support)}{where}" if mark else f"{words(support)}{where}"
+        entries.append(Entry(told, _handle(sign, support), high))
     return entries
 
 
@@ -130,7 +133,8 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
                 shifts[line] = shifts.get(line, 0) + 1
                 shift = 0.12 * shifts[line]
             sign(sheet, at[line] + shift, 0.0, color)
-        yield Entry(f"{_base_device(project, item)} ({axes(lines, frame.lines)})", _colored(sign, color), 0.26 if sign is isolator_sign else 0.0)
+        told = f"{_base_device(project, item)} ({axes(lines, frame.lines)})"
+        yield Entry(told, _colored(sign, color), 0.26 if sign is isolator_sign else 0.0)
 
 
 def _base_device(project: Project, item: BaseDevice) -> str:

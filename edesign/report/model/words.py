@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
+from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.report.drawing.style import VARIANTS
 
@@ -113,3 +114,31 @@ def _area(area: float | None) -> str:
 def _millimetres(length: float | None) -> str:
     assert length is not None
     return f"{short(1e3 * length)} mm"
+
+
+def steels_of(members: Iterable[tuple[str, str]]) -> dict[str, str]:
+    """Return the kinds of members that each material is of, in words.
+
+    Args:
+        members: kind (`column`, `beam`, `brace`) and material of each.
+    """
+    found: dict[str, dict[str, None]] = {}
+    for kind, material in members:
+        found.setdefault(material, {})[f"{kind}s"] = None
+    return {name: "all members" if len(found) == 1 else ", ".join(kinds) for name, kinds in found.items()}
+
+
+def several_steels(members: Iterable[tuple[str, str]]) -> set[str]:
+    """Return the kinds of members of which there are several materials, so that each member has to tell its own."""
+    found: dict[str, set[str]] = {}
+    for kind, material in members:
+        found.setdefault(kind, set()).add(material)
+    return {kind for kind, materials in found.items() if len(materials) > 1}
+
+
+def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
+    """Return a selection in words: `all bays`, `bay 1`, `bays 1, 3`."""
+    text = str(selection)
+    if text == "all":
+        return f"all {what}s"
+    return f"{what} {text}" if text.isalnum() else f"{what}s {text.strip('[]')}"

@@ -103,5 +103,3 @@ def _page(drawings: Iterable[Named], path: Path, title: str) -> None:
     pictures = tuple(picture_of(name, caption, figure) for name, caption, figure in drawings)
     section = Section("model", "The model", (), pictures)
     write_text(render(Cover(title, "Model", "", "", f"Drawn by edesign {__version__}."), [section]), path)
-
-

@@ -90,6 +90,17 @@ def archived_tests(archive: Archive) -> ArchivedTests:
     return tests
 
 
+def described_tests(file: RtsFile) -> ArchivedTests:
+    """Return what a file of tests says of them, as `archived_tests` does of an archive.
+
+    Args:
+        file: from `load_rts_file`.
+    """
+    tests = ArchivedTests(file)
+    _make_laboratory(tests)
+    return tests
+
+
 def _project(file: RtsFile, texts: dict[str, str]) -> Project | None:
     """The project; a file that needs one and has none cannot be used."""
     if not isinstance(file.structure, ProjectStructure):

@@ -22,8 +22,8 @@ from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.elevations import elevations
 from edesign.report.building.facts import building_rows, design_rows
 from edesign.report.building.foundation_table import foundation_table, reaction_table
+from edesign.report.building.model_figures import archived_building_model
 from edesign.report.building.other_tables import other_tables
-from edesign.report.building.plans import plans
 from edesign.report.building.results import BuildingResults
 from edesign.report.building.tables import (
     base_shear_table,
@@ -143,7 +143,8 @@ def _of_group(name: str, make: Callable[[Group], Table]) -> Parts:
 
 _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ("building", "Verdict", (_verdict,)),
-    ("structure", "Structure and loads", (_structure, _pictures(plans), _table(materials_table), _table(floors_table))),
+    ("model", "The model", (_pictures(archived_building_model),)),
+    ("structure", "Structure and loads", (_structure, _table(materials_table), _table(floors_table))),
     ("action", "Seismic action", (_action, _pictures(spectra))),
     ("natural-modes", "Natural modes", (_pictures(mode_shapes), _table(modes_table))),
     (

@@ -1,0 +1,218 @@
+"""Elevations of the plane frames of a building before its analysis: spans, levels, sections, ends, supports."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import groupby
+
+import numpy as np
+
+from edesign.project.building import Building
+from edesign.project.building.layout import DIRECTIONS
+from edesign.project.building.names import Direction, frame_name, line_label
+from edesign.project.building.supports import FIXED, PINNED, Springs
+from edesign.report.drawing.captions import file_name, some_names
+from edesign.report.model.boxes import Spot
+from edesign.report.model.elevation import Grid, draw_axes
+from edesign.report.model.figures import Named
+from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
+from edesign.report.model.supports import SIGNS
+from edesign.report.model.words import several_steels, short, steels_of
+from edesign.space.structure.frame import Member, SpaceFrame
+
+MOST = 4  # elevations in each direction
+WIDTH = 6.6  # of the legend, inches
+FROM_NODE = 0.08
+PINNED_END, SPRUNG_END = "end without moment", "end with a rotational stiffness"
+
+
+def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[str] = ()) -> Iterator[Named]:
+    """Give an elevation of each plane frame that differs from the others: name of the file, caption, figure.
+
+    Args:
+        building: its grid and supports.
+        frame: its members.
+        heading: lines above each drawing; (): none.
+    """
+    for along in DIRECTIONS:
+        groups: dict[tuple[object, ...], list[int]] = {}
+        for number in range(building.n_frames(along)):
+            members = _members(frame, frame_name(along, number))
+            if members:
+                groups.setdefault(_look(building, frame, along, number, members), []).append(number)
+        left_out = len(groups) - MOST
+        for numbers in list(groups.values())[:MOST]:
+            names = [frame_name(along, number) for number in numbers]
+            caption = (
+                f"Frame{'s' * (len(names) > 1)} {some_names(names, 6)} along {along}: spans, heights and levels in m, "
+            )
+            caption += "sections, ends of beams, supports."
+            above = (*heading, caption.rstrip(".")) if heading else ()
+            if left_out > 0 and numbers == list(groups.values())[MOST - 1]:
+                caption += f" {left_out} more that differ are not drawn."
+            draw = partial(_draw, building=building, frame=frame, along=along, number=numbers[0])
+            yield file_name("model", names[0]), caption, on_sheet(draw, above)
+
+
+def _members(frame: SpaceFrame, name: str) -> list[Member]:
+    return [member for member in frame.members if name in member.frame]
+
+
+def _look(
+    building: Building, frame: SpaceFrame, along: Direction, number: int, members: Sequence[Member]
+) -> tuple[object, ...]:
+    """What tells an elevation from another one."""
+    k = DIRECTIONS.index(along)
+    found = frozenset(
+        (
+            one.kind,
+            one.section,
+            one.material,
+            one.ends,
+            one.web if one.kind == "column" else (),
+            tuple(frame.coordinates[one.start][[k, 2]].round(6).tolist()),
+            tuple(frame.coordinates[one.end][[k, 2]].round(6).tolist()),
+        )
+        for one in members
+    )
+    return found, tuple(repr(held) for _, held in _feet(building, along, number))
+
+
+def _feet(building: Building, along: Direction, number: int) -> list[tuple[float, Springs]]:
+    """Places along a frame of the feet of its columns, m, with what holds them."""
+    lines = [line for line in building.layout.node_lines[0] if (line.j if along == "x" else line.i) == number]
+    return [(building.grid(line)[DIRECTIONS.index(along)], building.support(line)) for line in lines]
+
+
+def _draw(sheet: Sheet, building: Building, frame: SpaceFrame, along: Direction, number: int) -> None:
+    k = DIRECTIONS.index(along)
+    xs = building.coordinates(along)
+    other: Direction = "y" if along == "x" else "x"
+    names = [line_label(other, i) for i in range(len(xs))]
+    grid = Grid.of(names, xs, building.levels)
+    members = _members(frame, frame_name(along, number))
+    ends = {one.name: tuple(grid.at(*frame.coordinates[n][[k, 2]]) for n in (one.start, one.end)) for one in members}
+    draw_axes(sheet, grid)
+    for kinds, width in (("column beam", 1.6), ("brace", 1.1)):
+        sheet.lines([ends[one.name] for one in members if one.kind in kinds.split()], width=width)
+    for (x0, y), (x1, _) in (ends[one.name] for one in members if one.kind == "beam"):
+        sheet.block(0.5 * (x0 + x1), y, abs(x1 - x0), 0.02)  # labels of columns stay between beams where they can
+    entries = _supports(sheet, grid, building, along, number)
+    entries += _ends(sheet, members, ends)
+    if any(one.kind == "brace" for one in members):
+        resting = any(one.kind == "brace" and not one.compression for one in members)
+        what = ", those that are compressed do not count" if resting else ""
+        entries.append(Entry(f"braces have pinned ends{what}"))
+    left_out = list(_sections(sheet, members, ends, k))
+    entries += _steels(building, members)
+    if any(_is_weak(one, k) for one in members):
+        entries.append(Entry("(weak): bends about its weak axis in this frame"))
+    sheet.legend([*entries, *unwritten(left_out)], WIDTH)
+
+
+def _steels(building: Building, members: Sequence[Member]) -> Iterator[Entry]:
+    """The steels, with the kinds of members that each is of."""
+    for name, kinds in steels_of((one.kind, one.material) for one in members).items():
+        steel = building.materials[name]
+        yield Entry(f"{name}: E = {short(steel.E / 1e9)} GPa, f_y = {short(steel.fy / 1e6)} MPa, {kinds}")
+
+
+def _is_weak(member: Member, k: int) -> bool:
+    return member.kind == "column" and abs(member.web[k]) < 0.5
+
+
+def _supports(sheet: Sheet, grid: Grid, building: Building, along: Direction, number: int) -> list[Entry]:
+    entries = []
+    by_kind: dict[str, tuple[Springs, list[float]]] = {}
+    for x, held in _feet(building, along, number):
+        by_kind.setdefault(repr(held), (held, []))[1].append(x)
+    for held, places in by_kind.values():
+        kind = "fixed" if held == FIXED else "pinned" if held == PINNED else "springs"
+        for x in places:
+            SIGNS[kind](sheet, grid.across * x, 0.0)
+        parts = [f"{key} {_held(key, value)}" for key, value in zip(type(held).model_fields, held.all(), strict=True)]
+        words = f"{kind} support" if kind != "springs" else f"support: {', '.join(parts)}"
+        up = 0.025 if kind == "fixed" else 0.075
+        sign = SIGNS[kind]
+        entries.append(
+            Entry(words, lambda on, x, y, s=sign, up=up: s(on, x + 0.14, y + up), 0.1 if kind == "fixed" else 0.26)  # type: ignore[misc]
+        )
+    return entries
+
+
+def _held(key: str, value: str | float) -> str:
+    if isinstance(value, str):
+        return value
+    return f"{short(value / 1e6)} MN{'/m' if key.startswith('u') else ' m/rad'}"
+
+
+def _ends(sheet: Sheet, members: Sequence[Member], ends: dict[str, tuple[tuple[float, float], ...]]) -> list[Entry]:
+    """Circles at ends of beams that pass no moment in the frame, diamonds at those with a stiffness."""
+    marks: dict[str, list[tuple[float, float]]] = {"o": [], "D": []}
+    for one in members:
+        for k, stiffness in ((0, one.ends[0]), (1, one.ends[2])) if one.kind == "beam" else ():
+            if math.isfinite(stiffness):
+                (x0, y0), (x1, y1) = ends[one.name][k], ends[one.name][1 - k]
+                share = min(FROM_NODE / math.hypot(x1 - x0, y1 - y0), 0.33)
+                marks["D" if stiffness else "o"].append((x0 + share * (x1 - x0), y0 + share * (y1 - y0)))
+    entries = []
+    for mark, text in (("o", PINNED_END), ("D", SPRUNG_END)):
+        if marks[mark]:
+            sheet.dots(marks[mark], 4.0, marker=mark)
+            entries.append(Entry(text, lambda on, x, y, m=mark: on.dots([(x + 0.14, y)], 4.0, marker=m)))  # type: ignore[misc]
+    return entries
+
+
+def _sections(
+    sheet: Sheet, members: Sequence[Member], ends: dict[str, tuple[tuple[float, float], ...]], k: int
+) -> Iterator[str]:
+    """Write the section of equal columns above each other, of equal beams of a floor, and of each brace."""
+    several = several_steels((one.kind, one.material) for one in members)
+
+    def words(one: Member) -> str:
+        steel = f" {one.material}" if one.kind in several else ""
+        return f"{one.section}{steel}{' (weak)' if _is_weak(one, k) else ''}"
+
+    def middle(one: Member) -> tuple[float, float]:
+        (x0, y0), (x1, y1) = ends[one.name]
+        return round(0.5 * (x0 + x1), 6), round(0.5 * (y0 + y1), 6)
+
+    columns = sorted((one for one in members if one.kind == "column"), key=middle)
+    for (x, text), run in groupby(columns, key=lambda one: (middle(one)[0], words(one))):
+        ys = [middle(one)[1] for one in run]
+        order = sorted(ys, key=lambda y: abs(y - 0.5 * (ys[0] + ys[-1])))
+        spots = [Spot(x - 0.04, y, "center", "bottom", 90.0) for y in order]
+        spots += [Spot(x + 0.04, y, "center", "top", 90.0) for y in order]
+        if not sheet.place(spots, text):
+            yield f"column {next(one.name for one in columns if middle(one) == (x, ys[0]))}: {text}"
+    beams = sorted((one for one in members if one.kind == "beam"), key=lambda one: middle(one)[::-1])
+    for (y, text), run in groupby(beams, key=lambda one: (middle(one)[1], words(one))):
+        alike = list(run)
+        xs = [middle(one)[0] for one in alike]
+        order = sorted(xs, key=lambda x: abs(x - float(np.mean(xs))))
+        sides = (("bottom", 0.025), ("top", -0.03))
+        spots = [Spot(x + d, y + dy, "center", va) for va, dy in sides for d in (0.0, 0.15) for x in order]
+        if not sheet.place(spots, text):
+            yield f"beams from {alike[0].name}: {text}"
+    seen: set[str] = set()
+    for one in (one for one in members if one.kind == "brace"):
+        (x0, y0), (x1, y1) = ends[one.name]
+        place = one.name.rpartition("_")[0]
+        if place in seen:  # the other one of a pair
+            continue
+        seen.add(place)
+        if x1 < x0:
+            (x0, y0), (x1, y1) = (x1, y1), (x0, y0)
+        angle = math.degrees(math.atan2(y1 - y0, x1 - x0))
+        c, s = math.cos(math.radians(angle)), math.sin(math.radians(angle))
+        spots = [
+            Spot(
+                x0 + share * (x1 - x0) - 0.03 * side * s, y0 + share * (y1 - y0) + 0.03 * side * c, "center", va, angle
+            )
+            for side, va in ((1.0, "bottom"), (-1.0, "top"))
+            for share in ((0.3, 0.7, 0.5) if one.bracing == "cross" else (0.5, 0.35, 0.65))
+        ]
+        if not sheet.place(spots, words(one)):
+            yield f"brace {one.name}: {words(one)}"
