@@ -10,6 +10,7 @@ from functools import lru_cache
 import numpy as np
 
 INCH = 72.0  # points
+CELLS = 2  # an inch, in which boxes are sorted
 
 
 @dataclass(frozen=True)
@@ -57,15 +58,45 @@ def corners_of(spot: Spot, wide: float, high: float) -> np.ndarray:
     return np.asarray(box @ np.array([[c, s], [-s, c]]) + np.array([spot.x, spot.y]))
 
 
-def meets(box: np.ndarray, others: np.ndarray) -> bool:
-    """Whether a rectangle has an area in common with one of others, (n, 4, 2): no side of either separates them."""
-    if not len(others):
-        return False
-    low, high = others.min(axis=1), others.max(axis=1)
-    near = others[np.all(low < box.max(axis=0), axis=1) & np.all(high > box.min(axis=0), axis=1)]
-    for other in near:
-        normals = np.concatenate([np.diff(corners[:3], axis=0) for corners in (box, other)])
-        mine, its = box @ normals.T, other @ normals.T
-        if np.all(mine.max(axis=0) > its.min(axis=0) + 1e-9) and np.all(its.max(axis=0) > mine.min(axis=0) + 1e-9):
-            return True
-    return False
+Bounds = tuple[float, float, float, float]
+"""Left, low, right, high."""
+
+
+class Boxes:
+    """Rectangles in inches, found again by where they are."""
+
+    def __init__(self) -> None:
+        self._cells: dict[tuple[int, int], list[tuple[Bounds, np.ndarray]]] = {}
+
+    def add(self, box: np.ndarray) -> None:
+        """Add a rectangle by its corners, (4, 2)."""
+        bounds = _bounds(box)
+        for cell in _cells(bounds):
+            self._cells.setdefault(cell, []).append((bounds, box))
+
+    def meet(self, box: np.ndarray) -> bool:
+        """Whether a rectangle has an area in common with one of these."""
+        bounds = left, low, right, high = _bounds(box)
+        return any(
+            right > u0 and left < u1 and high > v0 and low < v1 and _overlap(box, other)
+            for cell in _cells(bounds)
+            for (u0, v0, u1, v1), other in self._cells.get(cell, ())
+        )
+
+
+def _bounds(box: np.ndarray) -> Bounds:
+    xs, ys = box.T.tolist()
+    return min(xs), min(ys), max(xs), max(ys)
+
+
+def _cells(bounds: Bounds) -> list[tuple[int, int]]:
+    left, low, right, high = (math.floor(CELLS * value) for value in bounds)
+    return [(column, row) for column in range(left, right + 1) for row in range(low, high + 1)]
+
+
+def _overlap(box: np.ndarray, other: np.ndarray) -> bool:
+    """Whether two rectangles have an area in common: no side of either separates them."""
+    normals = np.concatenate([np.diff(corners[:3], axis=0) for corners in (box, other)])
+    mine, its = box @ normals.T, other @ normals.T
+    apart = (mine.max(axis=0) <= its.min(axis=0) + 1e-9) | (its.max(axis=0) <= mine.min(axis=0) + 1e-9)
+    return not bool(apart.any())

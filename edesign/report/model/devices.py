@@ -20,7 +20,7 @@ from edesign.report.model.words import brace_words, chosen, device_size, law_col
 LONG, HIGH = 0.2, 0.085  # of the sign of a damper, inches
 UNDER = 0.075  # of a damper on a chevron, below the beam
 COLUMN = 0.25  # from the drawing to the sizes beside it
-ROW = 0.11  # height of a line of them
+ROW = 0.125  # height of a line of them
 TUNED = "#7b3f98"
 KINDS = {
     "chevron": "on a chevron brace",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 from edesign.project.building import Building
@@ -12,7 +12,7 @@ from edesign.project.study.study import Study
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.report.model.figures import Named, project_figures
 from edesign.report.model.study import study_figures
-from edesign.report.model.write import heading_of, write_drawings
+from edesign.report.model.write import PAGE, origin, write_drawings
 
 
 def draw_model(file: FileModel, path: Path) -> list[Path]:
@@ -28,18 +28,18 @@ def draw_model(file: FileModel, path: Path) -> list[Path]:
     Raises:
         InputError: the model has a mistake that is found when it is built.
     """
-    title = str(getattr(file, "title", file.path.stem))
-    return write_drawings(drawings_of(file, title), path, title)
+    title, about = str(getattr(file, "title", "") or file.path.stem), origin(file)
+    heading = () if path.suffix.lower() == PAGE else (title, about)
+    return write_drawings(drawings_of(file, heading), path, title, about)
 
 
-def drawings_of(file: FileModel, title: str) -> Iterator[Named]:
+def drawings_of(file: FileModel, heading: Sequence[str] = ()) -> Iterator[Named]:
     """Give the drawings of a file's model: name, caption, figure.
 
     Args:
         file: as `draw_model`.
-        title: that stands above each drawing.
+        heading: lines above each drawing; (): none.
     """
-    heading = heading_of(file, title)
     if isinstance(file, Study):
         yield from study_figures(file, {}, heading)
     elif isinstance(file, Building):

@@ -13,12 +13,12 @@ from edesign.report.model.sheet import FAINT, SMALLEST, SOFT, TEXT, Point, Sheet
 WIDEST, TALLEST = 4.9, 6.4  # inches of a frame
 MANY, OF_MANY = 6, 6.6  # bays, from which a frame may be that wide
 LARGEST = 0.6  # inches a metre
-LEAST_BAY, LEAST_STOREY = 0.75, 0.42  # inches, for which frames of another shape are drawn at two scales
-DIMENSIONS, TOTAL, NAMES = 0.5, 0.68, 0.88  # of rows below the base, inches
-HEIGHTS, LEVELS = 0.3, 0.4  # of columns left of the frame
+LEAST_BAY, LEAST_STOREY = 0.75, 0.5  # inches, for which frames of another shape are drawn at two scales
+DIMENSIONS, TOTAL, NAMES = 0.5, 0.69, 0.9  # of rows below the base, inches
+HEIGHTS, LEVELS = 0.3, 0.42  # of columns left of the frame
 LEANING = 0.5  # of the last bay, from the frame to its leaning column
-BUBBLE = 0.105
-FLOORS = 0.42  # of the numbers of floors left of their levels
+BUBBLE = 0.11
+FLOORS = 0.08  # between numbers of floors and their levels
 
 
 @dataclass(frozen=True)
@@ -172,12 +172,13 @@ def _levels(sheet: Sheet, grid: Grid, left: float) -> None:
     """Floors with their levels above the base, m; the base and the roof first, the others where there is room."""
     x = left - text_size("0.00", TEXT)[1]
     last = len(grid.ys) - 1
+    numbers = x - max(text_size(f"{level:+.2f}", TEXT)[0] for level in grid.ys) - FLOORS
     for floor in (0, last, *range(1, last)):
         y = grid.up * grid.ys[floor]
         text = f"{grid.ys[floor]:+.2f}" if floor else "±0.00"
         if sheet.place([Spot(x, y + 0.01, "right", "bottom")], text):
-            sheet.line((x - 0.33, y), (x + 0.05, y), color=SOFT, width=0.5)
-            sheet.place([Spot(x - FLOORS, y + 0.01, "right", "bottom")], str(floor), (6.0,), SOFT)
+            sheet.line((numbers + FLOORS, y), (x + 0.05, y), color=SOFT, width=0.5)
+            sheet.place([Spot(numbers, y + 0.01, "right", "bottom")], str(floor), (TEXT,), SOFT)
     top = grid.top + 0.2
     sheet.text(Spot(x, top, "right", "bottom"), "level [m]", SMALLEST, SOFT)
-    sheet.text(Spot(x - FLOORS, top, "right", "bottom"), "floor", SMALLEST, SOFT)
+    sheet.text(Spot(min(numbers, x - 0.45), top, "right", "bottom"), "floor", SMALLEST, SOFT)

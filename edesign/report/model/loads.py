@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import groupby
 
@@ -109,21 +109,17 @@ def g_and_q(load: G_Q) -> str:
 
 def _uniform(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     frame = place.frame
+    xs = [place.across * x for x in frame.x]
+    bands = [(xs[b - 1], xs[b], place.up * frame.y[floor], _high(place, floor)) for b, floor in found.uniform]
+    _bands(sheet, bands)
     for floor in range(1, frame.n_storeys + 1):
-        y = place.up * frame.y[floor]
         loaded = [bay for bay in range(1, frame.n_bays + 1) if (bay, floor) in found.uniform]
         for load, run in groupby(loaded, key=lambda bay, f=floor: found.uniform[bay, f]):  # type: ignore[misc]
             bays = list(run)
-            for bay in bays:
-                left, right = (place.across * frame.x[k] for k in (bay - 1, bay))
-                high = _high(place, floor)
-                box = [(left, y), (right, y), (right, y + high), (left, y + high)]
-                sheet.shape(box, AREA, AFTER, 0.5, zorder=1.0)
-                _rows(sheet, left, right, y, high)
-            text = g_and_q(load)
-            order = sorted(bays, key=lambda b: abs(b - bays[(len(bays) - 1) // 2]))
+            middle = bays[(len(bays) - 1) // 2]
+            order = sorted(bays, key=lambda bay, m=middle: abs(bay - m))[:8]  # type: ignore[misc]
             spots = [_above(place, bay, share, floor) for share in (0.5, 0.3, 0.7) for bay in order]
-            yield _Label(spots, text, f"floor {floor}, bays {bays[0]}-{bays[-1]}")
+            yield _Label(spots, g_and_q(load), f"floor {floor}, bays {bays[0]}-{bays[-1]}")
 
 
 def _high(place: Elevation, floor: int) -> float:
@@ -138,12 +134,16 @@ def _above(place: Elevation, bay: int, share: float, floor: int, lift: float = 0
     return Spot(at[0], at[1] + _high(place, floor) + lift, "center", "bottom")
 
 
-def _rows(sheet: Sheet, left: float, right: float, y: float, high: float) -> None:
-    """Arrows of a line load, downwards."""
-    count = max(2, round((right - left) / 0.16))
-    xs = [left + (i + 0.5) * (right - left) / count for i in range(count)]
-    sheet.lines([((x, y + high), (x, y + 0.01)) for x in xs], AFTER, 0.4)
-    sheet.dots([(x, y + 0.02) for x in xs], 1.6, AFTER, AFTER, marker="v", mew=0.2)
+def _bands(sheet: Sheet, bands: Sequence[tuple[float, float, float, float]]) -> None:
+    """Line loads downwards: rectangles (left, right, low, height in inches) with arrows."""
+    boxes = [[(left, y), (right, y), (right, y + high), (left, y + high)] for left, right, y, high in bands]
+    sheet.shapes(boxes, AREA, AFTER, 0.5, 1.0)
+    arrows = []
+    for left, right, y, high in bands:
+        count = max(2, round((right - left) / 0.16))
+        arrows += [(left + (i + 0.5) * (right - left) / count, y, high) for i in range(count)]
+    sheet.lines([((x, y + high), (x, y + 0.01)) for x, y, high in arrows], AFTER, 0.4)
+    sheet.dots([(x, y + 0.02) for x, y, _ in arrows], 1.6, AFTER, AFTER, marker="v", mew=0.2)
 
 
 def _parts(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
@@ -224,8 +224,7 @@ def _base(sheet: Sheet, place: Elevation, project: Project) -> Iterator[_Label]:
         return
     base = project.isolation.base
     if base.G or base.Q:
-        sheet.shape([(0.0, 0.0), (place.width, 0.0), (place.width, BAND), (0.0, BAND)], AREA, AFTER, 0.5, zorder=1.0)
-        _rows(sheet, 0.0, place.width, 0.0, BAND)
+        _bands(sheet, [(0.0, place.width, 0.0, BAND)])
         text = g_and_q((base.G, base.Q))
         spots = [Spot(share * place.width, BAND + 0.02, "center", "bottom") for share in (0.5, 0.4, 0.6)]
         yield _Label(spots, text, "isolated base")
@@ -257,5 +256,4 @@ def load_entries(project: Project) -> list[Entry]:
 
 
 def _band_sign(sheet: Sheet, x: float, y: float) -> None:
-    sheet.shape([(x, y - 0.04), (x + 0.28, y - 0.04), (x + 0.28, y + 0.05), (x, y + 0.05)], AREA, AFTER, 0.5)
-    _rows(sheet, x, x + 0.28, y - 0.04, 0.09)
+    _bands(sheet, [(x, x + 0.28, y - 0.04, 0.09)])

@@ -64,14 +64,14 @@ def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float],
     """Columns of numbers beside the floors, with their sums below."""
     frame = place.frame
     left = max(sheet.right, place.width) + 0.3
-    above = place.top + 0.24
-    below = -0.3
+    above = place.top + 0.26
+    below = -0.32
     order = [frame.n_storeys, *range(frame.n_storeys - 1, -1, -1)]
     untold: dict[int, list[str]] = {}
     for header, values, unit in columns:
         words, _, label = header.rpartition(" ")
         sheet.text(Spot(left + 0.45, above, "right", "bottom"), words, SMALLEST, SOFT)
-        sheet.text(Spot(left + 0.45, above - 0.09, "right", "bottom"), label, SMALLEST, SOFT)
+        sheet.text(Spot(left + 0.45, above - 0.1, "right", "bottom"), label, SMALLEST, SOFT)
         for floor in order:
             if values[floor]:
                 text = short(values[floor] / unit)
@@ -79,7 +79,7 @@ def _table(sheet: Sheet, place: Elevation, columns: list[tuple[str, list[float],
                     untold.setdefault(floor, []).append(f"{words} {text} {label[1:-1]}")
         sheet.line((left, below + 0.1), (left + 0.45, below + 0.1), color=SOFT, width=0.5)
         sheet.text(Spot(left + 0.45, below, "right"), short(sum(values) / unit))
-        left += 0.68
+        left += 0.72
     if columns:
         sheet.text(Spot(left - 0.1, below, "left"), "in all", SMALLEST, SOFT)
     for floor, texts in untold.items():

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from edesign.report.drawing.style import styled
-from edesign.report.model.boxes import INCH, Spot, corners_of, meets, text_size, wrapped
+from edesign.report.model.boxes import INCH, Boxes, Spot, corners_of, text_size, wrapped
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -17,12 +17,14 @@ if TYPE_CHECKING:
 Point = tuple[float, float]
 INK, SOFT, FAINT = "#1c2430", "#6b7480", "#c9ced6"
 """Colours of members and texts, of what explains them, and of grid lines."""
-TEXT = 6.5  # points, of labels
-SMALLEST = 5.5
+TEXT = 7.5  # points, of labels
+SMALLEST = 6.0
 GAP = 0.012  # inches between texts
+MOST_SPOTS = 24  # that are tried for a text
+MOST_UNWRITTEN = 12  # texts without room that are listed
 MARGIN = 0.08  # around the drawing, inches
 HANDLE = 0.36  # width of a sign in the legend
-LINE = 0.125  # height of a line of the legend
+LINE = 0.145  # height of a line of the legend
 
 
 @dataclass(frozen=True)
@@ -49,8 +51,7 @@ class Sheet:
         self.figure = Figure(figsize=(1.0, 1.0))
         self.axes = self.figure.add_axes((0.0, 0.0, 1.0, 1.0))
         self.axes.set_axis_off()
-        self._texts: list[np.ndarray] = []
-        self._signs: list[np.ndarray] = []
+        self._texts, self._signs = Boxes(), Boxes()
         self._low, self._high = np.full(2, np.inf), np.full(2, -np.inf)
 
     # --- lines and shapes
@@ -76,11 +77,25 @@ class Sheet:
         self, points: Sequence[Point], face: str = "white", edge: str = INK, width: float = 0.6, zorder: float = 2.0
     ) -> None:
         """Draw a closed shape."""
-        from matplotlib.patches import Polygon
+        self.shapes([points], face, edge, width, zorder)
 
-        corners = np.asarray(points, dtype=float)
-        self.axes.add_artist(Polygon(corners, closed=True, fc=face, ec=edge, lw=width, zorder=zorder))
-        self._reach(corners)
+    def shapes(
+        self,
+        several: Iterable[Sequence[Point]],
+        face: str = "white",
+        edge: str = INK,
+        width: float = 0.6,
+        zorder: float = 2.0,
+    ) -> None:
+        """Draw closed shapes of one look as one path."""
+        from matplotlib.patches import PathPatch
+        from matplotlib.path import Path
+
+        corners = [np.asarray([*points, points[0]], dtype=float) for points in several]
+        if corners:
+            path = Path.make_compound_path(*(Path(points, closed=True) for points in corners))
+            self.axes.add_artist(PathPatch(path, fc=face, ec=edge, lw=width, zorder=zorder))
+            self._reach(np.concatenate(corners))
 
     def dots(self, at: Sequence[Point], size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
         """Draw circles, or other signs by `marker`, of a size in points."""
@@ -96,21 +111,21 @@ class Sheet:
 
     def block(self, x: float, y: float, wide: float, high: float) -> None:
         """Keep texts that have a choice away from a rectangle about a point."""
-        self._signs.append(corners_of(Spot(x, y), wide, high))
+        self._signs.add(corners_of(Spot(x, y), wide, high))
 
     # --- texts
 
     def text(self, spot: Spot, words: str, size: float = TEXT, color: str = INK, **style: Any) -> None:
         """Write a text where it is wanted, whatever stands there."""
         box = self._box(spot, words, size)
-        self._texts.append(box)
+        self._texts.add(box)
         self._write(spot, words, size, color, box, style)
 
     def place(
         self,
         spots: Iterable[Spot],
         words: str,
-        sizes: Sequence[float] = (TEXT, 6.0, SMALLEST),
+        sizes: Sequence[float] = (TEXT, 6.8, SMALLEST),
         color: str = INK,
         **style: Any,
     ) -> bool:
@@ -119,14 +134,13 @@ class Sheet:
         Returns:
             Whether there was room.
         """
-        wanted = list(spots)
-        for avoided in (self._texts + self._signs, self._texts):
-            there = np.array(avoided) if avoided else np.empty((0, 4, 2))
+        wanted = list(spots)[:MOST_SPOTS]
+        for over_signs in (False, True):
             for size in sizes:
                 for spot in wanted:
                     box = self._box(spot, words, size)
-                    if not meets(box, there):
-                        self._texts.append(box)
+                    if not self._texts.meet(box) and (over_signs or not self._signs.meet(box)):
+                        self._texts.add(box)
                         self._write(spot, words, size, color, box, style)
                         return True
         return False
@@ -193,7 +207,7 @@ class Sheet:
         for i, words in enumerate(lines):
             fitted = wrapped(words, room, TEXT)
             text = fitted[0] if len(fitted) == 1 else f"{fitted[0]} …"
-            self.text(Spot(float(self._low[0]), y - i * LINE, "left", "bottom"), text, 7.5 if i == 0 else TEXT)
+            self.text(Spot(float(self._low[0]), y - i * LINE, "left", "bottom"), text, 9.0 if i == 0 else TEXT)
 
     def finish(self) -> Figure:
         """Give the figure the size of what is drawn, and return it."""
@@ -216,7 +230,9 @@ class Sheet:
 
 def unwritten(texts: Sequence[str]) -> list[Entry]:
     """Return what did not fit into a drawing as a line of its legend; none if all did."""
-    return [Entry(f"Not written in the drawing for want of room: {'; '.join(texts)}.")] if texts else []
+    more = len(texts) - MOST_UNWRITTEN
+    listed = "; ".join(texts[:MOST_UNWRITTEN]) + (f"; and {more} more, as the file says" if more > 0 else "")
+    return [Entry(f"Not written in the drawing for want of room: {listed}.")] if texts else []
 
 
 def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figure:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from edesign._version import __version__
 from edesign.archive.files import check_file, write_text, write_whole
-from edesign.errors import InputError
+from edesign.errors import ArchiveError, InputError
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.drawing.style import FORMATS, garbage_between_figures, in_style_of_figures, save
@@ -17,9 +17,8 @@ from edesign.report.model.figures import Named
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SUFFIXES = (*(f".{name}" for name in FORMATS), ".html")
-PAGES = (".pdf", ".html")
-"""Of files that take all drawings."""
+PAGE = ".html"
+SUFFIXES = (*(f".{name}" for name in FORMATS), PAGE)
 
 
 def default_figure_path(path: Path) -> Path:
@@ -38,21 +37,23 @@ def check_figure_path(path: Path) -> None:
     if suffix not in SUFFIXES:
         near = did_you_mean(suffix, SUFFIXES) if suffix else ""
         raise InputError(f"{path}: a drawing of the model ends in {', '.join(SUFFIXES)}{near}")
+    if not path.parent.is_dir():
+        raise ArchiveError(f"{path}: cannot be written: the folder {path.parent} does not exist")
     check_file(path)
 
 
-def heading_of(file: FileModel, title: str) -> tuple[str, str]:
-    """Return the lines above drawings of a file: its title; its name, checksum and the version that drew it."""
-    return title, f"{file.path.name}, SHA-256 {file.checksum[:16]}, edesign {__version__}"
+def origin(file: FileModel) -> str:
+    """Return what drawings are of: name and checksum of a file, and the version that drew it."""
+    return f"{file.path.name}, SHA-256 {file.checksum[:16]}, edesign {__version__}"
 
 
-def write_drawings(drawings: Iterable[Named], path: Path, title: str) -> list[Path]:
+def write_drawings(drawings: Iterable[Named], path: Path, title: str, about: str) -> list[Path]:
     """Write drawings into one file of several pages, or into one file each.
 
     Args:
         drawings: name, caption, figure.
         path: .pdf and .html take all of them; of .svg and .png the second file is `NAME_loads`, and so on.
-        title: of a page.
+        title, about: of a page, and the line below.
 
     Returns:
         The files, whole or not there at all.
@@ -65,8 +66,8 @@ def write_drawings(drawings: Iterable[Named], path: Path, title: str) -> list[Pa
     if suffix == ".pdf":
         _pdf(drawings, path)
         return [path]
-    if suffix == ".html":
-        _page(drawings, path, title)
+    if suffix == PAGE:
+        _page(drawings, path, title, about)
         return [path]
     written: list[Path] = []
     with garbage_between_figures() as collect:
@@ -95,11 +96,11 @@ def _figures(drawings: Iterable[Named]) -> Iterator[Figure]:
         yield figure
 
 
-def _page(drawings: Iterable[Named], path: Path, title: str) -> None:
+def _page(drawings: Iterable[Named], path: Path, title: str, about: str) -> None:
     from edesign.report.page.render import Cover, render
     from edesign.report.page.section import Section
     from edesign.report.page.source import picture_of
 
     pictures = tuple(picture_of(name, caption, figure) for name, caption, figure in drawings)
     section = Section("model", "The model", (), pictures)
-    write_text(render(Cover(title, "Model", "", "", f"Drawn by edesign {__version__}."), [section]), path)
+    write_text(render(Cover(title, "Model", about, "", f"Drawn by edesign {__version__}."), [section]), path)
