@@ -16,7 +16,7 @@ from edesign.report.model.masses import draw_masses
 from edesign.report.model.members import draw_frame_members, draw_sections, member_steels
 from edesign.report.model.sheet import Entry, Sheet, on_sheet, unwritten
 from edesign.report.model.supports import draw_supports
-from edesign.report.model.words import short, steels_of
+from edesign.report.model.words import section_words, short, steels_of
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -91,8 +91,8 @@ def geometry_figure(project: Project, heading: Sequence[str] = (), tested: Colle
         drawn = draw_devices(sheet, place, project, tested=tested)
         left_out = draw_sections(sheet, project, place)
         left_out += draw_sizes(sheet, place, project)
-        entries += [*drawn.entries, *_materials(project), *_rigid_floors(project)]
-        entries += [Entry("spans, heights and levels in m"), *unwritten(left_out)]
+        entries += [*drawn.entries, *_own_sections(project), *_materials(project)]
+        entries += [*_rigid_floors(project), Entry("spans, heights and levels in m"), *unwritten(left_out)]
         sheet.legend(entries, WIDTH)
 
     return on_sheet(draw, heading)
@@ -138,6 +138,11 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
 
 def _scales(project: Project) -> str:
     return "" if Elevation.of_frame(project.frame).true else " Widths and heights have different scales."
+
+
+def _own_sections(project: Project) -> list[Entry]:
+    used = dict.fromkeys(run.section for run in project.frame.members.values())
+    return [Entry(section_words(name, project.sections[name])) for name in used if name in project.sections]
 
 
 def _materials(project: Project) -> list[Entry]:

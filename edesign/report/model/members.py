@@ -76,7 +76,7 @@ def _leaning(sheet: Sheet, place: Elevation, color: str) -> None:
 def draw_sections(sheet: Sheet, project: Project, place: Elevation) -> list[str]:
     """Write the section of each run of equal members beside it; return those for which there is no room, in words."""
     writer = _Sections(sheet, place, several_steels(member_steels(project.frame)))
-    return [*writer.columns(), *writer.beams(), *writer.braces()]
+    return [*writer.beams(), *writer.columns(), *writer.braces()]
 
 
 def member_steels(frame: Frame) -> list[tuple[str, str]]:
@@ -120,7 +120,7 @@ class _Sections:
             standing = [b for b in range(1, frame.n_bays + 1) if (b, floor) in frame.beam_at]
             for text, run in groupby(standing, key=lambda b, f=floor: self._words(frame.beam_at[b, f])):  # type: ignore[misc]
                 bays = list(run)
-                order = sorted(bays, key=lambda b: abs(b - bays[(len(bays) - 1) // 2]))
+                order = sorted(bays, key=lambda b: abs(b - bays[(len(bays) - 1) // 2]))[:4]
                 spots = []
                 for va, shift in (("bottom", 0.025), ("top", -0.03)):
                     for share in (0.5, 0.35, 0.65):

@@ -7,6 +7,7 @@ from pathlib import Path
 
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
+from edesign.project.frame.sections import ElasticSection, PlateSection, Section
 from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.report.drawing.style import VARIANTS
@@ -142,3 +143,15 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
     if text == "all":
         return f"all {what}s"
     return f"{what} {text}" if text.isalnum() else f"{what}s {text.strip('[]')}"
+
+
+def section_words(name: str, section: Section) -> str:
+    """Return what a section of the project's own is."""
+    if isinstance(section, PlateSection):
+        sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
+        return f"{name}: welded I {sizes} mm, flanges {1e3 * section.flange:g} mm, web {1e3 * section.web:g} mm"
+    if isinstance(section, ElasticSection):
+        inertia = f", I = {short(section.inertia * 1e8)} cm⁴" if section.inertia is not None else ""
+        return f"{name}: elastic, A = {short(section.area * 1e4)} cm²{inertia}"
+    parts = [f"{1e3 * one.width:g} × {1e3 * one.depth:g} mm at {1e3 * one.centre:g} mm" for one in section.rectangles]
+    return f"{name}: rectangles {', '.join(parts[:4])}{' …' if len(parts) > 4 else ''}"

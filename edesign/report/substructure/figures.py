@@ -11,6 +11,7 @@ from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.method_figures import method_figures
+from edesign.report.substructure.model_figures import tested_structures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 
 SUBSTRUCTURE_FIGURES = (
     loop_diagrams,
+    tested_structures,
     rig_figures,
     map_figures,
     tracking_figures,

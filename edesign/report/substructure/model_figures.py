@@ -14,6 +14,7 @@ from edesign.report.model.supports import SIGNS
 from edesign.report.model.words import short
 from edesign.report.substructure.diagram import loop_diagram
 from edesign.report.substructure.file import described_tests
+from edesign.report.substructure.results import SubstructureResults
 
 STOREY, FLOOR = 0.45, 0.5  # height of a storey, and half the width of a floor, inches
 MOST = 20
@@ -45,6 +46,12 @@ def structure_figures(file: RtsFile, heading: Sequence[str] = ()) -> Iterator[Na
         caption = f"The structure of the tests; the specimen stands in storey {structure.storey}."
         above = (*heading, caption.rstrip(".")) if heading else ()
         yield "model_structure", caption, on_sheet(lambda sheet: _shear_building(sheet, structure), above)
+
+
+def tested_structures(results: SubstructureResults) -> Iterator[Named]:
+    """Give the structure of archived tests; none if their file cannot be read."""
+    if results.described.file is not None:
+        yield from structure_figures(results.described.file)
 
 
 def _shear_building(sheet: Sheet, building: ShearBuilding) -> None:

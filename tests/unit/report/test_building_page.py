@@ -49,9 +49,10 @@ def results(ran: tuple[Path, ElasticDesign]) -> Iterator[BuildingResults]:
 def test_the_page_has_all_sections_and_figures(ran: tuple[Path, ElasticDesign]) -> None:
     page = page_text(ran[0])
     anchors = re.findall(r'<section id="([a-z-]+)"', page)
-    expected = "building structure action natural-modes storeys members capacity foundations others"
+    expected = "building model structure action natural-modes storeys members capacity foundations others"
     assert anchors == [*expected.split(), "combinations", "provenance"]
     figures = re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page)
+    assert figures[0].startswith("model_")
     assert {"plan_1", "building_spectra", "building_modes", "building_storeys", "elevation_X2"} <= set(figures)
     assert page.count("<details>") >= len(set(member.group for member in ran[1].frame.members))
     assert "<sub>b,y,Rd</sub>" in page and "could not be drawn" not in page
@@ -122,8 +123,10 @@ def test_groups_without_a_table_of_their_own_have_one(results: BuildingResults, 
 
 def test_figures_are_drawn_as_files(results: BuildingResults) -> None:
     names = [name for name, _, _ in all_figures(results.archive)]
-    assert names[:4] == ["plan_1", "building_spectra", "building_modes", "building_storeys"]
-    assert {name.rpartition("_")[0] for name in names[4:]} == {"elevation"}
+    first = names.index("building_spectra")  # the model stands before
+    assert "plan_1" in names[:first] and all(name.startswith(("model_", "plan_")) for name in names[:first])
+    assert names[first : first + 3] == ["building_spectra", "building_modes", "building_storeys"]
+    assert {name.rpartition("_")[0] for name in names[first + 3 :]} == {"elevation"}
 
 
 def test_plans_of_storeys_that_are_alike_are_one(results: BuildingResults) -> None:

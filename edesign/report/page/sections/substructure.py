@@ -21,7 +21,7 @@ from edesign.report.substructure.diagram import loop_diagrams
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.method_figures import method_figures
-from edesign.report.substructure.model_figures import structure_figures
+from edesign.report.substructure.model_figures import tested_structures
 from edesign.report.substructure.response_figures import energy_error_figures, loop_figures, response_figures
 from edesign.report.substructure.results import NONE, SubstructureResults
 from edesign.report.substructure.rig_figures import rig_figures
@@ -184,17 +184,12 @@ def _listed(names: Iterable[str]) -> str:
     return f"{', '.join(most)} and {last}" if most else last
 
 
-def _structure(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    if results.described.file is not None:
-        yield from structure_figures(results.described.file)
-
-
 def _tested(source: Source, results: SubstructureResults) -> Section:
     """File, structure, law, rig and loop in words and as a diagram."""
     described = results.described
     rows = described.rows()
     parts: list[Part] = [Facts(tuple(rows))] if rows else []
-    parts += _pictures(source, results, loop_diagrams, _structure)
+    parts += _pictures(source, results, loop_diagrams, tested_structures)
     driven = {test: str(results.driven(test).attributes.get("source") or "") for test in results.tests}
     motions = [(test, what) for test, what in driven.items() if what and results.is_closed(test)]
     parts += [Facts(tuple((f"Ground motion of {test}", what) for test, what in motions))] if motions else []
