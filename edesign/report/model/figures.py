@@ -142,6 +142,8 @@ def _scales(project: Project) -> str:
 
 def _own_sections(project: Project) -> list[Entry]:
     used = dict.fromkeys(run.section for run in project.frame.members.values())
+    beams = project.isolation.base.beams if project.isolation is not None else None
+    used |= {beams.section: None} if beams is not None else {}
     return [Entry(section_words(name, project.sections[name])) for name in used if name in project.sections]
 
 

@@ -23,7 +23,7 @@ GAP = 0.012  # inches between texts
 MOST_SPOTS = 24  # that are tried for a text
 MOST_UNWRITTEN = 12  # texts without room that are listed
 MARGIN = 0.08  # around the drawing, inches
-HANDLE = 0.36  # width of a sign in the legend
+HANDLE = 0.42  # width of a sign in the legend
 LINE = 0.145  # height of a line of the legend
 
 

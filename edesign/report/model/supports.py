@@ -94,13 +94,13 @@ def _translation(held: Horizontal | Vertical) -> str:
         parts = [f"{short(held.stiffness / 1e6)} MN/m"]
         parts += [f"yields at {short(held.resistance / 1e3)} kN"] if held.resistance is not None else []
         parts += ["lifts off"] if isinstance(held, VerticalSpring) and held.uplift else []
-        return " ".join(parts)
+        return ", ".join(parts)
     return held if isinstance(held, str) else f"{short(held / 1e6)} MN/m"
 
 
 def _rotation(held: Turning) -> str:
     if isinstance(held, YieldingRotation):
-        limit = f" yields at {short(held.resistance / 1e3)} kN m" if held.resistance is not None else ""
+        limit = f", yields at {short(held.resistance / 1e3)} kN m" if held.resistance is not None else ""
         return f"{short(held.stiffness / 1e6)} MN m/rad{limit}"
     return held if isinstance(held, str) else f"{short(held / 1e6)} MN m/rad"
 
@@ -139,7 +139,7 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
 
 def _base_device(project: Project, item: BaseDevice) -> str:
     size = device_size(project, item)
-    what = "isolator" if isinstance(item, Isolator) else "beside it"
+    what = "isolator" if isinstance(item, Isolator) else "beside the isolators:"
     parts = [f"{what} {item.law}{f', {size}' if size else ''}"]
     if isinstance(item, Isolator):
         parts.append(f"vertical {_translation(item.vertical)}")
