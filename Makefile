@@ -33,7 +33,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs-keys bench memcheck clean distclean
+.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs-keys bench memcheck wheel coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -47,6 +47,8 @@ help:
 	@echo "make slow      the tests that make test leaves out for their time; CI runs them too"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
 	@echo "make memcheck  C tests under valgrind, then random calls of the core under sanitizers"
+	@echo "make wheel     a source distribution and a wheel with SuiteSparse and SUNDIALS inside, in dist; what is in it"
+	@echo "make coverage  the Python tests with the lines that they run, of the package; build/coverage"
 	@echo "make setup     only the set-up of run;  make test-setup: only that of the tests"
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
@@ -59,7 +61,7 @@ help:
 
 # What the system must offer depends on the goal; a goal hands it to its prerequisites.
 SYSTEM := run
-test slow test-setup lint types layers ctest pytest bench format: SYSTEM := test
+test slow test-setup lint types layers ctest pytest bench format coverage: SYSTEM := test
 memcheck: SYSTEM := memcheck
 
 ifneq ($(VALID),yes)
@@ -99,6 +101,10 @@ $(STAMPS)/peers: $(STAMPS)/test
 	    $(INSTALL) "$$peer" >>$(STAMPS)/peers.log 2>&1 || \
 	        echo "edesign: notice: no $$peer for this system, comparisons with it are skipped ($(STAMPS)/peers.log)"; \
 	done <$(STAMPS)/peers.txt
+	@touch $@
+
+$(STAMPS)/wheel: $(STAMPS)/build tools/requirements.py
+	@$(PY) tools/requirements.py wheel >$(STAMPS)/wheel.txt && $(INSTALL) -r $(STAMPS)/wheel.txt
 	@touch $@
 
 setup: $(STAMPS)/build
@@ -158,9 +164,20 @@ pytest: $(STAMPS)/peers
 	@# files whole, as what their tests share is made once, and the long ones (cases, peers, published) first
 	@$(PY) -m pytest -n $(WORKERS) --dist loadfile --no-loadscope-reorder $(ARGS)
 
-slow: $(STAMPS)/peers
+slow: $(STAMPS)/peers $(STAMPS)/wheel
 	$(SAY) slow Python tests
 	@$(PY) -m pytest -n $(WORKERS) --dist worksteal -m slow
+
+wheel: $(STAMPS)/wheel
+	$(SAY) building a source distribution and a wheel
+	@$(PY) tools/wheel.py --folder dist
+
+# Statements of the package that the Python tests run. Processes that tests start count too.
+coverage: $(STAMPS)/peers
+	$(SAY) Python tests with coverage
+	@mkdir -p build/coverage
+	@$(PY) -m pytest -q -n $(WORKERS) --dist loadfile --no-loadscope-reorder --cov=edesign --cov-report= $(ARGS)
+	@$(BIN)/coverage report --skip-covered --sort=cover >build/coverage/report.txt; tail -n 3 build/coverage/report.txt
 
 memcheck: $(STAMPS)/build
 	@tools/setup_system.sh memcheck >/dev/null

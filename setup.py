@@ -1,8 +1,13 @@
-"""Build of the C core (edesign.core._edcore) with cffi; everything else is declared in pyproject.toml."""
+"""Build of the C core (edesign.core._edcore) with cffi; everything else is declared in pyproject.toml.
+
+cffi uses Python's stable interface, so that one wheel serves every version from 3.11 on: it says so in its tag,
+cp311-abi3. A Python without global lock has no stable interface; its wheel is for its version alone.
+"""
 
 from __future__ import annotations
 
 import os
+import sysconfig
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from typing import Any
@@ -36,4 +41,10 @@ class ParallelBuild(build_ext):
         super().build_extensions()
 
 
-setup(cffi_modules=["edesign/core/build.py:ffibuilder"], cmdclass={"build_ext": ParallelBuild})
+FREE_THREADED = bool(sysconfig.get_config_var("Py_GIL_DISABLED"))
+
+setup(
+    cffi_modules=["edesign/core/build.py:ffibuilder"],
+    cmdclass={"build_ext": ParallelBuild},
+    options={} if FREE_THREADED else {"bdist_wheel": {"py_limited_api": "cp311"}},
+)
