@@ -2,9 +2,9 @@
 
 Usage: wheel.py [--folder dist] [WHEEL]
 
-Makes FOLDER/edesign-VERSION.tar.gz of the files that git tracks (outside git: of those that the
-source distribution came with), then from that alone FOLDER/edesign-VERSION-cp311-abi3-PLATFORM.whl, into which
-auditwheel (Linux) or delocate (macOS) has copied SuiteSparse and SUNDIALS. With WHEEL nothing is built, and that wheel is looked at.
+Makes FOLDER/edesign-VERSION.tar.gz of the files that git tracks; outside git, of those that the sdist came with. From
+that alone it makes FOLDER/edesign-VERSION-cp311-abi3-PLATFORM.whl, into which auditwheel (Linux) or delocate (macOS)
+has copied SuiteSparse and SUNDIALS. With WHEEL nothing is built, and that wheel is looked at.
 
 Exit code 1 if the wheel lacks a file of the package or a licence, links what it does not carry, or tells where it was
 built. Needs the extra `wheel`. EDESIGN_CFLAGS, SUITESPARSE_ROOT and SUNDIALS_ROOT work as in every build.
