@@ -1,0 +1,82 @@
+"""The papers of the house: version numbers that agree, files that parse, links that lead somewhere."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+import edesign
+from edesign.calibrate.dampers.effects import MODULES
+from edesign.ground_motion.read import FORMATS
+
+ROOT = Path(__file__).parents[3]
+PAPERS = (
+    "CONTRIBUTING.md",
+    "CHANGELOG.md",
+    "docs/develop/versioning.md",
+    "docs/develop/packaging.md",
+    "licences/README.md",
+)
+NOT_FILES = {"CODE", "NAME", "PACKAGE", "FORMAT", "FILE", "VERSION"}
+
+
+def text(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_the_version_is_the_same_everywhere() -> None:
+    assert yaml.safe_load(text("CITATION.cff"))["version"] == edesign.__version__
+    first = re.search(r"^## \[(.+?)\](.*)$", text("CHANGELOG.md"), re.MULTILINE)
+    assert first is not None and edesign.__version__ in first[1] + first[2]
+
+
+def test_the_citation_has_what_its_schema_requires() -> None:
+    """Source: Citation File Format 1.2.0, required keys; `cffconvert --validate` reads the whole schema."""
+    assert {"cff-version", "message", "title", "authors"} <= yaml.safe_load(text("CITATION.cff")).keys()
+
+
+@pytest.mark.parametrize("path", sorted((ROOT / ".github").rglob("*.yml")), ids=lambda path: path.name)
+def test_files_of_the_forge_parse(path: Path) -> None:
+    found = yaml.safe_load(path.read_text(encoding="utf-8"))
+    assert isinstance(found, dict)
+    for job in found.get("jobs", {}).values():
+        assert job["timeout-minutes"] and job["runs-on"] and job["steps"]
+        for step in job["steps"]:
+            assert ("uses" in step) != ("run" in step)
+
+
+def test_workflows_call_targets_that_are_there() -> None:
+    targets = set(re.findall(r"^([\w-]+):", text("Makefile"), re.MULTILINE))
+    for workflow in (".github/workflows/test.yml", ".github/workflows/wheels.yml", "CONTRIBUTING.md"):
+        for line in text(workflow).splitlines():
+            called = re.search(r"(?:run: |^    |^          )make (?:-C \S+ )?([\w-]+)", line)
+            assert called is None or called[1] in targets, line
+
+
+@pytest.mark.parametrize("name", PAPERS)
+def test_links_and_files_that_are_named_are_there(name: str) -> None:
+    paper = text(name)
+    linked = [target for target in re.findall(r"\]\(([^)#]+?)(?:#[^)]*)?\)", paper) if "://" not in target]
+    assert [target for target in linked if not (ROOT / name).parent.joinpath(target).exists()] == []
+    named = re.findall(r"`((?:edesign|core_c|tests|docs|blind|tools|licences)/[\w./]+)`", paper)
+    missing = [path for path in named if not NOT_FILES & set(re.split(r"[/.]", path)) and not (ROOT / path).exists()]
+    assert missing == []
+
+
+def test_contributing_names_what_a_newcomer_must_change() -> None:
+    """The lists that it names are those of the code."""
+    paper = text("CONTRIBUTING.md")
+    assert (
+        MODULES and FORMATS and all(f"`{name}`" in paper for name in ("MODULES", "FORMATS", "_READERS", "FileFormat"))
+    )
+
+
+def test_cibuildwheel_runs_files_of_the_project() -> None:
+    config = tomllib.loads(text("pyproject.toml"))["tool"]["cibuildwheel"]
+    commands = [*config["test-command"], config["linux"]["before-all"], config["macos"]["before-all"]]
+    named = [path for command in commands for path in re.findall(r"\{project\}/(\S+)", command)]
+    assert len(named) == 3 and all((ROOT / path).exists() for path in named)
