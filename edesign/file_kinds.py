@@ -56,6 +56,17 @@ BUILDING = _kind("building file", "`edesign run` runs it", "edesign_building")
 SUBSTRUCTURE_TESTS = _kind("substructure test file", "`edesign rts run` runs it", "edesign_rts")
 SUITE = _kind("suite file", "`edesign match` and `spectrum` read it", "edesign_suite")
 REFERENCE = _kind("reference file", "`edesign compare ARCHIVE` puts an archive beside it", "edesign_reference")
+RIG = _kind("rig file", "a substructure test file names it by `rig: {file: ...}`", "rig", "compensators tests")
+LAW = _kind("law file", "projects and substructure tests name it by `law_file`", "type parameters")
+STRUCTURE_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "structure channels")
+PROPERTY_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "properties specimen")
+CAMPAIGN_OR_PROGRAMME = _kind(
+    "campaign or programme file", "`edesign calibrate` or `test` reads it", "specimen tests", "compensators rig"
+)
+STRUCTURE = _kind(
+    "structure file", "its `structure` goes into a campaign of records", "structure", "channels compensators rig tests"
+)
+NATIONAL = _kind("national data file", "a `hazard` names it by `country: NAME.yaml`", "zones")
 YAML_KINDS = (
     PROJECT,
     STUDY,
@@ -63,13 +74,15 @@ YAML_KINDS = (
     SUBSTRUCTURE_TESTS,
     SUITE,
     REFERENCE,
-    _kind("rig file", "a substructure test file names it by `rig: {file: ...}`", "rig", "compensators tests"),
-    _kind("law file", "projects and substructure tests name it by `law_file`", "type parameters"),
-    _kind("campaign file", "`edesign calibrate` reads it", "structure channels"),
-    _kind("campaign file", "`edesign calibrate` reads it", "properties specimen"),
-    _kind("campaign or programme file", "`edesign calibrate` or `test` reads it", "specimen tests", "compensators rig"),
+    RIG,
+    LAW,
+    STRUCTURE_CAMPAIGN,
+    PROPERTY_CAMPAIGN,
+    CAMPAIGN_OR_PROGRAMME,
 )
 """Those with a key of their own, then those that are known by several."""
+_FOR_CHECK = (STRUCTURE, NATIONAL)
+"""Which no command takes but `check`; they are known by a key that other files may have as well."""
 
 
 def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
@@ -80,7 +93,8 @@ def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
         own = next((kind for kind in YAML_KINDS if kind.keys == {key} and not kind.without), None)
         if own is not None:
             return own
-    return next((kind for kind in YAML_KINDS if kind.keys <= found and not kind.without & found), None)
+    several = (*YAML_KINDS, *_FOR_CHECK)
+    return next((kind for kind in several if kind.keys <= found and not kind.without & found), None)
 
 
 def kind_of_content(head: bytes) -> FileKind | None:

@@ -7,7 +7,7 @@ from pathlib import Path
 from edesign.project.reading.problems import listed
 from edesign.project.substructure.checks_structure import frequencies
 from edesign.project.substructure.programme import RecordTest
-from edesign.project.substructure.rig import RigInFile
+from edesign.project.substructure.rig import RigInFile, RigModel
 from edesign.project.substructure.rts_file import RtsFile
 from edesign.project.substructure.structure import ProjectStructure, ShearBuilding
 
@@ -52,8 +52,12 @@ def _specimen(rts: RtsFile) -> str:
 
 
 def _rig(rts: RtsFile) -> str:
-    plant = rts.plant
-    parts = [plant.kind + (f" of {rts.rig.file}" if isinstance(rts.rig, RigInFile) else "")]
+    return rig_text(rts.plant, f" of {rts.rig.file}" if isinstance(rts.rig, RigInFile) else "")
+
+
+def rig_text(plant: RigModel, origin: str = "") -> str:
+    """Return the kind of a rig and its values in a line; `origin` follows the kind."""
+    parts = [plant.kind + origin]
     for key, factor, unit in (
         ("frequency", 1.0, "Hz"),
         ("damping", 1.0, ""),

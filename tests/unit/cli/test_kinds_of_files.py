@@ -47,7 +47,7 @@ COMMANDS: dict[str, tuple[list[str], tuple[str, ...]]] = {
     "report": (["report", "FILE"], ("archive",)),
     "compare": (["compare", "FILE", "reference"], ("archive",)),
     "compare with": (["compare", "archive", "FILE"], ("reference",)),
-    "check": (["check", "FILE"], ("project", "study", "building", "tests")),
+    "check": (["check", "FILE"], (*TEXTS, "archive")),
     "run": (["run", "FILE"], ("project", "study", "building")),
     "design": (["design", "FILE"], ("building",)),
     "extract": (["extract", "FILE", "--frame", "A", "-o", "made.yaml"], ("building",)),
