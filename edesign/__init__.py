@@ -8,7 +8,7 @@ The functions behind the commands, loaded when first used:
     check_project(project) -> dict            edesign check
     check_study(study) -> dict                edesign check
     check_building(building) -> dict          edesign check
-    new_project(folder) -> Path               edesign new
+    new_project(folder, name, kind) -> Path   edesign new
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
     run_building(building, ...)               edesign run

