@@ -102,11 +102,18 @@ def _compensators(file: Path) -> Iterable[str]:
     return (str(name) for name in _keys(file, "compensators"))
 
 
+def _kinds() -> Iterable[str]:
+    from edesign.schema.kinds import KINDS
+
+    return KINDS
+
+
 template_names = _names(_templates)
 law_names = _names(_laws)
 section_names = _names(_sections)
 effect_names = _names(_effects)
 record_sources = _names(_suites)
+kind_names = _names(_kinds)
 analysis_names = _named(_analyses)
 archived_names = _named(_archived)
 compensator_names = _named(_compensators)

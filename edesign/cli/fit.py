@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from edesign.cli.complete import law_names
+
 if TYPE_CHECKING:
     from edesign.cli.fit_inputs import FitInput
     from edesign.damper.fitting import CrossValidation, Fit
@@ -23,7 +25,11 @@ def fit(
     ],
     law: Annotated[
         list[str] | None,
-        typer.Option("--law", help="Law to fit; more than one are compared. The campaign's if not said."),
+        typer.Option(
+            "--law",
+            help="Law to fit; more than one are compared. The campaign's if not said.",
+            autocompletion=law_names,
+        ),
     ] = None,
     against: Annotated[
         str | None, typer.Option("--against", help="forces (Eq. 4.32) or properties (Eqs. 4.30-4.31).")

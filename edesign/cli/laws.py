@@ -6,10 +6,15 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import law_names
+
 
 def laws(
     name: Annotated[
-        str | None, typer.Argument(help="One law: its parameters, equation and source.", show_default=False)
+        str | None,
+        typer.Argument(
+            help="One law: its parameters, equation and source.", show_default=False, autocompletion=law_names
+        ),
     ] = None,
 ) -> None:
     """Print the damper laws, or one law's parameters with unit, bounds and default."""

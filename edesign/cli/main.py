@@ -18,12 +18,14 @@ from edesign.cli.characterise import characterise
 from edesign.cli.check import check
 from edesign.cli.compare import compare
 from edesign.cli.design import design
+from edesign.cli.effects import effects
 from edesign.cli.extract import extract
 from edesign.cli.fit import fit
 from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
 from edesign.cli.quantities import quantities
+from edesign.cli.records import records
 from edesign.cli.report import report
 from edesign.cli.rts import app as rts
 from edesign.cli.run import run
@@ -48,17 +50,25 @@ _REFUSED = (
     *(errno.EACCES, errno.EPERM, errno.EROFS),
 )
 
+COMPLETE = "_EDESIGN_COMPLETE"
+"""Set in the environment by a shell that asks for completions."""
+COMPLETIONS = {"--install-completion", "--show-completion"}
+"""Options of typer's, which write to the user's shell configuration, or print what they would."""
+_NO_SHELL = "this shell is not known; completions are for bash, zsh, fish and PowerShell"
+
 app = typer.Typer(
     name="edesign",
     help="Seismic design and evaluation of steel moment frames.",
     epilog=EPILOG,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
 _PROJECTS = (new, check, run, design, show, compare, report, extract)
-_PARTS = (spectrum, match, sections, laws, quantities, schema, test, characterise, fit, calibrate)
+_PARTS = (
+    *(spectrum, match, records, sections, laws, effects, quantities, schema),
+    *(test, characterise, fit, calibrate),
+)
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)
 app.add_typer(rts)
@@ -102,6 +112,8 @@ def _run(words: list[str], debug: bool) -> int:
     try:
         with noting_inputs():
             code = app(words, prog_name="edesign", standalone_mode=False)  # which leaves errors and exit codes to this
+        if code == 1 and COMPLETIONS & {word.partition("=")[0] for word in words}:
+            return _fail(_NO_SHELL, InputError.exit_code, debug)
         sys.stdout.flush()
         if code == Interrupted.exit_code:  # what is made of a Ctrl-C between the steps that ask for it
             return _fail("interrupted", code, debug)
@@ -114,10 +126,14 @@ def _run(words: list[str], debug: bool) -> int:
         return _fail("interrupted", Interrupted.exit_code, debug)
     except EdesignError as error:
         return _fail(str(error), error.exit_code, debug)
-    except (BrokenPipeError, SystemExit):  # the reader of a pipe left, as `head` does; typer makes an exit of it
+    except BrokenPipeError:  # the reader of a pipe left, as `head` does
         _give_up_output()
         return 0
+    except SystemExit as error:
+        return _left(error)
     except OSError as error:
+        if COMPLETIONS & {word.partition("=")[0] for word in words}:
+            return _fail(f"{_name(error.filename)}: {error.strerror}", InputError.exit_code, debug)
         if error.errno in _REFUSED and error.filename is not None:  # a path of the user that no check has met
             return _fail(f"{_name(error.filename)}: {error.strerror}", InputError.exit_code, debug)
         if error.errno not in (errno.ENOSPC, errno.EDQUOT, errno.EIO):
@@ -126,6 +142,21 @@ def _run(words: list[str], debug: bool) -> int:
         return _fail(f"the output cannot be written: {error.strerror}", ArchiveError.exit_code, debug)
     except Exception as error:
         return _fail(_unexpected(error), 1, debug)
+
+
+def _left(error: SystemExit) -> int:
+    """The exit code where typer leaves by itself: when a shell has asked for completions, and as it took it that the
+    reader of a pipe left.
+    """
+    code = error.code if isinstance(error.code, int) else 0
+    if code == 0 or COMPLETE in os.environ:
+        try:
+            sys.stdout.flush()
+            return code
+        except BrokenPipeError:
+            code = 0
+    _give_up_output()
+    return 0
 
 
 def _name(path: object) -> str:

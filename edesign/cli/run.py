@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import analysis_names
 from edesign.errors import AnalysisError, InputError
 
 
@@ -18,7 +19,10 @@ def run(
     only: Annotated[
         list[str] | None,
         typer.Option(
-            "--only", metavar="NAME", help="Run this analysis only; may be repeated. Written to its own archive."
+            "--only",
+            metavar="NAME",
+            help="Run this analysis only; may be repeated. Written to its own archive.",
+            autocompletion=analysis_names,
         ),
     ] = None,
     folder: Annotated[

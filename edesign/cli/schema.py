@@ -7,11 +7,17 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import kind_names
+
 
 def schema(
     kind: Annotated[
         str | None,
-        typer.Argument(help="A kind of file, such as `project`; without it all of them.", show_default=False),
+        typer.Argument(
+            help="A kind of file, such as `project`; without it all of them.",
+            show_default=False,
+            autocompletion=kind_names,
+        ),
     ] = None,
     output: Annotated[
         Path | None,

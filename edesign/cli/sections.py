@@ -8,6 +8,8 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import section_names
+
 
 def sections(
     what: Annotated[
@@ -16,6 +18,7 @@ def sections(
             metavar="[FAMILY|NAME|PATTERN]",
             help="HEB, HE (all that begin so), a name as you write it, or a pattern such as 'UB457*' or 'W14x*'.",
             show_default=False,
+            autocompletion=section_names,
         ),
     ] = None,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of a table.")] = False,

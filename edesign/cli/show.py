@@ -10,12 +10,17 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import archived_names
+
 
 def show(
     archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")] = False,
     analysis: Annotated[
-        str | None, typer.Option("--analysis", "-n", metavar="NAME", help="Details of one analysis only.")
+        str | None,
+        typer.Option(
+            "--analysis", "-n", metavar="NAME", help="Details of one analysis only.", autocompletion=archived_names
+        ),
     ] = None,
     member: Annotated[
         str | None,

