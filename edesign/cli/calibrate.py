@@ -163,7 +163,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
         found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
-        lambda: calibration_page(found, workers=search.workers),
+        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),

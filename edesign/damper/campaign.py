@@ -27,6 +27,7 @@ from edesign.damper.test_files import (
 from edesign.damper.test_record import DamperTest, Use
 from edesign.errors import ArchiveError, InputError
 from edesign.input_files import spare_inputs
+from edesign.project.document import Document
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveTime
 from edesign.project.reading.base import Model
@@ -84,6 +85,7 @@ class CampaignFile(Model):
     """
 
     title: str = ""
+    document: Document = Document()
     specimen: SpecimenBlock
     law: CampaignLaw | None = None
     start: StartKind = "unknown"
@@ -102,6 +104,7 @@ class Campaign:
         path: the campaign file.
         title: for people.
         text: of the campaign file.
+        document: for the cover of a report.
     """
 
     specimen: Specimen
@@ -110,6 +113,7 @@ class Campaign:
     path: Path
     title: str = ""
     text: str = ""
+    document: Document = Document()
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
         """Tests to fit to, or those to compare with only."""
@@ -175,7 +179,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if wrong:
         raise InputError("\n".join(wrong))
     law = None if file.law is None else file.law.choice
-    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text)
+    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text, file.document)
 
 
 def write_campaign(

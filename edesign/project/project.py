@@ -18,6 +18,7 @@ from edesign.project.analysis.outputs import Outputs
 from edesign.project.analysis.validity import Validity
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.isolation import Isolation
+from edesign.project.document import Document
 from edesign.project.frame.elements import Elements
 from edesign.project.frame.foundations import Soil
 from edesign.project.frame.frame import Frame
@@ -66,6 +67,7 @@ class Project(RecordFiles, FileModel):
 
     edesign: FormatVersion
     title: Annotated[str, Field(min_length=1)]
+    document: Document = Document()
     frame: Frame
     sections: dict[Identifier, Section] = {}
     fibres: Fibres = Fibres()

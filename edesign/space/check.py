@@ -45,7 +45,7 @@ def check_building(building: Building) -> dict[str, str]:
         checked_hazard(building)
     _check_lists(building)
     frame = space_frame(with_steel_by_thickness(building))
-    warnings = _warnings(building)
+    warnings = building_warnings(building)
     return {
         "title": building.title,
         "plan": ", ".join(_bays(building.widths(along), along) for along in DIRECTIONS),
@@ -141,7 +141,7 @@ def _check_lists(building: Building) -> None:
             )
 
 
-def _warnings(building: Building) -> list[str]:
+def building_warnings(building: Building) -> list[str]:
     """What is allowed and may not be meant: unusual values and ends, columns that grow upwards."""
     found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)] + unusual_ends(building)
     at = building.layout.column_at

@@ -14,7 +14,9 @@ from edesign.archive.writer import ArchiveWriter
 from edesign.errors import ArchiveError
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
+from edesign.space.check import building_warnings
 from edesign.space.elastic_design import ElasticDesign, elastic_design
+from edesign.study.check.warnings import ATTRIBUTE
 from edesign.study.results.kinds import BUILDING
 from edesign.study.run.provenance import add_hazard_files, circumstances, versions
 
@@ -78,7 +80,10 @@ def write_building(building: Building, design: ElasticDesign, path: Path, select
     Raises:
         ArchiveError: the archive cannot be written.
     """
-    with ArchiveWriter(path, _root(building, building.path, path), extra={"provenance": circumstances()}) as writer:
+    root = _root(building, building.path, path)
+    name = f"{building.path.name}:"  # wherever the file stands
+    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in building_warnings(building)]
+    with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
         for place, group in groups(design):
             writer.write(place, group)
         if selection is not None:
@@ -90,6 +95,7 @@ def _root(building: Building, file: Path, path: Path) -> Group:
     root = Group(
         attributes={
             "title": building.title,
+            "document": dict(building.document.said),
             "kind": BUILDING,
             "building_file": file.name,
             "building_checksum": building.checksum,

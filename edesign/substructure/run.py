@@ -14,6 +14,7 @@ from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import InputError
+from edesign.project.document import Document
 from edesign.project.reading.problems import listed
 from edesign.project.substructure.programme import RtsTest
 from edesign.project.substructure.rts_file import RtsFile
@@ -170,9 +171,11 @@ def _planned(file: RtsFile) -> list[str]:
 
 
 def _root(file: RtsFile, path: Path) -> Group:
+    of_project = file.project.document if file.project is not None else Document()
     root = Group(
         attributes={
             "title": file.title or file.path.stem,
+            "document": dict(file.document.over(of_project).said),
             "kind": SUBSTRUCTURE,
             "rts_file": file.path.name,
             "rts_checksum": file.checksum,

@@ -17,6 +17,7 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.test_files import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
+from edesign.project.document import Document
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio
 from edesign.project.reading.base import Model
@@ -68,6 +69,7 @@ class PropertyCampaignFile(Model):
     """
 
     title: str = ""
+    document: Document = Document()
     specimen: SpecimenBlock
     law: LawBlock
     properties: PropertiesBlock
@@ -99,6 +101,7 @@ class PropertyCampaign:
         groups: of the rows.
         path: the campaign file.
         title: for people.
+        document: for the cover of a report.
     """
 
     specimen: Specimen
@@ -107,6 +110,7 @@ class PropertyCampaign:
     groups: tuple[Group, ...]
     path: Path
     title: str = ""
+    document: Document = Document()
 
 
 def is_property_campaign(path: Path | str) -> bool:
@@ -159,7 +163,7 @@ def load_property_campaign(path: Path | str) -> PropertyCampaign:
         )
     if problems.found:
         raise CampaignError(path, problems.found)
-    return PropertyCampaign(file.specimen.specimen, file.law.choice, table, groups, path, file.title)
+    return PropertyCampaign(file.specimen.specimen, file.law.choice, table, groups, path, file.title, file.document)
 
 
 def published() -> PropertyTable:

@@ -19,6 +19,7 @@ from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
 from edesign.damper.test_files import check_law
 from edesign.errors import InputError
+from edesign.project.document import Document
 from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
@@ -59,6 +60,7 @@ class StructureCampaign:
         path: the campaign file.
         title: for people.
         text: of the campaign file.
+        document: for the cover of a report.
     """
 
     name: str
@@ -69,6 +71,7 @@ class StructureCampaign:
     path: Path
     title: str = ""
     text: str = ""
+    document: Document = Document()
 
 
 def is_structure_campaign(path: Path | str) -> bool:
@@ -121,6 +124,7 @@ def load_structure_campaign(path: Path | str) -> StructureCampaign:
         path,
         file.title,
         text,
+        file.document,
     )
 
 

@@ -9,6 +9,7 @@ from pydantic import Field
 from edesign.calibrate.problem import Use
 from edesign.calibrate.structure.damping import DampingKind
 from edesign.damper.test_files import LawBlock, Text
+from edesign.project.document import Document
 from edesign.project.notation.units import (
     ACCELERATION,
     LENGTH,
@@ -139,6 +140,7 @@ class StructureFile(Model):
     """
 
     title: str = ""
+    document: Document = Document()
     structure: StructureBlock
     law: LawBlock | None = None
     channels: ChannelsBlock

@@ -18,6 +18,7 @@ from edesign.project.building.members import BeamRun, BraceRun, ColumnRun, Missi
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.building.places import Bays, ColumnLineSelection, parse_column_lines
 from edesign.project.building.supports import Springs, Support, springs_of
+from edesign.project.document import Document
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers, NumbersOrNone
 from edesign.project.notation.units import PositiveDensity, PositiveLength, PositiveStress
 from edesign.project.project import Identifier
@@ -131,6 +132,7 @@ class Building(FileModel):
 
     edesign_building: FormatVersion
     title: Annotated[str, Field(min_length=1)]
+    document: Document = Document()
     plan: Plan
     storeys: Annotated[
         Annotated[Heights, Tag("?plain")] | Annotated[EqualStoreys, Tag("?mapping")], Discriminator(by_shape)

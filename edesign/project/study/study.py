@@ -16,6 +16,7 @@ from edesign.project.analysis.pushover import Pushovers
 from edesign.project.analysis.wave_passage import WavePassage
 from edesign.project.criteria.criteria import Criteria, Objectives
 from edesign.project.dampers.designs import Bounds, Design
+from edesign.project.document import Document
 from edesign.project.notation.several import Names, ShortName, several
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import Duration, PositiveFactor, PositiveRatio
@@ -151,6 +152,7 @@ class Study(FileModel):
 
     edesign_study: FormatVersion
     title: Annotated[str, Field(min_length=1)]
+    document: Document = Document()
     project: Annotated[str, Field(min_length=1)]
     designs: dict[Identifier, Design] = {}
     variants: Annotated[dict[ShortName, Variant], Field(min_length=1)]

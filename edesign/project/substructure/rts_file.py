@@ -11,6 +11,7 @@ from pydantic import Field, PrivateAttr
 
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.dampers.dampers import DamperLaw
+from edesign.project.document import Document
 from edesign.project.notation.units import PositiveFactor, PositiveRatio
 from edesign.project.project import Identifier, Project
 from edesign.project.reading.base import FormatVersion, Model
@@ -98,6 +99,7 @@ class RtsFile(RecordFiles, FileModel):
 
     edesign_rts: FormatVersion
     title: str = ""
+    document: Document = Document()
     structure: Structure | None = None
     specimen: Specimen = Specimen()
     rig: AnyRig

@@ -7,14 +7,22 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.calibrate.result import Calibration
+from edesign.project.document import Document
 from edesign.report.calibration.view import View
+from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.document import check_page_path, write_html
 from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.sections.calibration import SECTIONS
 
+NO_DOCUMENT = Document()
+
 
 def write_calibration_page(
-    calibration: Calibration, path: Path, tell: Callable[[str], None] = lambda line: None, workers: int = 1
+    calibration: Calibration,
+    path: Path,
+    tell: Callable[[str], None] = lambda line: None,
+    workers: int = 1,
+    document: Document = NO_DOCUMENT,
 ) -> Path:
     """Write the report of a calibration.
 
@@ -23,6 +31,7 @@ def write_calibration_page(
         path: the page, whole or not at all.
         tell: called with a line for each section.
         workers: processes that draw.
+        document: for the cover.
 
     Returns:
         The page.
@@ -32,19 +41,25 @@ def write_calibration_page(
         ArchiveError: it cannot be written.
     """
     check_page_path(path)
-    return write_html(calibration_page(calibration, tell, workers), path)
+    return write_html(calibration_page(calibration, tell, workers, document), path)
 
 
 def calibration_page_text(
-    calibration: Calibration, tell: Callable[[str], None] = lambda line: None, workers: int = 1
+    calibration: Calibration,
+    tell: Callable[[str], None] = lambda line: None,
+    workers: int = 1,
+    document: Document = NO_DOCUMENT,
 ) -> str:
     """Return the report as HTML; arguments as `write_calibration_page`."""
-    page = calibration_page(calibration, tell, workers)
+    page = calibration_page(calibration, tell, workers, document)
     return render(page.cover, page.sections)
 
 
 def calibration_page(
-    calibration: Calibration, tell: Callable[[str], None] = lambda line: None, workers: int = 1
+    calibration: Calibration,
+    tell: Callable[[str], None] = lambda line: None,
+    workers: int = 1,
+    document: Document = NO_DOCUMENT,
 ) -> Page:
     """Return the report as data; arguments as `write_calibration_page`."""
     view = View(calibration, workers)
@@ -61,6 +76,7 @@ def calibration_page(
         about=f"{_model(calibration)} · {len(tests)} tests, {validated} of them for validation · edesign {__version__}",
         origin=f"edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
+        document=cover_lines(document.said),
     )
     return Page(cover, tuple(section for section in made if section))
 

@@ -12,6 +12,7 @@ from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_a
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive, is_substructure_archive
+from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.section import Section
 from edesign.report.page.sections.braces import braces
@@ -185,4 +186,5 @@ def _cover(source: Source) -> Cover:
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
         f"{str(checksum)[:16]}. "
         "All numbers are computed from the archive.",
+        document=cover_lines(about.get("document")),
     )

@@ -14,6 +14,7 @@ from edesign.report.calibration.properties import (
     property_verdict,
 )
 from edesign.report.calibration.tables import law_parameters_table
+from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
 from edesign.report.page.section import Picture, Section
 from edesign.report.page.source import picture_of
@@ -38,6 +39,7 @@ def property_calibration_page(calibration: PropertyCalibration) -> Page:
         about=f"law {found.law} · {len(campaign.table)} rows of a property table · edesign {__version__}",
         origin=f"edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured properties.",
+        document=cover_lines(campaign.document.said),
     )
     return Page(cover, tuple(section for section in sections if section))
 

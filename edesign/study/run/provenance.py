@@ -64,6 +64,7 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
     """
     group = root_group(study.base, planned, records)
     group.attributes |= {"kind": STUDY, "title": study.title, "study_file": study.path.name}
+    group.attributes["document"] = dict(study.document.over(study.base.document).said)
     group.attributes["project_checksum"] = study.checksum
     tables = {
         name: (design.properties.file, property_table_content(study.base, study.folder / design.properties.file))
@@ -111,6 +112,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
     group = Group(
         attributes={
             "title": project.title,
+            "document": dict(project.document.said),
             "project_file": project.path.name,
             "project_checksum": project.checksum,
             "input_checksum": input_checksum(project, records),

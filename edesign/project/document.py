@@ -1,0 +1,60 @@
+"""Who a report is for, who made and checked it, and which revision it is: what stands on its cover."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from datetime import date
+from typing import Annotated
+
+from pydantic import AfterValidator, Field
+
+from edesign.project.reading.base import Model, refuse
+
+LONGEST = 200
+"""Characters of a line of the cover."""
+
+
+def _one_line(value: str) -> str:
+    if not value.strip():
+        raise refuse("the text is empty")
+    if len(value.splitlines()) > 1:
+        raise refuse("the text has several lines; this key takes one, `notes` takes more")
+    return value
+
+
+def _calendar_date(value: str) -> str:
+    try:
+        written = date.fromisoformat(value).isoformat() == value
+    except ValueError:
+        written = False
+    if not written:
+        raise refuse(f"`{value}` is no date; write year, month and day, such as 2026-03-31")
+    return value
+
+
+Line = Annotated[str, Field(max_length=LONGEST), AfterValidator(_one_line)]
+Date = Annotated[str, AfterValidator(_calendar_date)]
+
+
+class Document(Model):
+    """What the cover of a report says beside the title; every key may be left out.
+
+    `date` is that of the document, year-month-day; the moment of the run stands in the archive.
+    """
+
+    client: Line | None = None
+    project_number: Line | None = None
+    author: Line | None = None
+    checker: Line | None = None
+    revision: Line | None = None
+    date: Date | None = None
+    notes: Annotated[str, Field(min_length=1, max_length=20 * LONGEST)] | None = None
+
+    def over(self, other: Document) -> Document:
+        """Return what another document says, with what this one says in its place."""
+        return other.model_copy(update=dict(self.said))
+
+    @property
+    def said(self) -> Mapping[str, str]:
+        """The keys that are given, with their texts, in the order of the cover."""
+        return {key: value for key in type(self).model_fields if (value := getattr(self, key)) is not None}
