@@ -157,12 +157,16 @@ def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: Qua
 
 
 def damper_velocity(time: np.ndarray, deformations: np.ndarray, asked: QuantityCriterion) -> np.ndarray:
+    """Return the largest velocity of each damper as a criterion asks for it; see `largest_velocity`."""
+    return largest_velocity(time, deformations)
+
+
+def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     """Return the largest velocity of each damper, m/s, by the cubic spline through its deformation.
 
     Args:
         time: (nt,) s.
         deformations: (nt, n) m.
-        asked: not used.
 
     Source: the derivative of a spline at its knots errs by h^4 u'''''/180; at 5 Hz and 0.01 s by 5e-5.
     """

@@ -63,6 +63,23 @@ def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
     return (f"{letter}_{bay}_{storey}",)
 
 
+_STANDING = {"V": "chevron", "R": "rising diagonal", "F": "falling diagonal", "S": "between floors"}
+
+
+def damper_place(name: str) -> tuple[str, str]:
+    """How the damper with a name stands, and where: `V_2_5` is a chevron in bay 2, `I_A` an isolator under line A."""
+    letter, _, rest = name.partition("_")
+    parts = rest.split("_")
+    if letter in _STANDING and len(parts) > 1:
+        brace = {"r": "in place of chevron braces", "f": "in place of chevron braces"}.get(parts[2] if parts[2:] else "")
+        return brace or _STANDING[letter], f"bay {parts[0]}"
+    if letter == "N":
+        return "between nodes", " to ".join(parts[:2])
+    if letter == "I":
+        return "isolator", f"line {rest}"
+    return "beside the isolated base", f"line {parts[0]}"
+
+
 def isolator_name(line: str) -> str:
     """Isolator under a line: I_A."""
     return f"I_{line}"

@@ -1,0 +1,100 @@
+"""What histories ask of dampers that are alike: force, stroke, strain and velocity of one of them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
+from edesign.assess.quantities import largest_velocity
+from edesign.assess.statistics import CODES
+from edesign.building.devices import Device
+
+ENOUGH = CODES["ec8"].set_rules.number_for_mean
+"""Histories from which the mean counts, EN 1998-1, 4.3.3.4.3(3); of fewer it is the maximum."""
+
+
+@dataclass(frozen=True)
+class Demand:
+    """The largest values of one damper over time, mean and maximum of several histories.
+
+    Attributes:
+        mean, maximum: SI units.
+        count: histories that have it.
+    """
+
+    mean: float
+    maximum: float
+    count: int
+
+    @property
+    def governing(self) -> float:
+        """The one that counts: the mean of at least seven histories, else the maximum."""
+        return self.mean if self.count >= ENOUGH else self.maximum
+
+
+def demand(histories: Sequence[Group], devices: Sequence[Device], quantity: str) -> Demand | None:
+    """Return the demand on dampers that are alike: of each history the one that has most; None where no history knows.
+
+    Args:
+        histories: completed, with the extremes of their dampers.
+        devices: some of the frame's.
+        quantity: damper_force (N, of one of those side by side), damper_deformation (m) or damper_strain.
+    """
+    values = []
+    for group in histories:
+        found = peak(group, quantity)
+        if found is not None:
+            number = devices[0].size.number if quantity == "damper_force" else 1
+            values.append(float(np.max(found[_at(group, devices)])) / number)
+    return _of(values)
+
+
+def velocity(
+    histories: Iterable[Group], kept: Iterable[Callable[[], Group]], devices: Sequence[Device]
+) -> Demand | None:
+    """Return the demand on the velocity of a damper without its brace, m/s.
+
+    Of a dashpot it follows from the force, (F / c)^(1 / alpha), and of other laws from the deformation over time, where
+    that was kept.
+
+    Args:
+        histories: completed, with the extremes of their dampers.
+        kept: functions that read the same histories with what they kept over time.
+        devices: that are alike.
+    """
+    values = []
+    for group, read in zip(histories, kept, strict=True):
+        found = _of_dashpots(group, devices)
+        if found is None:
+            whole = read()
+            if "damper_deformation" in whole.variables and "time" in whole.coords:
+                over_time = np.asarray(whole.variables["damper_deformation"].values)[:, _at(whole, devices)]
+                found = float(largest_velocity(np.asarray(whole.coords["time"].values), over_time).max())
+        if found is not None:
+            values.append(found)
+    return _of(values)
+
+
+def _of_dashpots(group: Group, devices: Sequence[Device]) -> float | None:
+    """Largest velocity of dampers whose law is a dashpot alone; None: their law is another."""
+    law = devices[0].values
+    force = peak(group, "damper_force")
+    if law.law not in ("viscous", "viscous_power") or law.amendments or force is None:
+        return None
+    c, alpha = (*law.values, 1.0)[:2]
+    scales = np.array([device.force_scale for device in devices])
+    stretch = np.array([device.deformation_scale for device in devices])
+    return float(np.max((force[_at(group, devices)] / (scales * c)) ** (1.0 / alpha) / stretch))
+
+
+def _at(group: Group, devices: Sequence[Device]) -> list[int]:
+    names = [str(name) for name in group.coords["damper"].values]
+    return [names.index(device.name) for device in devices]
+
+
+def _of(values: Sequence[float]) -> Demand | None:
+    return Demand(float(np.mean(values)), float(np.max(values)), len(values)) if values else None

@@ -1,0 +1,235 @@
+"""The schedule of the dampers: where they stand, their law, size and number, and what each must be able to do."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+
+from edesign.archive.dataset import Group
+from edesign.assess.sets import HistorySet
+from edesign.building.devices import Device
+from edesign.damper.laws import LAWS
+from edesign.project.dampers.dampers import BraceSection
+from edesign.project.notation.names import damper_place
+from edesign.project.project import Project
+from edesign.project.study.study import Study, own_variant
+from edesign.report.assessment.measure_columns import ROUNDING
+from edesign.report.inputs.damper_demand import ENOUGH, Demand, demand, velocity
+from edesign.report.inputs.variant_frames import VariantFrames
+from edesign.report.tables.table import Table, number
+
+QUANTITIES = (  # header, how it is called below, name, unit shown in SI
+    ("F", "[kN]", "force", "damper_force", 1e3),
+    ("stroke", "[mm]", "stroke", "damper_deformation", 1e-3),
+    ("strain", "[%]", "strain", "damper_strain", 0.01),
+    ("v", "[m/s]", "velocity", "velocity", 1.0),
+)
+_ALONG = {"viscous": "c", "viscous_power": "c"}
+
+
+@dataclass(frozen=True)
+class _Alike:
+    """Dampers of one storey that are alike."""
+
+    storey: int
+    stands: str
+    law: str
+    devices: tuple[Device, ...]
+
+    @property
+    def places(self) -> str:
+        where = [damper_place(device.name)[1] for device in self.devices]
+        kinds = dict.fromkeys(text.rpartition(" ")[0] for text in where)
+        if len(kinds) != 1 or not next(iter(kinds)):
+            return ", ".join(where)
+        kind, ends = next(iter(kinds)), list(dict.fromkeys(text.rpartition(" ")[2] for text in where))
+        return f"{kind}{'s' * (len(ends) > 1)} {', '.join(ends)}"
+
+    @property
+    def at(self) -> list[str]:
+        return [str(self.storey) if self.storey else "base", self.places]
+
+
+def schedule_tables(
+    frames: VariantFrames, study: Study | None, sets: Sequence[HistorySet], whole: Callable[[str], Group]
+) -> list[Table]:
+    """Return for each variant with dampers what they are, and what the histories ask of one of them.
+
+    Bounds of a variant, and other temperatures, ask of its own dampers; variants that `vary` makes are left out.
+
+    Args:
+        frames: of the archive.
+        study: it is of; None: a project.
+        sets: its histories.
+        whole: reads the results of an analysis with what was kept over time.
+
+    Raises:
+        InputError: a frame cannot be built.
+    """
+    derived = study.derived if study is not None else {}
+    tables = []
+    for variant in frames.variants:
+        if variant in derived:
+            continue
+        alike = _alike(frames.frame(variant).devices)
+        if alike:
+            tables.append(_schedule(variant, alike, frames.project(variant)))
+            tables.append(_required(variant, alike, _asking(variant, study, sets), whole))
+    return [table for table in tables if table.rows]
+
+
+def _alike(devices: Sequence[Device]) -> list[_Alike]:
+    found: dict[tuple[object, ...], list[Device]] = {}
+    for device in devices:
+        stands = damper_place(device.name)[0]
+        key = (device.storey, stands, device.law, device.size, device.brace, device.force_scale)
+        found.setdefault(key, []).append(device)
+    groups = [_Alike(int(str(key[0])), str(key[1]), str(key[2]), tuple(several)) for key, several in found.items()]
+    return sorted(groups, key=lambda group: group.storey)
+
+
+def _asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> list[tuple[str, HistorySet]]:
+    """The histories that ask of the dampers of a variant, and how they are called: level, bound, temperature."""
+    found = []
+    for one in sets:
+        own = own_variant(one.variant) if study is not None else ""
+        source = study.derived.get(own) if study is not None else None
+        if (source.of if source is not None else own) != variant or (source is not None and source.vary):
+            continue
+        bound = f"{source.bound} bound" if source is not None and source.bound else ""
+        warm = one.variant.removeprefix(own).strip() if study is not None else one.variant
+        found.append((", ".join(part for part in (one.level, bound, warm) if part) or "all", one))
+    return found
+
+
+def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
+    columns = ("storey", "place", "stands as", "law", "places", "number", "size of one", "brace")
+    table = Table("Dampers" + (f", {variant}" if variant else ""), columns, left=4, sentences=(6, 7))
+    total = 0
+    for group in alike:
+        count = len(group.devices) * group.devices[0].size.number
+        total += count
+        size, brace = _size(group.devices[0]), _brace(group.devices[0])
+        cells = [group.stands, group.law, str(len(group.devices)), str(count), size, brace]
+        table.rows.append([*group.at, *cells])
+    table.rows.append(["total", "", "", "", str(sum(len(g.devices) for g in alike)), str(total), "", ""])
+    if project.dampers is not None and any(isinstance(d.brace, BraceSection) for d in project.dampers.devices):
+        table.notes.append("The stiffness of a brace follows from its section and length.")
+    return table
+
+
+def _size(device: Device) -> str:
+    size, law = device.size, device.values
+    if device.restrained is not None:
+        brace = device.restrained
+        return f"core of {number(brace.area / size.number, scale=1e-6)} mm2"
+    if device.layer_thickness is not None:
+        return _layers(device)
+    if law.law in _ALONG and not law.amendments:
+        c, alpha = (*law.values, 1.0)[:2]
+        exponent = "" if alpha == 1.0 else f"^{alpha:g}"
+        return f"c = {number(c * size.scale, scale=1e3)} kN (s/m){exponent}"
+    if law.law == "friction_pendulum":  # scaled to the weight that it stands under
+        return f"weight {number(device.force_scale / size.number * law.values[0], scale=1e3)} kN"
+    return "as the law" if size.scale == 1.0 else f"{number(size.scale)} times the law"
+
+
+def _layers(device: Device) -> str:
+    size = device.size
+    parts = []
+    if size.layers is not None:
+        parts.append(f"{size.layers} layers")
+    if size.layer_area is not None:
+        parts.append(f"{number(size.layer_area)} m2 each")
+    parts.append(f"{number(device.layer_thickness, scale=1e-3)} mm thick")
+    return ", ".join(parts) if size.resized else f"the law's own, {parts[-1]}"
+
+
+def _brace(device: Device) -> str:
+    if not device.brace:
+        return "rigid"
+    stiffness = f"{number(device.brace, scale=1e6)} kN/mm"
+    play = f", play {number(device.play, scale=1e-3)} mm" if device.play else ""
+    return f"{device.brace_bar.section}, {stiffness}{play}" if device.brace_bar is not None else stiffness + play
+
+
+def _required(
+    variant: str, alike: Sequence[_Alike], asking: Sequence[tuple[str, HistorySet]], whole: Callable[[str], Group]
+) -> Table:
+    """What is required of one damper: mean and maximum of each level, and the level that governs."""
+    found = {
+        (at, label): _demands(group, histories, whole)
+        for at, group in enumerate(alike)
+        for label, histories in asking
+        if histories.completed
+    }
+    shown = [q for q in QUANTITIES if any(one.get(q[3]) is not None for one in found.values())]
+    counts = {label: histories for label, histories in asking if histories.completed}
+    single = all(len(histories.completed) == 1 for histories in counts.values())
+    spread = ("",) if single else ("mean ", "max ")
+    headers = [f"{short} {which}{unit}" for short, unit, *_ in shown for which in spread]
+    table = Table("Required of one damper" + (f", {variant}" if variant else ""), left=4)
+    table.columns = ("storey", "place", "law", "level", *headers, "histories", "governs")
+    for at, group in enumerate(alike):
+        levels = [label for label, _ in asking if (at, label) in found]
+        governing = {q[3]: _most(found, at, levels, q[3]) for q in shown}
+        for label in levels:
+            cells = [
+                cell for *_, name, scale in shown for cell in _pair(found[at, label].get(name), scale)[-len(spread) :]
+            ]
+            histories = counts[label]
+            of = f"{len(histories.completed)}/{len(histories.histories)}"
+            governs = [word for _, _, word, name, _ in shown if governing[name] == label]
+            table.rows.append([*group.at, group.law, label, *cells, of, ", ".join(governs)])
+    if len(counts) < 2:
+        table.columns = table.columns[:-1]
+        table.rows = [row[:-1] for row in table.rows]
+    if table.rows:
+        table.notes += _notes(single, len(counts) > 1)
+        table.notes += _velocity_notes(found, alike)
+    return table
+
+
+def _notes(single: bool, levels: bool) -> list[str]:
+    notes = ["The force is that of one damper; the stroke is to either side and without the brace."]
+    if single:
+        notes.append("The values are the largest over the time of one history, in the place that has most.")
+    else:
+        notes.append("Of the largest values of each history: mean and maximum over them, in the place that has most.")
+    if levels:
+        which = f"the mean of at least {ENOUGH} histories, else the maximum (EN 1998-1, 4.3.3.4.3(3))"
+        notes.append(f"The level governs whose value is largest: {which}.")
+    return notes
+
+
+def _demands(group: _Alike, histories: HistorySet, whole: Callable[[str], Group]) -> dict[str, Demand | None]:
+    completed, devices = list(histories.completed.values()), group.devices
+    names = ("damper_force", "damper_deformation", "damper_strain")
+    found = {name: demand(completed, devices, name) for name in names}
+    if devices[0].layer_thickness is None:
+        found["damper_strain"] = None
+    found["velocity"] = velocity(completed, [partial(whole, name) for name in histories.completed], devices)
+    return found
+
+
+def _most(found: dict[tuple[int, str], dict[str, Demand | None]], at: int, levels: Sequence[str], name: str) -> str:
+    values = {label: one.governing for label in levels if (one := found[at, label].get(name)) is not None}
+    return max(values, key=lambda label: values[label]) if values else ""
+
+
+def _pair(found: Demand | None, scale: float) -> tuple[str, str]:
+    if found is None:
+        return "-", "-"
+    return number(found.mean, 4, scale, ROUNDING), number(found.maximum, 4, scale, ROUNDING)
+
+
+def _velocity_notes(found: dict[tuple[int, str], dict[str, Demand | None]], alike: Sequence[_Alike]) -> list[str]:
+    known = [one["velocity"] is not None for one in found.values()]
+    if all(known):
+        return ["The velocity v is that of the damper without its brace."]
+    laws = {LAWS[device.values.law] for group in alike for device in group.devices}
+    if not any(known) and not any(law.rate_dependent for law in laws):
+        return []  # none asks for it
+    kept = "`dampers` among the kept histories"
+    return [f"The velocity v is known of dashpots, and of other dampers that were kept over time ({kept})."]

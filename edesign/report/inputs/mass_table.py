@@ -1,0 +1,65 @@
+"""Masses and weights of the floors."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.building.frame import FrameModel
+from edesign.building.isolation import base_loads
+from edesign.building.loads import floor_loads
+from edesign.project.project import Project
+from edesign.report.inputs.variant_frames import VariantFrames
+from edesign.report.tables.table import Table, number
+
+
+def mass_tables(frames: VariantFrames) -> list[Table]:
+    """Return the masses and weights of the floors, a table for variants that have the same; none without masses.
+
+    Raises:
+        InputError: a frame cannot be built.
+    """
+    alike: dict[tuple[tuple[float, float], ...], list[str]] = {}
+    for variant in frames.variants:
+        mass, weight = floors_of(frames.project(variant), frames.frame(variant))
+        if mass.any():
+            alike.setdefault(tuple(zip(mass.tolist(), weight.tolist(), strict=True)), []).append(variant)
+    tables = []
+    for floors, variants in alike.items():
+        of = f", {', '.join(variants)}" if len(alike) > 1 else ""
+        tables.append(_table(floors, frames.project(variants[0]), of))
+    return tables
+
+
+def floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndarray]:
+    """Return mass (kg) and weight (N) of the base and of each floor, (storeys + 1,), from the lowest.
+
+    The masses resist horizontal motion; tuned masses are none of them. The weights are the loads of the gravity
+    combination on beams, nodes and the leaning column, and on an isolated base.
+    """
+    levels = np.asarray(project.frame.y)
+    mass = np.zeros(levels.size)
+    for node, value in frame.masses.items():
+        if node in project.frame.nodes:
+            mass[int(np.abs(levels - project.frame.nodes[node][1]).argmin())] += value
+    weight = floor_loads(project)
+    if project.isolation is not None:
+        weight[0] += sum(base_loads(project.frame, project.isolation, project.loads.gravity).values())
+    return mass, weight
+
+
+def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -> Table:
+    table = Table(f"Masses and weights of the floors{of}", ("floor", "level [m]", "mass [t]", "weight [kN]"))
+    for floor in reversed(range(len(floors))):
+        mass, weight = floors[floor]
+        if floor or mass or weight:
+            cells = [number(mass, scale=1e3), number(weight, scale=1e3)]
+            table.rows.append([str(floor) if floor else "base", f"{project.frame.y[floor]:g}", *cells])
+    total = np.sum(floors, axis=0)
+    table.rows.append(["total", "", number(float(total[0]), scale=1e3), number(float(total[1]), scale=1e3)])
+    factors = project.loads.gravity
+    table.notes.append(f"Mass: that resists horizontal motion. Weight: loads of {factors.G:g} G + {factors.Q:g} Q.")
+    if project.frame.leaning_column is not None:
+        table.notes.append("Both contain what leans on the frame.")
+    if project.dampers is not None and project.dampers.attachments:
+        table.notes.append("Tuned masses are not in it.")
+    return table

@@ -1,0 +1,86 @@
+"""The frames that an archive is of, built again from its texts: with the dampers of each variant, as they were sized."""
+
+from __future__ import annotations
+
+from functools import cached_property
+
+from pydantic import TypeAdapter
+
+from edesign.archive.reader import Archive
+from edesign.building.frame import FrameModel
+from edesign.project.dampers.dampers import Dampers, Device
+from edesign.project.project import Project
+from edesign.project.reading.yaml_nodes import parse
+from edesign.project.study.study import Study, own_variant
+from edesign.study.analysis.structure import make_frame
+from edesign.study.design.building import with_temperature
+from edesign.study.results.kinds import DESIGNS
+from edesign.study.variants import laws_of_design, variant_project
+
+
+class VariantFrames:
+    """Projects and frames of the variants of an archive.
+
+    Args:
+        archive: open.
+        project: that its text is of.
+        study: that its text is of; None: it is the archive of a project.
+    """
+
+    def __init__(self, archive: Archive, project: Project, study: Study | None = None) -> None:
+        self._archive, self._project, self._study = archive, project, study
+        self._frames: dict[str, FrameModel] = {}
+
+    @cached_property
+    def variants(self) -> tuple[str, ...]:
+        """Names of the variants that can be built; of a project one, with its dampers, whose name is ""."""
+        if self._study is None:
+            return ("",)
+        made = self._designed
+        return tuple(
+            name for name, variant in self._study.variants.items() if variant.design is None or variant.design in made
+        )
+
+    def project(self, variant: str) -> Project:
+        """Return what a variant is as a project; its name may tell a temperature."""
+        if self._study is None:
+            return self._project
+        return variant_project(self._study, own_variant(variant), self._designed)
+
+    def frame(self, variant: str) -> FrameModel:
+        """Return the frame of a variant with its dampers.
+
+        Raises:
+            InputError: it cannot be built, as a file that it needs is not at hand.
+        """
+        own = own_variant(variant) if self._study is not None else ""
+        if own not in self._frames:
+            self._frames[own] = make_frame(self.project(own), dampers=True)
+        return self._frames[own]
+
+    def of_analysis(self, variant: str) -> str | None:
+        """Return the variant whose frame an analysis with this label has; None: it cannot be built.
+
+        In a project the label is for people, and all analyses have its frame.
+        """
+        own = own_variant(variant) if self._study is not None else ""
+        return own if own in self.variants else None
+
+    @cached_property
+    def _designed(self) -> dict[str, Dampers]:
+        """The dampers of each design that was completed."""
+        assert self._study is not None
+        found = {}
+        for name in self._archive.names(DESIGNS):
+            about = self._archive.group_attributes(f"{DESIGNS}/{name}")
+            if about.get("status") != "completed" or "devices" not in about or name not in self._study.designs:
+                continue
+            spec, project = self._study.designs[name], self._project
+            for law in laws_of_design(spec):
+                project = with_temperature(project, law, spec.temperature)
+            assert project.dampers is not None, "check_design wants the law"
+            plain = parse(str(about["devices"]))[0].plain()
+            devices = TypeAdapter(tuple[Device, ...]).validate_python(plain["devices"])
+            found[name] = project.dampers.model_copy(update={"devices": devices})
+        return found
+

@@ -1,0 +1,113 @@
+"""Names of analyses and records in words: `damped.DBE.Tabas1978_FER-L1` is damped, DBE, Tabas 1978 FER-L1."""
+
+from __future__ import annotations
+
+import re
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
+from functools import partial
+
+from edesign.archive.dataset import Group
+from edesign.report.drawing.captions import record_label
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Warnings
+from edesign.report.tables.table import Table
+
+_NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
+_SIDES = {"right": "to the right", "left": "to the left"}
+_METHODS = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE/SEI 41"}
+KEPT = "names"
+"""First column of tables whose names people need as they are, to ask `edesign show` for them."""
+
+
+def analysis_words(name: str, group: Group) -> str:
+    """Return the words for an analysis that a program named: variant, level and record, or what was done.
+
+    A name that its author gave, without points, stays as it is.
+    """
+    about = group.attributes
+    variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
+    rest = name.removeprefix(f"{variant}.") if variant else name
+    own = variant if rest != name else ""
+    if "." not in name:
+        return name
+    end = record.rpartition("/")[2]
+    if about.get("kind") == "history" and end and rest.endswith(end):
+        degrees = about.get("temperature_C")
+        warm = "" if degrees is None else f" at {float(str(degrees)):g} °C"
+        said = [] if own and level else [rest.removesuffix(end).rstrip(".")]
+        return ", ".join(part for part in (f"{own}{warm}" if own else "", level * bool(own), *said, record_label(record)) if part)
+    words = [_METHODS.get(part, _SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
+    return ", ".join(part for part in (own, *words) if part)
+
+
+def words_of(groups: Mapping[str, Group], records: Iterable[str]) -> dict[str, str]:
+    """Return the words for every analysis and record whose name is no word yet; what would become alike is left out.
+
+    Args:
+        groups: the analyses by name.
+        records: references of records, such as suite/recording.
+    """
+    found = {name: analysis_words(name, group) for name, group in groups.items()}
+    count = Counter(found.values())
+    found = {name: words for name, words in found.items() if words != name and count[words] == 1}
+    for reference in records:
+        for name in (reference, reference.rpartition("/")[2]):
+            if name not in groups and record_label(name) != name:
+                found.setdefault(name, record_label(name))
+    return found
+
+
+def in_words(section: Section, words: Mapping[str, str]) -> Section:
+    """Return a section whose texts have words in the place of names; files to the letter and drawings stay."""
+    say = partial(_said, words)
+    return replace(
+        section,
+        intro=tuple(map(say, section.intro)),
+        parts=tuple(_part(part, say) for part in section.parts),
+        notes=tuple(map(say, section.notes)),
+    )
+
+
+def _said(words: Mapping[str, str], text: str) -> str:
+    return _NAME.sub(lambda found: _word(words, found[0]), text)
+
+
+def _word(words: Mapping[str, str], name: str) -> str:
+    if name in words:
+        return words[name]
+    plain = name.rstrip(".")  # at the end of a sentence
+    return words[plain] + name[len(plain) :] if plain in words else name
+
+
+def _part(part: Part, say: Callable[[str], str]) -> Part:
+    if isinstance(part, Table):
+        return _table(part, say)
+    if isinstance(part, Picture):
+        return replace(part, caption=say(part.caption))
+    if isinstance(part, Folded):
+        inside = tuple(found for one in part.parts if isinstance(found := _part(one, say), Table | Picture))
+        return replace(part, summary=say(part.summary), parts=inside)
+    if isinstance(part, Facts):
+        return replace(part, rows=tuple((name, say(text)) for name, text in part.rows))
+    if isinstance(part, Warnings):
+        return replace(part, items=tuple(map(say, part.items)))
+    if isinstance(part, Headlines):
+        return Headlines(tuple(_tile(tile, say) for tile in part.items))
+    return part
+
+
+def _table(table: Table, say: Callable[[str], str]) -> Table:
+    if table.columns and table.columns[0] == KEPT:
+        return table
+    return replace(
+        table,
+        title=say(table.title),
+        columns=[say(header) for header in table.columns],
+        rows=[[say(cell) for cell in row] for row in table.rows],
+        notes=[say(note) for note in table.notes],
+    )
+
+
+def _tile(tile: Headline, say: Callable[[str], str]) -> Headline:
+    return replace(tile, label=say(tile.label), detail=say(tile.detail))
