@@ -30,6 +30,7 @@ from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.frame_figures import frame_figures
 from edesign.report.response.mode_figures import mode_figures
 from edesign.report.response.moment_rotation_figures import moment_rotation_figures
+from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.response.response_figures import response_figures
 from edesign.report.response.temperature_figures import temperature_figures
@@ -64,6 +65,7 @@ FIGURES = (
     design_figures,
     pushover_figures,
     hinge_figures,
+    mean_profile_figures,
     profile_figures,
     frame_figures,
     axial_figures,

@@ -51,6 +51,7 @@ MARKERS = {
 }
 """Of events, by how their names begin."""
 
+SIDES = {"right": "to the right", "left": "to the left"}
 DASHES = {"right": (), "left": (4, 1.5)}
 LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
 HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
@@ -124,7 +125,7 @@ def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         if about.get("kind") == TARGET and about.get("status") == "completed":
             method, level = str(about.get("method")), str(about.get("level"))
             group = archive.view(f"{ANALYSES}/{name}")
-            title = name.removesuffix(f".{method}.{level}")
+            title = in_words(name.removesuffix(f".{method}.{level}"))
             one = Hinges(title, plastic_rotations(group), tuple(names_of(group, "damper")))
             panels.setdefault((method, level), []).append(one)
     for (method, level), found in panels.items():
@@ -138,49 +139,60 @@ def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 @styled
 def capacity_figure(curves: Sequence[Curve]) -> Figure:
-    """Draw capacity curves with their events, a panel for each variant.
+    """Draw capacity curves with their events: of one variant in one axis, of several a panel for each load pattern.
+
+    So the curves of all variants under the same loads stand in one axis.
 
     Args:
         curves: at least one.
     """
-    from matplotlib.lines import Line2D
-
     variants = list(dict.fromkeys(curve.variant for curve in curves))
     loadings = list(dict.fromkeys(curve.loading for curve in curves))
-    colors = {curve.label: VARIANTS[loadings.index(curve.loading) % len(VARIANTS)] for curve in curves}
-    figure, axes = grid_figure(len(variants), COLUMNS, 3.6 if len(variants) > 1 else 6.0, 3.2)
+    over = len(variants) > 1
+    panels, lines = (loadings, variants) if over else (variants, loadings)
+    figure, axes = grid_figure(len(panels), COLUMNS, 3.6 if len(panels) > 1 else 6.0, 3.2)
     happened: dict[str, str] = {}
-    for here, variant in zip(axes, variants, strict=True):
-        for curve in curves:
-            if curve.variant != variant:
-                continue
-            variables, color = curve.group.variables, colors[curve.label]
-            x, y = 1e3 * variables["control_displacement"].values, 1e-3 * curve.sign * variables["base_shear"].values
-            here.plot(x, y, color=color, dashes=DASHES[curve.direction])
-            happened |= _events(here, curve, color)
-        here.set_title(variant, loc="left")
+    drawn: dict[tuple[str, str], str] = {}
+    for curve in curves:
+        panel, line = (curve.loading, curve.variant) if over else (curve.variant, curve.loading)
+        here, color = axes[panels.index(panel)], VARIANTS[lines.index(line) % len(VARIANTS)]
+        variables = curve.group.variables
+        x, y = 1e3 * variables["control_displacement"].values, 1e-3 * curve.sign * variables["base_shear"].values
+        here.plot(x, y, color=color, dashes=DASHES[curve.direction])
+        drawn[line, curve.direction] = color
+        happened |= _events(here, curve, color)
+    for here, panel in zip(axes, panels, strict=True):
+        here.set_title(in_words(panel) if over else panel, loc="left")
     right = max(float(1e3 * curve.group.variables["control_displacement"].values[-1]) for curve in curves)
     top = max(float(1e-3 * (curve.sign * curve.group.variables["base_shear"].values).max()) for curve in curves)
     for here in axes:
         here.set_xlim(0.0, 1.03 * right)
         here.set_ylim(0.0, 1.1 * top)
     label_outer(axes, COLUMNS, "displacement of the control node (mm)", "base shear (kN)")
-    handles = [
-        Line2D(
-            [],
-            [],
-            color=color,
-            dashes=DASHES[next(curve.direction for curve in curves if curve.label == label)],
-            label=legend_label(label),
-        )
-        for label, color in colors.items()
-    ]
+    _legend(figure, drawn, happened, over)
+    return figure
+
+
+def _legend(figure: Figure, drawn: Mapping[tuple[str, str], str], happened: Mapping[str, str], over: bool) -> None:
+    """Lines of the curves by what they are and their direction, and marks of the events."""
+    from matplotlib.lines import Line2D
+
+    both = len({direction for _, direction in drawn}) > 1
+    handles = []
+    for (line, direction), color in drawn.items():
+        words = line if over else in_words(line)
+        label = f"{words}, {SIDES[direction]}" if both else words
+        handles.append(Line2D([], [], color=color, dashes=DASHES[direction], label=legend_label(label)))
     handles += [
         Line2D([], [], ls="none", marker=marker, color=MEAN, ms=4.5, mfc="none", label=what)
         for what, marker in happened.items()
     ]
     figure.legend(handles=handles, loc="outside lower center", ncols=3)
-    return figure
+
+
+def in_words(label: str) -> str:
+    """Return the name of a part of a pushover as words: push.first_mode.right is push, first mode, to the right."""
+    return ", ".join(SIDES.get(part, part.replace("_", " ")) for part in label.split("."))
 
 
 def _events(here: Axes, curve: Curve, color: str) -> dict[str, str]:
@@ -226,7 +238,7 @@ def adrs_figure(project: Project, targets: Sequence[Curve]) -> Figure:
             _oscillator(here, one.group, values, color)
             T = np.linspace(0.0, min(LONGEST, spectra[level].last_period), 400)
             here.plot(1e3 * spectra[level].displacement(T), spectra[level].acceleration(T), color=color)
-        here.set_title(push, loc="left")
+        here.set_title(in_words(push), loc="left")
     for here in axes:
         here.set_xlim(0.0, right)
         here.set_ylim(0.0, top)

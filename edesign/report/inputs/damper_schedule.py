@@ -75,7 +75,7 @@ def schedule_tables(
         alike = _alike(frames.frame(variant).devices)
         if alike:
             tables.append(_schedule(variant, alike, frames.project(variant)))
-            tables.append(_required(variant, alike, _asking(variant, study, sets), whole))
+            tables.append(_required(variant, alike, _asking(variant, study, sets), frames, whole))
     return [table for table in tables if table.rows]
 
 
@@ -155,11 +155,15 @@ def _brace(device: Device) -> str:
 
 
 def _required(
-    variant: str, alike: Sequence[_Alike], asking: Sequence[tuple[str, HistorySet]], whole: Callable[[str], Group]
+    variant: str,
+    alike: Sequence[_Alike],
+    asking: Sequence[tuple[str, HistorySet]],
+    frames: VariantFrames,
+    whole: Callable[[str], Group],
 ) -> Table:
     """What is required of one damper: mean and maximum of each level, and the level that governs."""
     found = {
-        (at, label): _demands(group, histories, whole)
+        (at, label): _demands(group, histories, frames, whole)
         for at, group in enumerate(alike)
         for label, histories in asking
         if histories.completed
@@ -203,8 +207,15 @@ def _notes(single: bool, levels: bool) -> list[str]:
     return notes
 
 
-def _demands(group: _Alike, histories: HistorySet, whole: Callable[[str], Group]) -> dict[str, Demand | None]:
-    completed, devices = list(histories.completed.values()), group.devices
+def _demands(
+    group: _Alike, histories: HistorySet, frames: VariantFrames, whole: Callable[[str], Group]
+) -> dict[str, Demand | None]:
+    completed, names_of = list(histories.completed.values()), {device.name for device in group.devices}
+    degrees = completed[0].attributes.get("temperature_C")
+    temperature = None if degrees is None else float(str(degrees))
+    own = own_variant(histories.variant)
+    frame = frames.frame(own if own in frames.variants else "", temperature)  # of bounds, other scales
+    devices = [device for device in frame.devices if device.name in names_of]
     names = ("damper_force", "damper_deformation", "damper_strain")
     found = {name: demand(completed, devices, name) for name in names}
     if devices[0].layer_thickness is None:
@@ -215,7 +226,7 @@ def _demands(group: _Alike, histories: HistorySet, whole: Callable[[str], Group]
 
 def _most(found: dict[tuple[int, str], dict[str, Demand | None]], at: int, levels: Sequence[str], name: str) -> str:
     values = {label: one.governing for label in levels if (one := found[at, label].get(name)) is not None}
-    return max(values, key=lambda label: values[label]) if values else ""
+    return max(values, key=lambda label: values[label]) if any(values.values()) else ""
 
 
 def _pair(found: Demand | None, scale: float) -> tuple[str, str]:

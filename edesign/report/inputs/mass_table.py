@@ -7,9 +7,13 @@ import numpy as np
 from edesign.building.frame import FrameModel
 from edesign.building.isolation import base_loads
 from edesign.building.loads import floor_loads
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.table import Table, number
+
+SAME = 0.01
+"""Share by which weight and mass times g may differ before it is said."""
 
 
 def mass_tables(frames: VariantFrames) -> list[Table]:
@@ -58,6 +62,9 @@ def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -
     table.rows.append(["total", "", number(float(total[0]), scale=1e3), number(float(total[1]), scale=1e3)])
     factors = project.loads.gravity
     table.notes.append(f"Mass: that resists horizontal motion. Weight: loads of {factors.G:g} G + {factors.Q:g} Q.")
+    share = float(total[1]) / (STANDARD_GRAVITY * float(total[0]))
+    if abs(share - 1.0) > SAME:
+        table.notes.append(f"The weight is {100.0 * share:.0f} % of the mass times g.")
     if project.frame.leaning_column is not None:
         table.notes.append("Both contain what leans on the frame.")
     if project.dampers is not None and project.dampers.attachments:

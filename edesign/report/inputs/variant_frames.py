@@ -11,7 +11,7 @@ from edesign.building.frame import FrameModel
 from edesign.project.dampers.dampers import Dampers, Device
 from edesign.project.project import Project
 from edesign.project.reading.yaml_nodes import parse
-from edesign.project.study.study import Study, own_variant
+from edesign.project.study.study import Study
 from edesign.study.analysis.structure import make_frame
 from edesign.study.design.building import with_temperature
 from edesign.study.results.kinds import DESIGNS
@@ -29,7 +29,7 @@ class VariantFrames:
 
     def __init__(self, archive: Archive, project: Project, study: Study | None = None) -> None:
         self._archive, self._project, self._study = archive, project, study
-        self._frames: dict[str, FrameModel] = {}
+        self._frames: dict[tuple[str, float | None], FrameModel] = {}
 
     @cached_property
     def variants(self) -> tuple[str, ...]:
@@ -41,30 +41,22 @@ class VariantFrames:
             name for name, variant in self._study.variants.items() if variant.design is None or variant.design in made
         )
 
-    def project(self, variant: str) -> Project:
-        """Return what a variant is as a project; its name may tell a temperature."""
+    def project(self, variant: str, temperature_C: float | None = None) -> Project:
+        """Return what a variant is as a project, its dampers at a temperature, degC; None: its own."""
         if self._study is None:
             return self._project
-        return variant_project(self._study, own_variant(variant), self._designed)
+        return variant_project(self._study, variant, self._designed, temperature_C)
 
-    def frame(self, variant: str) -> FrameModel:
-        """Return the frame of a variant with its dampers.
+    def frame(self, variant: str, temperature_C: float | None = None) -> FrameModel:
+        """Return the frame of a variant with its dampers at a temperature, degC; None: its own.
 
         Raises:
             InputError: it cannot be built, as a file that it needs is not at hand.
         """
-        own = own_variant(variant) if self._study is not None else ""
-        if own not in self._frames:
-            self._frames[own] = make_frame(self.project(own), dampers=True)
-        return self._frames[own]
-
-    def of_analysis(self, variant: str) -> str | None:
-        """Return the variant whose frame an analysis with this label has; None: it cannot be built.
-
-        In a project the label is for people, and all analyses have its frame.
-        """
-        own = own_variant(variant) if self._study is not None else ""
-        return own if own in self.variants else None
+        key = (variant, temperature_C)
+        if key not in self._frames:
+            self._frames[key] = make_frame(self.project(variant, temperature_C), dampers=True)
+        return self._frames[key]
 
     @cached_property
     def _designed(self) -> dict[str, Dampers]:

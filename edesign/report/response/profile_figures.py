@@ -106,19 +106,34 @@ def _panels(
         other = (TOTAL, "columns and dampers") if both else (DAMPERS, "dampers")
         parts = [(name, f"{variant}: {part}".strip(": ")) for name, part in ((quantity, "columns"), other)]
     for name, title in parts:
-        values = {history.motion: _profile(group, name, kind) for history, group in found}
-        there = {motion: profile for motion, profile in values.items() if profile is not None}
+        values = {history.motion: profile(group, name, kind) for history, group in found}
+        there = {motion: one for motion, one in values.items() if one is not None}
         if there:
             yield title, there
 
 
-def _profile(group: Group, quantity: str, kind: Kind) -> np.ndarray | None:
+def with_dampers(group: Group) -> bool:
+    """Return whether dampers had forces in some storey of a history that kept the shears over time."""
+    return bool(np.any(peak(group, DAMPERS))) and all(n in group.variables for n in (DAMPERS, "storey_shear"))
+
+
+def profile(group: Group, quantity: str, kind: Kind) -> np.ndarray | None:
+    """Return the peaks of a history over the height in the unit of a figure, None if it has no such quantity.
+
+    Args:
+        group: the history.
+        quantity: of `KINDS`, `DAMPERS`, or `TOTAL`, the shear of columns and dampers at one moment.
+        kind: the quantity.
+
+    Returns:
+        (floors or storeys,) from the bottom; of floors the first is the base.
+    """
     if quantity == TOTAL:  # at one moment: the extremes of both do not add up
         total = group.variables["storey_shear"].values + group.variables[DAMPERS].values
         return np.asarray(kind.factor * np.max(np.abs(total), axis=0))
     name = quantity.removeprefix("residual_")
-    profile = residual(group, name) if name != quantity else peak(group, quantity)
-    if profile is None:
+    found = residual(group, name) if name != quantity else peak(group, quantity)
+    if found is None:
         return None
     if kind.base is not None:
         base = float(str(group.attributes[kind.base])) if kind.base else 0.0
@@ -126,8 +141,8 @@ def _profile(group: Group, quantity: str, kind: Kind) -> np.ndarray | None:
             of_base = name.replace("floor_", "base_")
             own = residual(group, of_base) if name != quantity else peak(group, of_base)
             base = base if own is None else float(own)
-        profile = np.concatenate(([base], profile))
-    return kind.factor * profile
+        found = np.concatenate(([base], found))
+    return kind.factor * found
 
 
 @styled

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from edesign.report.archive_tables import measures_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
-from edesign.report.page.section import Folded, Part, Section
-from edesign.report.page.source import Source, headed
+from edesign.report.drawing.captions import at_level
+from edesign.report.page.section import Folded, Heading, Part, Section
+from edesign.report.page.source import Source, by_level
+from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 
-SHOWN = 2  # tables of statistics, mean and maximum as in thesis Tables 5.8 and 5.9; the others on demand
+SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
 
 def response(source: Source) -> Section:
@@ -25,5 +27,20 @@ def response(source: Source) -> Section:
     else:
         table = measures_table(source.entries)
         parts += [table] if table.rows else []
-    parts += headed(source.pictures(profile_figures), source.levels)
+    parts += _profiles(source)
     return Section("response", "Peak response", (), tuple(parts))
+
+
+def _profiles(source: Source) -> list[Part]:
+    """Of each level the means of all variants in one axis, and every record on demand; of one variant its records."""
+    over = by_level(source.pictures(mean_profile_figures), source.levels)
+    single = by_level(source.pictures(profile_figures), source.levels)
+    parts: list[Part] = []
+    for level, pictures in single.items():
+        parts += [Heading(level or "All levels")] if len(single) > 1 else []
+        if level in over:
+            said = f"Profiles of every record{at_level(level)} ({len(pictures)})"
+            parts += [*over[level], Folded(said, tuple(pictures))]
+        else:
+            parts += pictures
+    return parts
