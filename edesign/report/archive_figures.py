@@ -28,9 +28,9 @@ from edesign.report.response.brace_figures import brace_figures
 from edesign.report.response.damper_loops import damper_figures
 from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.frame_figures import frame_figures
+from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.mode_figures import mode_figures
 from edesign.report.response.moment_rotation_figures import moment_rotation_figures
-from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.response.response_figures import response_figures
 from edesign.report.response.temperature_figures import temperature_figures

@@ -17,6 +17,7 @@ from pydantic import (
 
 from edesign.project.criteria.criterion_quantities import QUANTITIES, EnergyTerm, Side
 from edesign.project.criteria.measures import MEASURE_KINDS, SHORT_NAMES, add_limits, parse_limit
+from edesign.project.document import LONGEST
 from edesign.project.notation.selections import ALL_LINES, ALL_NUMBERS, Lines, Numbers
 from edesign.project.notation.several import several
 from edesign.project.notation.units import PositiveFrequency, PositiveRatio, Rotation
@@ -85,6 +86,7 @@ class _Criterion(Model):
 
     Attributes:
         name: unique name of the criterion.
+        source: clause of a code, or an agreement, that the limit comes from; the report tells it beside the check.
         variants: variants that are judged, each on its own, or `all`.
         levels: hazard levels that are judged, each on its own, or `all`.
         statistic: statistic over the histories; `ec8` and `asce7` take the mean or maximum by the number of motions.
@@ -93,6 +95,7 @@ class _Criterion(Model):
     """
 
     name: CriterionName
+    source: Annotated[str, Field(min_length=1, max_length=LONGEST)] | None = None
     variants: Names = ()
     levels: Names = ()
     statistic: Annotated[

@@ -71,12 +71,12 @@ def damper_place(name: str) -> tuple[str, str]:
     letter, _, rest = name.partition("_")
     parts = rest.split("_")
     if letter in _STANDING and len(parts) > 1:
-        brace = {"r": "in place of chevron braces", "f": "in place of chevron braces"}.get(parts[2] if parts[2:] else "")
-        return brace or _STANDING[letter], f"bay {parts[0]}"
+        in_place = parts[2:3] in (["r"], ["f"])
+        return "in place of chevron braces" if in_place else _STANDING[letter], f"bay {parts[0]}"
     if letter == "N":
         return "between nodes", " to ".join(parts[:2])
     if letter == "I":
-        return "isolator", f"line {rest}"
+        return "isolator", f"line {parts[0]}"
     return "beside the isolated base", f"line {parts[0]}"
 
 

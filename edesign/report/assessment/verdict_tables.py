@@ -19,6 +19,7 @@ from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import wrapped
 
+REMARKS = "Remarks on the criteria"
 TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
 
 
@@ -32,7 +33,7 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
     governs = Table(
         "What governs the criteria", (*name, "place", "motion", "statistic", "of"), left=6, sentences=(0, 1, 4)
     )
-    remarks = Table("Remarks on the criteria", (*name, "remark"), left=4, sentences=(3, 0))
+    remarks = Table(REMARKS, (*name, "remark"), left=4, sentences=(3, 0))
     required = dict.fromkeys((verdict.name, verdict.requirement) for verdict in verdicts)
     requirements = Table(
         "What the criteria require",
@@ -105,9 +106,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         "histories",
         "governs",
     )
-    table = Table(
-        "Rehabilitation objectives (thesis Table 5.4; mean D/C, demand over capacity, met up to 1)", columns, left=7
-    )
+    table = Table("Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)", columns, left=7)
     for letter in objectives:
         objective = OBJECTIVES[letter]
         hazard = f"{100 * objective.probability:g} % in 50 years"
@@ -137,6 +136,8 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                 table.notes.append(
                     f"{letter}, {verdict.variant or '-'}, {verdict.name.rpartition(' ')[2]}: {'; '.join(about)}"
                 )
+    if table.rows:
+        table.notes.append("Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level.")
     table.notes += _few(verdicts)
     return table
 

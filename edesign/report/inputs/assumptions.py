@@ -9,8 +9,8 @@ from edesign.project.analysis.damping import MassDamping, ModalDamping, NoDampin
 from edesign.project.frame.foundations import FootingSupport
 from edesign.project.frame.frame import Frame
 from edesign.project.frame.materials import ElasticMaterial
-from edesign.project.frame.sections import ElasticSection
 from edesign.project.frame.members import BeamRun, ColumnRun
+from edesign.project.frame.sections import ElasticSection
 from edesign.project.frame.supports import support_name
 from edesign.project.project import Project
 from edesign.project.study.incremental import Incremental
@@ -57,8 +57,8 @@ def _shaken(project: Project, study: Study | None) -> list[Shaken]:
 def _model(project: Project) -> str:
     isolated = " on an isolated base" if project.isolation is not None else ""
     return (
-        f"A plane frame{isolated} is analysed. Torsion of the building, the direction across the frame, and walls, stairs "
-        "and cladding are not in it. Members bend without shear deformations; floor slabs add no strength to beams."
+        f"A plane frame{isolated} is analysed. Torsion of the building, the direction across the frame, walls, "
+        "stairs and cladding are not in it. Members bend without shear deformations; floor slabs add no strength to beams."
     )
 
 
@@ -83,7 +83,8 @@ def _yielding(project: Project) -> str:
             names = dict.fromkeys(run.section for run, stays in zip(runs, elastic, strict=True) if stays)
             found.append(f"Members of {', '.join(names)} stay elastic.")
         found.append(
-            "Shear forces do not make them yield. Local buckling, lateral-torsional buckling and fracture are not modelled."
+            "Shear forces do not make them yield. Local buckling, lateral-torsional buckling and fracture are not "
+            "modelled."
         )
     if project.hinges:
         found.append("Plastic hinges at their ends lose strength and stiffness with the rotations that they have had.")
@@ -112,7 +113,9 @@ def _floors(frame: Frame) -> str:
     if not stiff:
         return "Floors are no diaphragms: the beams shorten and stretch, and have axial forces."
     which = "All floors are" if len(stiff) == frame.n_storeys else f"Floors {frame.diaphragms} are"
-    return f"{which} rigid diaphragms: their nodes move together horizontally. Axial forces of their beams are not known."
+    return (
+        f"{which} rigid diaphragms: their nodes move together horizontally. Axial forces of their beams are not known."
+    )
 
 
 def _mass(project: Project) -> str:
@@ -186,10 +189,14 @@ def _braces(project: Project) -> str:
         return ""
     buckling = sum(run.buckling is not None for run in runs)
     if not buckling:
-        return "Braces yield in compression as in tension: they do not buckle. Their compression is compared afterwards."
+        return (
+            "Braces yield in compression as in tension: they do not buckle. Their compression is compared afterwards."
+        )
     some = "Braces buckle" if buckling == len(runs) else "Some of the braces buckle"
     fracture = any(run.buckling is not None and run.buckling.fracture is not None for run in runs)
-    return f"{some} in the plane of analysis" + (", and break by low-cycle fatigue." if fracture else ". They do not break.")
+    return f"{some} in the plane of analysis" + (
+        ", and break by low-cycle fatigue." if fracture else ". They do not break."
+    )
 
 
 def _connections(project: Project) -> str:

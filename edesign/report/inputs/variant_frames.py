@@ -1,4 +1,4 @@
-"""The frames that an archive is of, built again from its texts: with the dampers of each variant, as they were sized."""
+"""The frames that an archive is of, built again from its texts, with the dampers of each variant as they were sized."""
 
 from __future__ import annotations
 
@@ -75,4 +75,3 @@ class VariantFrames:
             devices = TypeAdapter(tuple[Device, ...]).validate_python(plain["devices"])
             found[name] = project.dampers.model_copy(update={"devices": devices})
         return found
-

@@ -15,6 +15,7 @@ from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.section import Section
+from edesign.report.page.sections.assumptions import assumptions
 from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections
 from edesign.report.page.sections.dampers import dampers
@@ -34,12 +35,16 @@ from edesign.report.page.sections.pushover import pushover
 from edesign.report.page.sections.response import response
 from edesign.report.page.sections.summary import summary
 from edesign.report.page.sections.temperature import temperature
-from edesign.report.page.sections.verdicts import performance
+from edesign.report.page.sections.verdicts import checks
+from edesign.report.page.sections.warnings import warnings
 from edesign.report.page.source import Source
+from edesign.report.page.words import in_words
 
 SECTIONS: tuple[Callable[[Source], Section], ...] = (
     summary,
     model,
+    assumptions,
+    warnings,
     inputs,
     ground_motion,
     modes,
@@ -47,7 +52,6 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     design,
     pushover,
     response,
-    performance,
     hinges,
     braces,
     moment_rotation,
@@ -56,6 +60,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     temperature,
     derived,
     incremental,
+    checks,
     provenance,
 )
 """In the order of the page; those without content are left out."""
@@ -151,8 +156,8 @@ def page_of(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], Non
         from edesign.report.page.sections.substructure import substructure_sections
 
         own, others = substructure_sections(source), (provenance,)
-    sections = [*own, *(section for make in others if (section := make(source)))]
-    return Page(_cover(source), tuple(sections))
+    made = [*own, *(section for make in others if (section := make(source)))]
+    return Page(_cover(source), tuple(in_words(section, source.words) for section in made))
 
 
 def _kind(source: Source) -> str:

@@ -9,11 +9,13 @@ from edesign.codes.ec8 import ElasticSpectrum
 from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
 from edesign.codes.tabulated import CORRECTIONS, TabulatedSpectrum
+from edesign.damper.laws import LAWS
 from edesign.errors import EdesignError
 from edesign.ground_motion.hazard import action_of
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.damping import CaugheyDamping, MassDamping, ModalDamping, NoDamping, RayleighDamping
 from edesign.project.analysis.integration import HHTIntegration, Integration, NewmarkIntegration
+from edesign.project.dampers.dampers import DamperLaw
 from edesign.project.frame.hinges import Hinges, Joints
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.supports import support_name
@@ -221,11 +223,16 @@ def _integration(method: Integration) -> str:
     return f"generalised alpha, rho_inf = {method.rho_inf:g}, {step}"
 
 
+def _law_title(law: DamperLaw) -> str:
+    """What a law is in words, or the file that it stands in."""
+    return LAWS[law.type].title if law.type in LAWS else law.file or law.type or ""
+
+
 def _dampers(project: Project) -> str:
     if project.dampers is None:
         return ""
-    laws = [f"{name} ({law.type or law.file})" for name, law in project.dampers.laws.items()]
-    runs = [f"{run.kind} of {run.law}" for run in project.dampers.devices]
+    laws = [f"{name} ({_law_title(law)})" for name, law in project.dampers.laws.items()]
+    runs = [f"{run.kind.replace('_', ' ')} of {run.law}" for run in project.dampers.devices]
     tuned = [run.kind.replace("_", " ") for run in project.dampers.attachments]
     parts = (
         "laws: " + ", ".join(laws) if laws else "",

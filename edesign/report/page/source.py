@@ -10,18 +10,24 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.criteria import Verdict, judge
+from edesign.assess.quantities import HISTORY_OF
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
 from edesign.errors import EdesignError
 from edesign.project.building.building import Building
+from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_building, archived_project, archived_study
-from edesign.report.assessment.tables import read_histories
+from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
+from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.page.section import Heading, Part, Picture
+from edesign.report.page.words import words_of
 from edesign.report.summary import entry, planned, results
+from edesign.study.results.kinds import RECORDS
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -85,6 +91,40 @@ class Source:
         return list(dict.fromkeys(found.level for found in self.sets))
 
     @cached_property
+    def frames(self) -> VariantFrames | None:
+        """The frames of the variants, None without a project."""
+        return VariantFrames(self.archive, self.project, self.study) if self.project is not None else None
+
+    @cached_property
+    def words(self) -> dict[str, str]:
+        """The words for names of analyses and records; see `words.words_of`."""
+        references = (str(group.attributes.get("record") or "") for group in self.groups.values())
+        of_records = (
+            f"{name}/{inside}"
+            for name in self.archive.names(RECORDS)
+            for inside in self.archive.names(f"{RECORDS}/{name}")
+        )
+        return words_of(self.groups, dict.fromkeys(filter(None, (*references, *of_records))))
+
+    @cached_property
+    def judged_histories(self) -> dict[str, Group]:
+        """Histories and states at target displacements that criteria judge, by name, with what these need of them."""
+        sets = (*self.sets, *self.targets)
+        over_time = self.study is not None and any(
+            isinstance(one, QuantityCriterion) and one.quantity in HISTORY_OF for one in self.study.criteria
+        )
+        if over_time:
+            return read_judged(self.archive)
+        return {name: group for found in sets for name, group in found.histories.items()}
+
+    @cached_property
+    def verdicts(self) -> tuple[Verdict, ...]:
+        """Verdicts on the criteria of the study; none where none are given."""
+        if self.study is None or self.project is None or not (self.sets or self.targets):
+            return ()
+        return judge(self.study.criteria, (), self.judged_histories, self.project, self.study)
+
+    @cached_property
     def incremental(self) -> list[IncrementalResults]:
         """The incremental studies that have results."""
         return read_incremental(self.archive, self.groups)
@@ -140,17 +180,17 @@ class Source:
         found = []
         with garbage_between_figures() as collect:
             for maker in makers:
-                with self._or_left_out(maker.__name__.replace("_", " ")):
+                with self.or_left_out(maker.__name__.replace("_", " ")):
                     for name, caption, figure in maker(self.archive):
                         self._tell(f"figure {name}")
-                        with self._or_left_out(f"figure {name}"):
+                        with self.or_left_out(f"figure {name}"):
                             found.append(picture_of(self._unique(name), caption, figure))
                         del figure
                         collect()
         return tuple(found)
 
     @contextmanager
-    def _or_left_out(self, what: str) -> Iterator[None]:
+    def or_left_out(self, what: str) -> Iterator[None]:
         """Whatever goes wrong with a figure, the rest of the report is worth having."""
         try:
             yield

@@ -16,7 +16,7 @@ from edesign.report.tables.table import Table
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
 _SIDES = {"right": "to the right", "left": "to the left"}
 _METHODS = {"n2": "N2", "fema356": "FEMA 356", "asce41": "ASCE/SEI 41"}
-KEPT = "names"
+KEPT = "name of the analysis"
 """First column of tables whose names people need as they are, to ask `edesign show` for them."""
 
 
@@ -36,7 +36,9 @@ def analysis_words(name: str, group: Group) -> str:
         degrees = about.get("temperature_C")
         warm = "" if degrees is None else f" at {float(str(degrees)):g} °C"
         said = [] if own and level else [rest.removesuffix(end).rstrip(".")]
-        return ", ".join(part for part in (f"{own}{warm}" if own else "", level * bool(own), *said, record_label(record)) if part)
+        return ", ".join(
+            part for part in (f"{own}{warm}" if own else "", level * bool(own), *said, record_label(record)) if part
+        )
     words = [_METHODS.get(part, _SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
     return ", ".join(part for part in (own, *words) if part)
 

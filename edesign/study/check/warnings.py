@@ -97,15 +97,46 @@ def warning_lines(groups: Mapping[str, Group]) -> list[str]:
         groups: results of analyses by name; the line says of how many.
     """
     lines = []
+    for told in grouped_warnings(groups):
+        if told.count == 1:
+            lines.append(f"{told.worst}: {told.text}")
+        else:
+            where = f"in {told.count} of {len(groups)} analyses {told.alike}"
+            lines.append(f"{where}, most in {told.worst}: {told.text}")
+    return lines
+
+
+@dataclass(frozen=True)
+class GroupedWarning:
+    """Warnings of one kind.
+
+    Attributes:
+        worst: the analysis that has the worst of them, or the only one.
+        count: analyses that have such warnings.
+        alike: what these have in common.
+        text: of the worst.
+    """
+
+    worst: str
+    count: int
+    alike: str
+    text: str
+
+
+def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
+    """Return the warnings of analyses, those of one kind in several analyses together.
+
+    Args:
+        groups: results of analyses by name.
+    """
+    found = []
     for kind, alike in ALIKE.items():
         told = {name: [w for w in warnings_of(group) if w.kind == kind] for name, group in groups.items()}
         told = {name: several for name, several in told.items() if several}
         if not told:
             continue
         worst = max(told, key=lambda name: max(warning.ratio for warning in told[name]))
-        if len(told) == 1:
-            lines += [f"{worst}: {warning.text}" for warning in told[worst]]
-        else:
-            texts = "; ".join(warning.text for warning in told[worst])
-            lines.append(f"in {len(told)} of {len(groups)} analyses {alike}, most in {worst}: {texts}")
-    return lines
+        texts = [warning.text for warning in told[worst]]
+        for text in texts if len(told) == 1 else ["; ".join(texts)]:
+            found.append(GroupedWarning(worst, len(told), alike, text))
+    return found

@@ -1,11 +1,30 @@
-"""What was analysed: the frame in words and key numbers, the plan, and the files to the letter."""
+"""The input as a checker needs it: the frame in numbers, masses, laws, the damper schedule, the plan, and the files."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
+
 from edesign.report.archive_tables import analyses_table
+from edesign.report.inputs.damper_schedule import schedule_tables
+from edesign.report.inputs.law_parameters import law_tables
+from edesign.report.inputs.mass_table import mass_tables
+from edesign.report.inputs.variant_frames import VariantFrames
+from edesign.report.inputs.variants_table import variants_table
 from edesign.report.page.project_facts import project_rows
-from edesign.report.page.section import Facts, Folded, Part, Section
+from edesign.report.page.section import Facts, Folded, Heading, Part, Section
 from edesign.report.page.source import Source
+from edesign.report.page.words import KEPT
+from edesign.report.summary import results
+from edesign.report.tables.table import Table
+
+NAMES = (
+    ("Columns", "C_B_3 stands on line B in storey 3."),
+    ("Beams", "B_2_3 is in bay 2 at floor 3."),
+    ("Dampers", "V_2_3 is a chevron in bay 2 and storey 3; R rises, F falls, S is between floors, I is an isolator."),
+    ("Braces", "D_2_3_r is in bay 2 and storey 3, and rises from left to right; f falls."),
+)
+MANY = 48  # rows of a table of the schedule, beyond which it is folded
 
 
 def inputs(source: Source) -> Section:
@@ -13,8 +32,14 @@ def inputs(source: Source) -> Section:
     parts: list[Part] = []
     if source.project is not None:
         parts.append(Facts(tuple(project_rows(source.project))))
+        parts.append(Folded("How members are named", (Table("", ("members", "example"), _names(), left=2),)))
+    if source.study is not None:
+        parts.append(variants_table(source.study))
+    if source.frames is not None and source.entries:
+        parts += _of_frames(source, source.frames)
     if source.entries:
         table = analyses_table(source.entries)
+        table = replace(table, columns=(KEPT, *table.columns[1:]))
         parts.append(Folded(f"All {len(source.entries)} analyses", (table,)))
     for name, what in (("study_text", "The study file"), ("project_text", "The project file")):
         text = source.text(name)
@@ -22,4 +47,29 @@ def inputs(source: Source) -> Section:
             parts.append(Folded(f"{what}, {len(text.splitlines())} lines", text=text))
     title = source.project.title if source.project is not None else ""
     known = title == source.attributes.get("title")
-    return Section("inputs", "What was analysed", (f"{title}.",) if title and not known else (), tuple(parts))
+    return Section("inputs", "Input", (f"{title}.",) if title and not known else (), tuple(parts))
+
+
+def _names() -> list[list[str]]:
+    return [list(row) for row in NAMES]
+
+
+def _of_frames(source: Source, frames: VariantFrames) -> list[Part]:
+    """Masses, laws and schedule; one that cannot be made, as a file is not at hand, is named under Provenance."""
+    makers: tuple[tuple[str, Callable[[], list[Table]]], ...] = (
+        ("masses of the floors", lambda: mass_tables(frames)),
+        ("laws of the dampers", lambda: law_tables(frames)),
+        (
+            "damper schedule",
+            lambda: schedule_tables(frames, source.study, source.sets, lambda name: results(source.archive, name)),
+        ),
+    )
+    parts: list[Part] = []
+    for what, make in makers:
+        tables: list[Table] = []
+        with source.or_left_out(what):
+            tables = make()
+        if tables and what != "masses of the floors":
+            parts.append(Heading(what.capitalize()))
+        parts += [Folded(f"{t.title} ({len(t.rows)} rows)", (t,)) if len(t.rows) > MANY else t for t in tables]
+    return parts

@@ -13,11 +13,10 @@ from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.drawing.captions import at_level, plain, record_label
 from edesign.report.page.section import Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.incremental import incremental_summary, incremental_tiles
-from edesign.report.page.sections.verdicts import judged, verdict_tiles
+from edesign.report.page.sections.verdicts import verdict_tiles
+from edesign.report.page.sections.warnings import warning_table
 from edesign.report.page.source import Source
-from edesign.report.summary import design_warnings, input_warnings
 from edesign.report.tables.table import Table, number
-from edesign.study.check.warnings import warning_lines
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
 TILES = (  # label, measure, unit, unit in SI
@@ -42,15 +41,13 @@ NAMED = 20
 
 def summary(source: Source) -> Section:
     """What a reader should know who reads nothing else."""
-    parts: list[Part] = [*_failures(source.entries), *_warnings(source)]
-    verdicts, tables = judged(source)
+    parts: list[Part] = [*_failures(source.entries), *_doubts(source)]
     rows = (
-        verdict_tiles(verdicts, source.study),
+        verdict_tiles(source.verdicts, source.study),
         _tiles(source.statistics),
         *map(incremental_tiles, source.incremental),
     )
     parts += [Headlines(tiles) for tiles in rows if tiles]
-    parts += tables
     governing = governing_table(source.statistics)
     parts += [governing] if governing.rows else []
     return Section("summary", "Summary", (_asked(source),), tuple(parts))
@@ -169,10 +166,13 @@ def _listed(names: Iterable[str]) -> str:
     return found[0] if len(found) == 1 else f"{', '.join(found[:-1])} and {found[-1]}" if found else ""
 
 
-def _warnings(source: Source) -> list[Part]:
-    """What is doubtful: about the input, about designs, and about results, those of one kind together."""
-    lines = [*input_warnings(source.archive), *design_warnings(source.archive), *warning_lines(source.groups)]
-    return [Warnings("Warnings", tuple(lines))] if lines else []
+def _doubts(source: Source) -> list[Part]:
+    """How much is doubtful; the list has a section of its own."""
+    count = len(warning_table(source).rows)
+    if not count:
+        return []
+    told = "1 warning stands" if count == 1 else f"{count} warnings stand"
+    return [Warnings("Read the warnings", (f"{told} in the section Warnings, with what they apply to.",))]
 
 
 def _failures(entries: Sequence[dict[str, Any]]) -> list[Part]:

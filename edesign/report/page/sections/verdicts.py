@@ -1,37 +1,17 @@
-"""Verdicts on criteria and objectives of a study, for the first page; performance levels in a section of their own."""
+"""Verdicts on criteria of a study for the first page, and the section of all checks."""
 
 from __future__ import annotations
 
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.members import VariantMembers
-from edesign.assess.quantities import HISTORY_OF
-from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.study.study import Study, own_variant
-from edesign.report.assessment.tables import read_judged
-from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
-from edesign.report.page.section import Headline, Section
+from edesign.report.assessment.check_table import check_table
+from edesign.report.assessment.verdict_tables import REMARKS, objectives_table, performance_tables, verdicts_tables
+from edesign.report.page.section import Folded, Headline, Part, Section
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table
 
-
-def judged(source: Source) -> tuple[tuple[Verdict, ...], list[Table]]:
-    """Return the verdicts on the criteria, and the tables of criteria and objectives; nothing where none are given."""
-    study, project = source.study, source.project
-    if study is None or project is None or not (source.sets or source.targets):
-        return (), []
-    over_time = any(isinstance(c, QuantityCriterion) and c.quantity in HISTORY_OF for c in study.criteria)
-    sets = (*source.sets, *source.targets)
-    histories = (
-        read_judged(source.archive)
-        if over_time
-        else {name: group for found in sets for name, group in found.histories.items()}
-    )
-    verdicts = judge(study.criteria, (), histories, project, study)
-    tables = verdicts_tables(verdicts) if verdicts else []
-    if study.objectives:
-        of_objectives = judge((), study.objectives, histories, project, study)
-        tables.append(objectives_table(of_objectives, study.objectives, project))
-    return verdicts, tables
+MANY = 60  # rows, from which the table of all checks is folded
 
 
 def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> tuple[Headline, ...]:
@@ -55,10 +35,22 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
     return tuple(tiles)
 
 
-def performance(source: Source) -> Section:
-    """Which structural performance level each variant reaches at each hazard level."""
-    title = "Performance levels"
-    if source.project is None or not any(found.completed for found in source.sets):
-        return Section("performance", title)
-    tables = performance_tables(source.sets, VariantMembers(source.project, source.study))
-    return Section("performance", title, (), tuple(tables))
+def checks(source: Source) -> Section:
+    """Every criterion with its source, demand, capacity and verdict, objectives, and performance levels."""
+    title = "Checks"
+    study, project = source.study, source.project
+    parts: list[Part] = []
+    if source.verdicts and study is not None:
+        table, *others = [check_table(source.verdicts, study.criteria), *_remarks(source.verdicts)]
+        parts += [Folded(f"All checks ({len(table.rows)})", (table,)) if len(table.rows) > MANY else table, *others]
+    if study is not None and project is not None and study.objectives and source.judged_histories:
+        of_objectives = judge((), study.objectives, source.judged_histories, project, study)
+        parts.append(objectives_table(of_objectives, study.objectives, project))
+    if project is not None and any(found.completed for found in source.sets):
+        parts += performance_tables(source.sets, VariantMembers(project, study))
+    return Section("checks", title, (), tuple(parts))
+
+
+def _remarks(verdicts: tuple[Verdict, ...]) -> list[Table]:
+    """What is to be said of verdicts beside their numbers."""
+    return [table for table in verdicts_tables(verdicts) if table.title == REMARKS]

@@ -1,0 +1,60 @@
+"""Everything that is doubtful, in one list: of the check of the input, of designs, of records, and of results."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+
+from edesign.archive.reader import Archive
+from edesign.report.archived import is_building_archive
+from edesign.report.page.section import Facts, Section
+from edesign.report.page.source import Source
+from edesign.report.summary import design_warnings, input_warnings
+from edesign.report.tables.table import Table
+from edesign.study.check.warnings import grouped_warnings
+from edesign.study.results.kinds import RECORDS
+
+NONE = "The check of the input and the analyses found nothing doubtful."
+_WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
+
+
+def warnings(source: Source) -> Section:
+    """Return all warnings with what they apply to."""
+    found = warning_table(source)
+    if found.rows:
+        return Section("warnings", "Warnings", (), (found,))
+    told = source.entries or is_building_archive(source.archive)
+    return Section("warnings", "Warnings", (), (Facts((("Warnings", NONE),)),) if told else ())
+
+
+def warning_table(source: Source) -> Table:
+    """Return a row for each warning: what it applies to, and the warning."""
+    table = Table("", ("applies to", "warning"), left=2, sentences=1)
+    lines = [*input_warnings(source.archive), *record_warnings(source.archive), *design_warnings(source.archive)]
+    table.rows += [list(_apart(line)) for line in dict.fromkeys(lines)]
+    for told in grouped_warnings(source.groups):
+        if told.count == 1:
+            table.rows.append([told.worst, _sentence(told.text)])
+        else:
+            where = f"{told.count} of {len(source.groups)} analyses"
+            table.rows.append([where, _sentence(f"{told.alike}; most in {told.worst}: {told.text}")])
+    return table
+
+
+def record_warnings(archive: Archive) -> list[str]:
+    """Return what is doubtful about sets of records and single ones, a sentence each that names them."""
+    found = []
+    for name in archive.names(RECORDS):
+        told = archive.group_attributes(f"{RECORDS}/{name}").get("warnings")
+        found += [f"records {name}: {text}" for text in (told if isinstance(told, Iterable) else ())]
+    return found
+
+
+def _apart(line: str) -> tuple[str, str]:
+    """What a warning applies to, as it begins with, and the rest of it."""
+    found = _WHERE.fullmatch(line)
+    return ("input", _sentence(line)) if found is None else (found["where"], _sentence(found["what"]))
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}" + ("" if text.endswith((".", "!", "?")) else ".")
