@@ -265,7 +265,9 @@ def at(
                 f"{temperature_C:g} degC",
             )
         model = GammaT() if reference_C == REFERENCE_C else GammaT().about(reference_C)
-        warnings = (f"no temperature law is given: gamma_T of thesis Table 4.4 is taken at {temperature_C:g} degC",)
+        warnings = (
+            f"no temperature law is given: the published factor gamma_T of this law is taken at {temperature_C:g} degC",
+        )
     if law.name not in model.laws:
         allowed = ", ".join(name for name in LAWS if name in model.laws)
         raise InputError(f"this temperature law is not made for law {law.name} (it is for: {allowed})")

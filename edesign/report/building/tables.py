@@ -12,6 +12,7 @@ import numpy as np
 from edesign.archive.reader import Archive, DamagedArchive
 from edesign.errors import ArchiveError
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.report.building.check_table import check_words
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.results import BuildingResults, finite
@@ -186,8 +187,8 @@ def criteria_table(results: BuildingResults) -> Table:
     return table
 
 
-def groups_table(results: BuildingResults) -> Table:
-    """Return the governing check of each group of members."""
+def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> Table:
+    """Return the governing check of each group of members; `say` gives its name, in words where there is room."""
     table = Table(
         "Members: the governing check of each group",
         ("group", "section", "members", "use", "check", "member", "combination"),
@@ -197,8 +198,8 @@ def groups_table(results: BuildingResults) -> Table:
     for worst in worst_of_groups(results):
         use = "inf" if math.isinf(worst.utilisation) else number(finite(worst.utilisation), 3)
         cells = [worst.group, worst.section, str(worst.count), use]
-        table.rows.append([*cells, worst.name, worst.member, str(worst.combination)])
-        clauses.setdefault(worst.name, worst.clause)
+        table.rows.append([*cells, say(worst.name), worst.member, str(worst.combination)])
+        clauses.setdefault(say(worst.name), worst.clause)
     table.notes.append("use: effect over resistance; combination: its number among those below")
     if any(row[3] == "inf" for row in table.rows):
         table.notes.append(
@@ -253,14 +254,18 @@ def remarks(results: BuildingResults) -> list[str]:
 def failures(results: BuildingResults) -> list[str]:
     """Return what is not met: checks of groups, then rules."""
     over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
-    columns = ("text", "detail", "value", "required", "passed")
+    columns = ("text", "detail", "value", "required", "passed", "clause")
     rules = zip(*(results.values("criteria", name) for name in columns), strict=True)
-    found = [f"{worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}" for worst in over]
-    return found + [
-        f"{text}{f' ({detail})' if detail else ''}: {number(finite(value), 3)}, limit {number(finite(limit), 3)}"
-        for text, detail, value, limit, passed in rules
-        if passed == 0
+    found = [
+        f"{worst.group} {worst.section}: {check_words(worst.name)} {worst.utilisation:.3f} ({worst.clause})"
+        for worst in over
     ]
+    for text, detail, value, limit, passed, clause in rules:
+        if passed == 0:
+            about = f"{text} ({detail})" if detail else str(text)
+            code = f"EN 1998-1, {clause}" if str(clause)[:1].isdigit() else str(clause)
+            found.append(f"{about}: {number(finite(value), 3)}, limit {number(finite(limit), 3)} ({code})")
+    return found
 
 
 TABLES: tuple[Make, ...] = (

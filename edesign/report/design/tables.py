@@ -25,8 +25,8 @@ from edesign.report.tables.table import Table, number
 EMPTY: Mapping[str, float] = MappingProxyType({})
 
 _DAMPINGS = (
-    ("Eq. 5.6 [%]", "damping_strain_energy"),
-    ("Eq. 5.8 [%]", "damping_frequencies"),
+    ("energies [%]", "damping_strain_energy"),
+    ("frequencies [%]", "damping_frequencies"),
     ("complex [%]", "damping_complex"),
 )
 _CHANGED = {
@@ -159,7 +159,7 @@ def damping_table(group: Group) -> Table:
     for mode in range(period.shape[1]):
         for i, assembly in enumerate(group.coords["assembly"].values):
             cells = [number(float(group.variables[key].values[i, mode]), scale=0.01) for _, key in _DAMPINGS]
-            times = [number(float(bare[mode])), str(assembly), number(float(period[i, mode]))]
+            times = [number(float(bare[mode])), str(assembly).replace("_", " "), number(float(period[i, mode]))]
             table.rows.append([str(mode + 1), *times, *cells])
     table.notes.append("added damping: by energies of the modes with dampers, frequencies, complex eigenvalues")
     return table

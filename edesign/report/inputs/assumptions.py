@@ -58,7 +58,8 @@ def _model(project: Project) -> str:
     isolated = " on an isolated base" if project.isolation is not None else ""
     return (
         f"A plane frame{isolated} is analysed. Torsion of the building, the direction across the frame, walls, "
-        "stairs and cladding are not in it. Members bend without shear deformations; floor slabs add no strength to beams."
+        "stairs and cladding are not in it. Members bend without shear deformations. Floor slabs add no strength to "
+        "beams."
     )
 
 

@@ -152,7 +152,9 @@ def page_of(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], Non
             return page_of(opened, tell)
     source = Source(archive, tell)
     own, others = building_sections(source), SECTIONS
-    if is_substructure_archive(archive):
+    if is_building_archive(archive):
+        others = (provenance,)
+    elif is_substructure_archive(archive):
         from edesign.report.page.sections.substructure import substructure_sections
 
         own, others = substructure_sections(source), (provenance,)

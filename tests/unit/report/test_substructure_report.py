@@ -117,7 +117,8 @@ def test_the_page_has_all_sections_and_figures(page: str) -> None:
     figures = set(re.findall(r'<figure class="picture" id="figure-([A-Za-z0-9_]+)"', page))
     kinds = ("tracking", "synchronisation", "alpha", "live_delay", "specimen", "interface_energy")
     each = {f"{kind}_{test}" for kind in kinds for test in ("cycles", "shaken")}
-    assert figures == {"loop", "model_structure", "rig", "stability_map", "structure_shaken", *PROFILES, *each}
+    always = {"loop", "model_structure", "rig", "stability_map", "structure_shaken", "mean_profiles_shaken"}
+    assert figures == {*always, *PROFILES, *each}
     assert "What could not be shown" not in page and len(page) < 1.5e6
     assert "second_order, frequency 21.4 Hz" in page and "late in all" in page
 
@@ -139,7 +140,7 @@ def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Ar
 def test_figures_are_drawn_as_files(archive: Archive, tmp_path: Path) -> None:
     names = [name for name, _, _ in all_figures(archive)]
     assert names[:4] == ["loop", "model_structure", "rig", "stability_map"]
-    assert len(names) == len(set(names)) == 21
+    assert len(names) == len(set(names)) == 22
     assert names[-1] == "response_shaken_shake" and set(names[-4:-1]) == set(PROFILES)
     written = draw_figures(archive, tmp_path / "figures", "png")
     assert [file.stem for file in written] == names and all(file.stat().st_size > 5000 for file in written)
@@ -212,7 +213,7 @@ def test_what_was_not_kept_is_not_drawn_and_not_judged(tmp_path: Path) -> None:
         names = [name for name, _, _ in all_figures(archive)]
         table = limits_table(SubstructureResults(archive))
     # of the building largest values are kept in any case
-    assert names == ["loop", "model_structure", "rig", "stability_map", *PROFILES]
+    assert names == ["loop", "model_structure", "rig", "stability_map", "mean_profiles_shaken", *PROFILES]
     assert not table.rows and "Not known of modified" in table.notes[-1]
 
 

@@ -1,4 +1,4 @@
-"""The sections of a building: verdict, structure, action, modes, storeys, members, capacity design, combinations."""
+"""The sections of a building: verdict, assumptions, warnings, structure, action, storeys, members, checks, rules."""
 
 from __future__ import annotations
 
@@ -9,6 +9,7 @@ from functools import partial
 from edesign.archive.dataset import Group
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.archived import is_building_archive
+from edesign.report.building.assumptions import building_assumption_rows
 from edesign.report.building.basis_tables import (
     floors_table,
     joints_table,
@@ -16,6 +17,7 @@ from edesign.report.building.basis_tables import (
     overstrength_table,
     selection_table,
 )
+from edesign.report.building.check_table import check_words, group_checks_table
 from edesign.report.building.checks import effects_table, written_table, written_worst
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
 from edesign.report.building.deflection_table import deflection_table
@@ -40,6 +42,7 @@ from edesign.report.building.tables import (
 from edesign.report.drawing.captions import plain
 from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
+from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table
 from edesign.space.structure.frame import AXES
@@ -57,7 +60,7 @@ def building_sections(source: Source) -> list[Section]:
     sections = [_section(source, results, missing, *which) for which in _SECTIONS]
     first, *others = sections
     lost = [Warnings("What cannot be read of the archive", tuple(missing.notes))] if missing.notes else []
-    first = Section(first.id, first.title, first.intro, (*lost, *first.parts), tuple(remarks(results)))
+    first = Section(first.id, first.title, first.intro, (*lost, *first.parts))
     return [section for section in (first, *others) if section]
 
 
@@ -83,7 +86,7 @@ def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
         Headline(
             f"{worst.utilisation:.3f}",
             "Largest utilisation",
-            f"{worst.member}, {worst.section}, {worst.name}",
+            f"{worst.member}, {worst.section}: {check_words(worst.name)}",
             _state(worst.utilisation <= 1.0),
         ),
         Headline(f"{period}\N{NO-BREAK SPACE}s", "First period", f"mass {plain(mass / 1e3, 4)} t"),
@@ -110,6 +113,23 @@ def _structure(source: Source, results: BuildingResults) -> Iterable[Part]:
             yield Facts(tuple(design_rows(building.design)), formulas=True)
 
 
+def _assumptions(source: Source, results: BuildingResults) -> Iterable[Part]:
+    if source.building is not None:
+        yield Facts(tuple(building_assumption_rows(source.building)))
+
+
+def _warnings(source: Source, results: BuildingResults) -> Iterable[Part]:
+    """Doubts of the check about the input, and what the design has to say of its results."""
+    table = warning_table(source)
+    table.rows += [["results", f"{text[:1].upper()}{text[1:]}"] for text in remarks(results)]
+    yield table if table.rows else Facts((("Warnings", NONE),))
+
+
+def _checks(source: Source, results: BuildingResults) -> Iterable[Part]:
+    table = group_checks_table(results)
+    yield Folded(f"{table.title} ({len(table.rows)})", (table,))
+
+
 def _action(source: Source, results: BuildingResults) -> Iterable[Part]:
     building = source.building
     if building is not None and building.hazard is not None:
@@ -121,7 +141,8 @@ def _written(source: Source, results: BuildingResults) -> Iterable[Part]:
     """The governing check of each group; nothing of those to which no check applies."""
     for worst, found in written_worst(results):
         state = "" if worst.utilisation <= 1.0 else ", NOT MET"
-        summary = f"{worst.group} {worst.section}: {worst.name} {worst.utilisation:.3f}{state} ({worst.member})"
+        name = check_words(worst.name)
+        summary = f"{worst.group} {worst.section}: {name} {worst.utilisation:.3f}{state} ({worst.member})"
         yield Folded(summary, (effects_table(results, worst.number, worst.check), written_table(found)))
 
 
@@ -144,6 +165,8 @@ def _of_group(name: str, make: Callable[[Group], Table]) -> Parts:
 _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
     ("building", "Verdict", (_verdict,)),
     ("model", "The model", (_pictures(archived_building_model),)),
+    ("assumptions", "Assumptions and limits", (_assumptions,)),
+    ("warnings", "Warnings", (_warnings,)),
     ("structure", "Structure and loads", (_structure, _table(materials_table), _table(floors_table))),
     ("action", "Seismic action", (_action, _pictures(spectra))),
     ("natural-modes", "Natural modes", (_pictures(mode_shapes), _table(modes_table))),
@@ -157,12 +180,13 @@ _SECTIONS: tuple[tuple[str, str, tuple[Parts, ...]], ...] = (
         "Members",
         (
             _pictures(elevations),
-            _table(groups_table),
+            _table(partial(groups_table, say=check_words)),
             _table(selection_table),
             _written,
             _of_group("deflections", deflection_table),
         ),
     ),
+    ("checks", "Checks of members", (_checks,)),
     ("capacity", "Rules and capacity design", tuple(map(_table, (criteria_table, overstrength_table, joints_table)))),
     (
         "foundations",

@@ -14,6 +14,7 @@ from edesign.report.drawing.captions import plain
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
 from edesign.report.response.energy_figures import energy_figures
+from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
@@ -218,8 +219,11 @@ def _building(source: Source, results: SubstructureResults) -> Section:
         results.lost.append(f"building: {error}")
         found = []
     tables = tuple(table for table in found if table.rows)
-    pictures = source.pictures(profile_figures, energy_figures) if tables else ()
-    return Section("building", "What the building did", (), (*tables, *pictures))
+    if not tables:
+        return Section("building", "What the building did")
+    over, single = source.pictures(mean_profile_figures), source.pictures(profile_figures)
+    profiles: tuple[Part, ...] = (*over, Folded("Profiles of each building", single)) if over and single else single
+    return Section("building", "What the building did", (), (*tables, *profiles, *source.pictures(energy_figures)))
 
 
 def _coefficients(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:

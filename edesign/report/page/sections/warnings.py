@@ -14,6 +14,8 @@ from edesign.report.tables.table import Table
 from edesign.study.check.warnings import grouped_warnings
 from edesign.study.results.kinds import RECORDS
 
+NAMED = 20
+"""Failed analyses that are named here; the others are in the table of all analyses."""
 NONE = "The check of the input and the analyses found nothing doubtful."
 _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?): (?P<what>.+)", re.DOTALL)
 
@@ -30,6 +32,11 @@ def warnings(source: Source) -> Section:
 def warning_table(source: Source) -> Table:
     """Return a row for each warning: what it applies to, and the warning."""
     table = Table("", ("applies to", "warning"), left=2, sentences=1)
+    failed = [item for item in source.entries if item["status"] == "failed"]
+    for item in failed[:NAMED]:
+        table.rows.append([item["name"], _sentence(f"failed: {item['reason'] or 'no reason is known'}")])
+    if more := len(failed) - NAMED if len(failed) > NAMED else 0:
+        table.rows.append([f"{more} more analyses", "Failed; the table of all analyses names them."])
     lines = [*input_warnings(source.archive), *record_warnings(source.archive), *design_warnings(source.archive)]
     table.rows += [list(_apart(line)) for line in dict.fromkeys(lines)]
     for told in grouped_warnings(source.groups):

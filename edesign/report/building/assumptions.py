@@ -1,0 +1,91 @@
+"""Assumptions and limits of the design of a building, in sentences that follow from its file."""
+
+from __future__ import annotations
+
+from edesign.project.building.building import Building
+from edesign.project.building.design import Design
+
+Rows = list[tuple[str, str]]
+NOT_CHECKED = (
+    "Limits of vibration, patterns of live load, torsion of members, connections and their overstrength "
+    "(EN 1998-1, 6.5.5), and bow imperfections of slender columns in frames that sway (EN 1993-1-1, 5.3.2(6)) are not "
+    "checked. The bending of braces under their own weight is not in the checks."
+)
+
+
+def building_assumption_rows(building: Building) -> Rows:
+    """Return a topic and its sentences for each assumption; those of the design are left out without one."""
+    rows = [("Model", _model(building)), ("Floors", _floors(building)), ("Ground", _ground(building))]
+    if building.design is not None:
+        design = building.design
+        rows += [
+            ("Analysis", _analysis(design)),
+            ("Torsion", _torsion(design)),
+            ("Imperfections and second order", _second_order(design)),
+            ("Stability of members", _stability(design)),
+            ("Not checked", NOT_CHECKED),
+        ]
+    return rows
+
+
+def _model(building: Building) -> str:
+    return (
+        "The building is analysed in space and stays elastic; what it dissipates is in the behaviour factor q. Members "
+        "have shear deformations. Walls, stairs and cladding have no stiffness."
+    )
+
+
+def _floors(building: Building) -> str:
+    stiff = building.diaphragms.numbers(1, building.n_storeys)
+    if not stiff:
+        return "Floors are no diaphragms."
+    which = "All floors are" if len(stiff) == building.n_storeys else f"Floors {building.diaphragms} are"
+    return f"{which} rigid in their plane; beams in them have no axial forces. Slabs add no strength to beams."
+
+
+def _ground(building: Building) -> str:
+    if building.supports in ("fixed", "pinned"):
+        return f"Supports are {building.supports} on ground that does not deform."
+    return "Supports are held as given; neighbouring foundations do not move each other."
+
+
+def _analysis(design: Design) -> str:
+    directions = "by SRSS" if design.directions == "srss" else f"with {100 * float(design.directions):g} % of the other"
+    drifts = "at most the elastic ones" if design.displacement == "elastic_cap" else "not capped"
+    return (
+        f"Seismic effects are those of modal response spectrum analysis with {100 * design.damping:g} % damping; modes "
+        f"are combined by {design.combination.upper()}, directions {directions}. The vertical component of the action "
+        "counts for long spans alone (EN 1998-1, 4.3.3.5.2). "
+        f"Displacements are q times those of the design spectrum, {drifts}."
+    )
+
+
+def _torsion(design: Design) -> str:
+    if not design.accidental_torsion:
+        return "Accidental torsion is left out."
+    how = (
+        "static moments" if design.torsion_by == "static_moments" else "masses beside their place in the modal analysis"
+    )
+    return f"Accidental eccentricities of {100 * design.accidental_torsion:g} % of the plan act as {how}."
+
+
+def _second_order(design: Design) -> str:
+    sway = "Sway imperfections act as forces." if design.imperfections == "sway" else "There are no sway imperfections."
+    if design.second_order == "none":
+        return f"{sway} Effects of second order are left out."
+    return f"{sway} Effects of second order amplify the sway where the codes ask for it."
+
+
+def _stability(design: Design) -> str:
+    lengths, restraint = design.members.buckling_length, design.members.lateral_restraint
+    parts = [
+        f"{kind} {of.y:g} (y) and {of.z:g} (z)"
+        for kind, of in (("columns", lengths.columns), ("beams", lengths.beams), ("braces", lengths.braces))
+    ]
+    beams = "held by the slab all along" if restraint.beams == "slab" else "held at their ends"
+    columns = "at the floors" if restraint.columns == "floors" else "all along"
+    method = {"annex_a": "Annex A", "annex_b": "Annex B"}[design.members.interaction]
+    return (
+        f"Buckling lengths over lengths between nodes: {', '.join(parts)}. The flanges of beams are {beams}, those of "
+        f"columns {columns}. Interaction is by EN 1993-1-1, {method}."
+    )
