@@ -33,6 +33,9 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
         table.notes.append(
             "D/C is demand over capacity, met up to 1. Of a lower bound it is the inverse, so that 1 is the limit too."
         )
+        table.notes.append(
+            "Governs: place and motion of the largest value of a history, of a lower bound the smallest."
+        )
         if "-" in {row[2] for row in table.rows}:
             table.notes.append("Source -: the study does not say where the limit comes from (`source` of a criterion).")
     return table

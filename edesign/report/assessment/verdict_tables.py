@@ -15,6 +15,7 @@ from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
+from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import wrapped
@@ -158,6 +159,8 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
     history, usage = worst
     if usage.of_force:
         return f"{usage.of_force}, {history}"
+    if usage.ratio < ROUNDING:
+        return "D/C 0"
     place = usage.member or f"storey {usage.storey}"
     return f"D/C {usage.ratio:.3g}: {usage.governing}, {place}, {history}"
 

@@ -259,10 +259,10 @@ def _doubts(calibration: Calibration) -> list[str]:
             "them better than with a fresh specimen in each, or the campaign says so."
         )
     if calibration.gamma_of != "parameters":
-        what = "the force alone" if calibration.gamma_of == "force" else "k_mod twice, as Eq. 4.34 has it by the letter"
+        what = "the force alone" if calibration.gamma_of == "force" else "k_mod twice, by the letter of its equation"
         texts.append(
             f"gamma_T multiplies {what}: so the law predicts the tests better than with all parameters at one rate "
-            "(thesis, section 4.5), or the campaign says so."
+            "or the campaign says so."
         )
     if calibration.verdict in ("partly_explained", "unexplained", "not_searched"):
         share, model = percent(calibration.unexplained_share, 2), MODELS[calibration.subject]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
@@ -12,6 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.report.drawing.captions import record_label
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Warnings
 from edesign.report.tables.table import Table
+from edesign.report.tables.text import PAPER
 
 _NAME = re.compile(r"[A-Za-z0-9][A-Za-z0-9_.+/-]*")
 _SIDES = {"right": "to the right", "left": "to the left"}
@@ -107,8 +108,22 @@ def _table(table: Table, say: Callable[[str], str]) -> Table:
         title=say(table.title),
         columns=[say(header) for header in table.columns],
         rows=[[say(cell) for cell in row] for row in table.rows],
-        notes=[say(note) for note in table.notes],
+        notes=[say(note) for note in _joined(table.notes)],
     )
+
+
+def _joined(notes: Sequence[str]) -> list[str]:
+    """Notes that were broken into lines of a terminal, each as one again: the next word did not fit a line."""
+    found: list[str] = []
+    last = ""
+    for note in notes:
+        word = note.partition(" ")[0]
+        if last and not last.endswith(".") and len(last) <= PAPER < len(last) + 1 + len(word):
+            found[-1] += f" {note}"
+        else:
+            found.append(note)
+        last = note
+    return found
 
 
 def _tile(tile: Headline, say: Callable[[str], str]) -> Headline:

@@ -16,6 +16,7 @@ from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compression
 from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
 from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.frame_drawing import draw_frame, member_lines
 from edesign.report.drawing.style import MEAN, new_figure, styled
@@ -201,6 +202,7 @@ def _numbers(panels: Sequence[Hinges]) -> str:
     for panel in panels:
         worst = max(panel.values, key=lambda end: panel.values[end])
         yielded = sum(value >= ROTATION.limits[0] for value in panel.values.values())
-        most = f"the largest is {plain(1e3 * panel.values[worst])} mrad ({worst[0]})"
-        texts.append(f"{panel.title}: {yielded} of {len(panel.values)} ends rotate by more than 1 mrad, {most}")
+        largest = panel.values[worst]
+        most = f", the largest is {plain(1e3 * largest)} mrad ({worst[0]})" if largest > ROUNDING else ""
+        texts.append(f"{panel.title}: {yielded} of {len(panel.values)} ends rotate by more than 1 mrad{most}")
     return f"{'; '.join(texts)}."

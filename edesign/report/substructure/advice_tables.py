@@ -166,7 +166,7 @@ def damping_table(test: TestAdvice) -> Table:
             table.rows.append([one.compensator, str(mode.number), *(_percent(value) for value in values)])
     table.notes += wrapped(
         "structure: damping ratio without the delays of the loop; p: k_E/k; tau: delay of rig, compensator and force "
-        "at the mode (thesis Eq. 6.6)"
+        "at the mode"
     )
     return table
 

@@ -60,7 +60,7 @@ def _alphas(found: IdentifiedRig) -> Table:
         f"filtered at {CUTOFF:g} Hz" if filtered(found.step) else f"not filtered, sampled at {1.0 / found.step:.3g} Hz"
     )
     table.notes += wrapped(
-        f"least squares: {how}, backward differences, as thesis 6.2.3, which make alpha_2 larger by half a sample "
+        f"least squares: {how}, backward differences, which make alpha_2 larger by half a sample "
         "times alpha_1; the terms that a series of three leaves out make alpha_1 smaller for fast motions"
     )
     return table

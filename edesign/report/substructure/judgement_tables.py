@@ -61,7 +61,7 @@ def _tracking(found: Judgement) -> Table:
     for name, (_, unit) in definitions().items():
         table.rows.append([name.replace("_", " "), *_shown(found.tracking, name, unit)])
     table.notes += wrapped(
-        "nrms: squared errors over squared targets, without a root as thesis Eq. 6.28 prints it, and with it; "
+        "nrms: squared errors over squared targets, without a root, and with it; "
         "frequency index: frequency evaluation index (Guo et al. 2014); tracking indicator: area enclosed in the "
         "synchronisation plot, above zero if late (Mercan & Ricles 2007); energy error: work on the specimen less that "
         "of the structure (Mosqueda et al. 2007), relative to the largest work on the specimen"

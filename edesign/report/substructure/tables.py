@@ -133,10 +133,10 @@ def _tracking(found: list[Run]) -> Table:
         ("test", "compensator", "NRMS %", "root %", "delay ms", "A-1 %", "peak %", "work J"),
         left=2,
         notes=wrapped(
-            "NRMS: squared errors over squared targets, without a root as thesis Eq. 6.28 prints it; root: with it, as "
-            "the tables of the thesis hold; delay: mean of zero crossings; A: amplitude ratio by the frequency "
-            "evaluation index (Guo et al. 2014); peak: largest error over largest target; work: interface energy "
-            "error, which the tracking error feeds into the structure (Mosqueda et al. 2007)"
+            "NRMS: squared errors over squared targets, without a root; root: with it; delay: mean of zero crossings; "
+            "A: amplitude ratio by the frequency evaluation index (Guo et al. 2014); peak: largest error over largest "
+            "target; work: interface energy error, which the tracking error feeds into the structure (Mosqueda et al. "
+            "2007)"
         ),
     )
     for run in found:
@@ -244,7 +244,7 @@ def _alphas(found: list[Run]) -> Table:
     if table.rows:
         table.notes = wrapped(
             "command = alpha_0 x + alpha_1 x' + alpha_2 x'' of the target x; delay: estimated delay of the rig, "
-            "alpha_1 / alpha_0 (thesis Eq. 6.15), or that of a live delay"
+            "alpha_1 / alpha_0, or that of a live delay"
         )
     return table
 

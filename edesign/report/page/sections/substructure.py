@@ -9,16 +9,19 @@ from functools import wraps
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
+from edesign.damper.laws import LAWS
 from edesign.errors import ArchiveError
 from edesign.report.drawing.captions import plain
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.source import Source
+from edesign.report.page.words import in_words
 from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import loop_diagrams
+from edesign.report.substructure.file import ArchivedTests
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.method_figures import method_figures
@@ -198,7 +201,21 @@ def _tested(source: Source, results: SubstructureResults) -> Section:
         text = source.text(name)
         if text:
             parts.append(Folded(f"{what}, {len(text.splitlines())} lines", text=text))
-    return Section("tested", "What was tested", (), tuple(parts), tuple(described.told))
+    section = Section("tested", "What was tested", (), tuple(parts), tuple(described.told))
+    return in_words(section, _words(described))
+
+
+def _words(described: ArchivedTests) -> dict[str, str]:
+    """The law, the rig, the integration and the compensators in words."""
+    file = described.file
+    if file is None:
+        return {}
+    kinds: list[str] = [compensator.kind for compensator in file.compensators.values()]
+    kinds += [described.plant.kind] if described.plant is not None else []
+    kinds.append(file.integration.method)
+    found = {kind: kind.replace("_", " ") for kind in kinds}
+    law = file.law
+    return found | ({law.law.type: LAWS[law.law.type].title} if law is not None and law.law.type in LAWS else {})
 
 
 def _tracking(source: Source, results: SubstructureResults, tables: list[Table]) -> Section:

@@ -117,8 +117,8 @@ def _too_stiff(building: Building, sizing: Sizing) -> Iterator[str]:
     if ratio.max() > LARGEST_BETA * (1.0 + ROUNDING):
         yield (
             f"k_D is {ratio.max():.3g} times the stiffness of the storey in storey "
-            f"{building.storeys[int(ratio.argmax())]}; preliminary designs go to {LARGEST_BETA:g} (thesis 5.3.4, after "
-            "Fan and Lee): such dampers are braces of elastomer"
+            f"{building.storeys[int(ratio.argmax())]}; preliminary designs go to {LARGEST_BETA:g} (Fan "
+            "and Lee): such dampers are braces of elastomer"
         )
 
 
