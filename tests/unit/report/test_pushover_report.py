@@ -121,7 +121,7 @@ def test_figures_and_page(archive: Path) -> None:
         figures = {name: figure for name, _, figure in all_figures(opened)}
     assert {"capacity_curves", "n2_bare", "n2_damped", "target_hinges_asce41_MCE"} <= set(figures)
     panels = {axis.get_title(loc="left"): axis for axis in figures["capacity_curves"].axes if axis.get_visible()}
-    assert set(panels) == {"pushover, first mode", "pushover, uniform", "spring", "wet"}  # a panel for each pattern
+    assert set(panels) == {"push, first mode", "push, uniform", "spring", "wet"}  # a panel for each pattern
     assert len([axis for axis in figures["n2_bare"].axes if axis.get_visible()]) == 4
     page = page_text(archive)
     assert 'id="pushover"' in page and "Response at the target displacements" in page

@@ -120,7 +120,7 @@ def test_the_page_has_all_sections_and_figures(page: str) -> None:
     always = {"loop", "model_structure", "rig", "stability_map", "structure_shaken", "mean_profiles_shaken"}
     assert figures == {*always, *PROFILES, *each}
     assert "What could not be shown" not in page and len(page) < 1.5e6
-    assert "second_order, frequency 21.4 Hz" in page and "late in all" in page
+    assert "second order, frequency 21.4 Hz" in page and "late in all" in page
 
 
 def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Archive, page: str) -> None:
