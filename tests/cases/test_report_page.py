@@ -205,7 +205,7 @@ def test_failed_and_missing_analyses_are_named(made: Made, tmp_path: Path) -> No
         archive = writer.partial
     text = page_text(archive)
     assert "no equilibrium at 3.21 s &lt;b&gt;here&lt;/b&gt;" in text
-    assert re.search(r"bare, MCE: no equilibrium", text[: text.index('id="inputs"')])
+    assert re.search(r"bare, MCE, motion: no equilibrium", text[: text.index('id="inputs"')])
     banner = text[text.index("banner") : text.index('id="contents"')]
     assert "1 of 6 analyses have no result yet" in banner
 

@@ -1,4 +1,4 @@
-"""The report for those who sign it: whose it is, what is assumed, the input in numbers, every check; no names of ids."""
+"""The report for those who sign it: whose it is, what is assumed, the input in numbers, every check; no ids."""
 
 from __future__ import annotations
 

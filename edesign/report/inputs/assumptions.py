@@ -195,9 +195,7 @@ def _braces(project: Project) -> str:
         )
     some = "Braces buckle" if buckling == len(runs) else "Some of the braces buckle"
     fracture = any(run.buckling is not None and run.buckling.fracture is not None for run in runs)
-    return f"{some} in the plane of analysis" + (
-        ", and break by low-cycle fatigue." if fracture else ". They do not break."
-    )
+    return f"{some} in the analysis" + (", and break by low-cycle fatigue." if fracture else ". They do not break.")
 
 
 def _connections(project: Project) -> str:

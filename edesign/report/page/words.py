@@ -33,13 +33,13 @@ def analysis_words(name: str, group: Group) -> str:
     if "." not in name:
         return name
     end = record.rpartition("/")[2]
-    if about.get("kind") == "history" and end and rest.endswith(end):
+    before, found, after = rest.partition(end) if end else (rest, "", "")
+    if about.get("kind") == "history" and (found or (own and level == rest)):
         degrees = about.get("temperature_C")
-        warm = "" if degrees is None else f" at {float(str(degrees)):g} °C"
-        said = [] if own and level else [rest.removesuffix(end).rstrip(".")]
-        return ", ".join(
-            part for part in (f"{own}{warm}" if own else "", level * bool(own), *said, record_label(record)) if part
-        )
+        warm = "" if degrees is None or not own else f" at {float(str(degrees)):g} °C"
+        before = before.strip(".")
+        told = [f"{own}{warm}", level if level and before.endswith(level) else before]
+        return ", ".join(part for part in (*told, record_label(record), after.strip(".")) if part)
     words = [_METHODS.get(part, _SIDES.get(part, part.replace("_", " "))) for part in rest.split(".")]
     return ", ".join(part for part in (own, *words) if part)
 
