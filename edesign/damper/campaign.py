@@ -77,6 +77,7 @@ class CampaignFile(Model):
 
     Attributes:
         title: title of the report.
+        document: what the cover of a report says beside the title.
         specimen: what was tested.
         law: law that is thought to describe the specimen; without the key none.
         start: how the tests start.

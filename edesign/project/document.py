@@ -32,14 +32,23 @@ def _calendar_date(value: str) -> str:
     return value
 
 
-Line = Annotated[str, Field(max_length=LONGEST), AfterValidator(_one_line)]
-Date = Annotated[str, AfterValidator(_calendar_date)]
+Line = Annotated[str, Field(max_length=LONGEST, json_schema_extra={"pattern": r"\S"}), AfterValidator(_one_line)]
+Date = Annotated[
+    str, Field(json_schema_extra={"pattern": "^[0-9]{4}-[0-9]{2}-[0-9]{2}$"}), AfterValidator(_calendar_date)
+]
 
 
 class Document(Model):
-    """What the cover of a report says beside the title; every key may be left out.
+    """What the cover of a report says beside the title.
 
-    `date` is that of the document, year-month-day; the moment of the run stands in the archive.
+    Attributes:
+        client: for whom the report is.
+        project_number: number of the project in the office, in quotes.
+        author: who made the report.
+        checker: who checked it.
+        revision: revision of the document, in quotes where it is a number.
+        date: date of the document, year-month-day; the moment of the run stands in the archive.
+        notes: what else stands on the cover, on several lines if need be.
     """
 
     client: Line | None = None

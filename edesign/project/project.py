@@ -42,6 +42,7 @@ class Project(RecordFiles, FileModel):
     Attributes:
         edesign: version of the file format.
         title: one line for tables and reports.
+        document: what the cover of a report says beside the title.
         frame: the plane frame: its grid, supports and members.
         sections: own cross-sections by name; a name of the catalogue cannot be used again.
         fibres: how many fibres an I section is cut into.

@@ -63,6 +63,7 @@ class PropertyCampaignFile(Model):
 
     Attributes:
         title: title of the report.
+        document: what the cover of a report says beside the title.
         specimen: what was tested.
         law: law that is thought to describe the specimen.
         properties: the table of properties.

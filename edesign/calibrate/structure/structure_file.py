@@ -133,6 +133,7 @@ class StructureFile(Model):
 
     Attributes:
         title: title of the report; without the key the name of the structure.
+        document: what the cover of a report says beside the title.
         structure: the building as it is declared.
         law: law of the isolation layer, of an isolated base only.
         channels: the columns of the files.

@@ -111,6 +111,7 @@ class Building(FileModel):
     Attributes:
         edesign_building: version of the file format.
         title: one line for tables and reports.
+        document: what the cover of a report says beside the title.
         plan: the grid in plan.
         storeys: heights of the storeys from the bottom, as a list, or `{count, height}` for equal ones.
         setbacks: floors that cover some bays of the plan only; a later one overrides an earlier one.

@@ -135,6 +135,7 @@ class Study(FileModel):
     Attributes:
         edesign_study: version of the file format.
         title: one line for tables and reports.
+        document: what the cover of a report says beside the title.
         project: project file, relative to this file; its `analyses` are not run.
         designs: dampers to be sized, by name.
         variants: frames that are compared, by name.

@@ -82,6 +82,7 @@ class RtsFile(RecordFiles, FileModel):
     Attributes:
         edesign_rts: version of the file format.
         title: one line for tables and reports.
+        document: what the cover of a report says beside the title.
         structure: the numerical part: a project, or a shear building.
         specimen: the damper in the laboratory.
         rig: how the actuator follows its command.
