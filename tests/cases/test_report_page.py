@@ -154,7 +154,7 @@ def test_sections_of_a_plain_run(made: Made) -> None:
     tags = _outline(text).tags
     there = [attributes["id"] for tag, attributes in tags if tag == "section"]
     assert there[0] == "summary" and there[-1] == "provenance"
-    assert there[:4] == ["summary", "assumptions", "warnings", "inputs"] and there[-2] == "checks"
+    assert there[:5] == ["summary", "model", "assumptions", "warnings", "inputs"] and there[-2] == "checks"
     assert {"ground-motion", "modes", "response", "hinges", "histories", "dampers"} <= set(there)
     assert not {"design", "temperature", "incremental"} & set(there)
     links = [attributes["href"] for tag, attributes in tags if tag == "a"]
