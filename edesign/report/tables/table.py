@@ -22,6 +22,8 @@ class Table:
             several the first is broken first.
         formulas: numbers of the columns, from 0, whose cells are formulas: `N_b,y,Rd / gamma_M1`; headers and notes of
             the table are so too. None: there are no formulas in it.
+        joined: numbers of the columns, from 0, that stay beside the column before them where a wide table is cut.
+        headings: lines across the whole table, each by the number of the row that it stands above.
     """
 
     title: str
@@ -31,6 +33,8 @@ class Table:
     left: int = 1
     sentences: int | tuple[int, ...] | None = None
     formulas: tuple[int, ...] | None = None
+    joined: tuple[int, ...] = ()
+    headings: dict[int, str] = field(default_factory=dict)
 
     @property
     def sentence_columns(self) -> tuple[int, ...]:

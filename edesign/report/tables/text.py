@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import sys
 import textwrap
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import zip_longest
 from typing import TextIO
@@ -12,22 +12,35 @@ from typing import TextIO
 from edesign.report.tables.table import Table
 from edesign.report.tables.visible import visible, visible_line
 
-PAPER = 80  # characters of a line in files and pipes, to which sentences are broken
-WIDEST = 120  # characters of a line there that no table of numbers passes
+PAPER = 80  # characters of a line of text, and of what is printed in short
+WIDEST = 120  # characters of a line in files and pipes that no table passes
+NARROWEST = 20  # characters of a line that a table is laid out for at least
 _GAP = 2  # between columns
 _LEAST = 12  # characters of a line inside a cell
-_COLOURS = {"completed": "green", "failed": "red", "not run": "yellow"}  # of cells, on a terminal
+_COLOURS = {
+    "completed": "green",
+    "failed": "red",
+    "not run": "yellow",
+    "met": "green",
+    "not met": "red",
+    "open": "yellow",
+}  # of cells, on a terminal
 
 
-def print_tables(tables: Iterable[Table], stream: TextIO | None = None) -> None:
-    """Print tables: with rich where the stream is a terminal, as plain aligned text elsewhere."""
+def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: int = WIDEST) -> None:
+    """Print tables, none wider than the terminal: with rich where the stream is one, as plain aligned text elsewhere.
+
+    Args:
+        tables: in their order.
+        stream: where to print; None: standard output.
+        widest: characters of a line where the stream is no terminal.
+    """
     stream = sys.stdout if stream is None else stream
     shown = [_visible(table) for table in tables]
     if stream.isatty():
         _print_rich(shown, stream)
     else:
-        parts = [part for table in shown for part in folded(broken(_noted(table), PAPER, _GAP), WIDEST)]
-        stream.write("\n\n".join(plain(part) for part in parts) + "\n")
+        stream.write("\n\n".join(plain(part) for table in shown for part in fitted(table, widest)) + "\n")
 
 
 def wrapped(text: str) -> list[str]:
@@ -35,58 +48,135 @@ def wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, PAPER)
 
 
+def fitted(table: Table, width: int) -> list[Table]:
+    """Return a table as one or more tables below each other that are no wider than a line.
+
+    Columns of sentences are broken into lines first; what is still too wide is cut between columns; what is too wide
+    even then, such as a path longer than the line, is broken inside of its words.
+
+    Args:
+        table: the table.
+        width: characters of a line.
+    """
+    table = _noted(table, width)
+    if not table.columns:
+        return [_facts_in_lines(table, width)]
+    return [_forced(_without_gaps(part), width) for part in folded(broken(table, width), width)]
+
+
+def _facts_in_lines(table: Table, width: int) -> Table:
+    """The table without headers with its last column broken into lines; paths in it stay whole."""
+    if not table.rows:
+        return table
+    before = sum(max(len(row[i]) for row in table.rows) + _GAP for i in range(len(table.rows[0]) - 1))
+    return _in_lines(table, {len(table.rows[0]) - 1: max(width - before, _LEAST)}, _whole_words)
+
+
+def _without_gaps(table: Table) -> Table:
+    """The table without rows that are empty in this part of it."""
+    kept = [number for number, row in enumerate(table.rows) if any(row)]
+    headings = {kept.index(number): heading for number, heading in table.headings.items()}
+    return replace(table, rows=[table.rows[number] for number in kept], headings=headings)
+
+
 def _visible(table: Table) -> Table:
     """The table with the control characters of its texts written out, so that columns are as wide as they look."""
     rows = [[visible_line(cell) for cell in row] for row in table.rows]
     columns = [visible_line(header) for header in table.columns]
     notes = [visible(note) for note in table.notes]
-    return replace(table, title=visible_line(table.title), columns=columns, rows=rows, notes=notes)
+    headings = {row: visible_line(heading) for row, heading in table.headings.items()}
+    return replace(table, title=visible_line(table.title), columns=columns, rows=rows, notes=notes, headings=headings)
 
 
-def _noted(table: Table) -> Table:
-    """The table with its notes broken into lines of files and pipes; names and paths stay whole."""
-    wrap = textwrap.TextWrapper(WIDEST, break_long_words=False, break_on_hyphens=False)
-    return replace(table, notes=[line for note in table.notes for line in wrap.wrap(note) or [""]])
+def _noted(table: Table, width: int) -> Table:
+    """The table with its notes broken into lines; names and paths stay whole."""
+    notes = [line for note in table.notes for line in _whole_words(note, width) or [""]]
+    headings = {row: "\n    ".join(_whole_words(text, width - 4)) for row, text in table.headings.items()}
+    title = "\n".join(_whole_words(table.title, width))
+    return replace(table, title=title, notes=notes, headings=headings)
 
 
-def broken(table: Table, width: int, gap: int) -> Table:
+def _whole_words(text: str, width: int) -> list[str]:
+    return textwrap.wrap(text, width, break_long_words=False, break_on_hyphens=False)
+
+
+def _indent(table: Table) -> int:
+    """Characters before the rows, which stand below headings of their own."""
+    return 2 if table.headings else 0
+
+
+def _widths(table: Table) -> list[int]:
+    return [max(len(row[i]) for row in (table.columns, *table.rows)) for i in range(len(table.columns))]
+
+
+def broken(table: Table, width: int) -> Table:
     """Return a table whose columns of sentences are broken into lines, rows of their own, so that it fits.
+
+    No column becomes narrower than its longest word, so that names can be copied.
 
     Args:
         table: the table; one without such columns, or that fits, is returned as it is.
         width: characters of a line.
-        gap: characters between columns.
     """
-    widths = [max(len(row[i]) for row in (table.columns, *table.rows)) for i in range(len(table.columns))]
-    over = sum(widths) + gap * (len(widths) - 1) - width
-    rooms: dict[int, int] = {}
-    for column in table.sentence_columns if table.rows else ():
-        if over > 0:
-            rooms[column] = max(widths[column] - over, len(table.columns[column]), min(_LEAST, widths[column]))
-            over -= widths[column] - rooms[column]
-    if not rooms:
+    if not table.columns or not table.rows:
         return table
-    rows = []
-    for row in table.rows:
-        cells = [textwrap.wrap(cell, rooms[i]) if i in rooms else [cell] for i, cell in enumerate(row)]
+    widths = _widths(table)
+    over = _indent(table) + sum(widths) + _GAP * (len(widths) - 1) - width
+    rooms: dict[int, int] = {}
+    for column in table.sentence_columns:
+        if over > 0:
+            word = max((len(word) for row in table.rows for word in row[column].split()), default=0)
+            least = max(len(table.columns[column]), min(_LEAST, widths[column]), word)
+            rooms[column] = max(widths[column] - over, least)
+            over -= widths[column] - rooms[column]
+    return _in_lines(table, rooms, _whole_words) if rooms else table
+
+
+def _in_lines(table: Table, rooms: dict[int, int], wrap: Callable[[str, int], list[str]]) -> Table:
+    """The table with the cells of some columns broken into lines, each a row of its own."""
+    rows: list[list[str]] = []
+    headings = {}
+    for number, row in enumerate(table.rows):
+        if number in table.headings:
+            headings[len(rows)] = table.headings[number]
+        cells = [wrap(cell, rooms[i]) if i in rooms else [cell] for i, cell in enumerate(row)]
         rows += [list(line) for line in zip_longest(*cells, fillvalue="")]
-    return replace(table, rows=rows)
+    return replace(table, rows=rows, headings=headings)
 
 
 def plain(table: Table) -> str:
-    """Return a table as aligned text without colours or lines."""
+    """Return a table as aligned text without colours."""
     lines = [table.title] if table.title else []
-    cells = [list(table.columns), *table.rows] if table.columns else table.rows
-    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))] if cells else []
-    for position, row in enumerate(cells):
-        aligned = [
-            cell.ljust(width) if i < table.left or i in table.sentence_columns else cell.rjust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        lines.append("  ".join(aligned).rstrip())
-        if position == 0 and table.columns:
-            lines.append("  ".join("-" * width for width in widths))
+    lines += ["".join(text for text, _ in line).rstrip() for line in _lines(table)]
     return "\n".join([*lines, *table.notes])
+
+
+def _lines(table: Table) -> Iterator[list[tuple[str, str]]]:
+    """Headers, a rule below them, and rows with their headings: pieces of text, each with its style on a terminal."""
+    if not table.rows and not table.columns:
+        return
+    cells = [list(table.columns), *table.rows] if table.columns else table.rows
+    widths = [max(len(row[i]) for row in cells) for i in range(len(cells[0]))]
+    before = " " * _indent(table)
+    if table.columns:
+        yield [(before, ""), (_joined(table, list(table.columns), widths), "bold")]
+        yield [(before, ""), ((" " * _GAP).join("-" * width for width in widths), "dim")]
+    for number, row in enumerate(table.rows):
+        if number in table.headings:
+            yield [(table.headings[number], "bold")]
+        pieces = [(before, "")]
+        for i, cell in enumerate(row):
+            pieces.append((_aligned(table, i, cell, widths[i]), _COLOURS.get(cell, "")))
+            pieces.append((" " * _GAP, ""))
+        yield pieces[:-1]
+
+
+def _joined(table: Table, row: list[str], widths: list[int]) -> str:
+    return (" " * _GAP).join(_aligned(table, i, cell, widths[i]) for i, cell in enumerate(row))
+
+
+def _aligned(table: Table, column: int, cell: str, width: int) -> str:
+    return cell.ljust(width) if column < table.left or column in table.sentence_columns else cell.rjust(width)
 
 
 def folded(table: Table, width: int) -> list[Table]:
@@ -94,47 +184,71 @@ def folded(table: Table, width: int) -> list[Table]:
 
     Args:
         table: the table; one without headers is returned as it is.
-        width: characters of a line; of a column that is wider alone the cells are folded later.
+        width: characters of a line; a column that is wider alone stands alone.
     """
     if not table.columns or not table.rows:
         return [table]
-    widths = [max(len(row[i]) for row in (table.columns, *table.rows)) + _GAP for i in range(len(table.columns))]
-    parts: list[list[int]] = [[0]]
+    widths = [one + _GAP for one in _widths(table)]
+    room = width + _GAP - _indent(table)
+    blocks: list[list[int]] = []
     for i in range(1, len(widths)):
-        if len(parts[-1]) > 1 and sum(widths[j] for j in parts[-1]) + widths[i] > width:
+        if i in table.joined and blocks:
+            blocks[-1].append(i)
+        else:
+            blocks.append([i])
+    parts: list[list[int]] = [[0]]
+    for block in blocks:
+        if len(parts[-1]) > 1 and sum(widths[j] for j in (*parts[-1], *block)) > room:
             parts.append([0])
-        parts[-1].append(i)
+        parts[-1] += block
+    if len(parts) == 1:
+        return [table]
     tables = []
     for number, part in enumerate(parts, start=1):
-        title = table.title if number == 1 else ""
-        notes = table.notes if number == len(parts) else []
-        rows = [[row[i] for i in part] for row in table.rows]
-        left = sum(i < table.left for i in part)
-        sentences = tuple(part.index(i) for i in table.sentence_columns if i in part)
-        tables.append(Table(title, [table.columns[i] for i in part], rows, notes, left, sentences))
+        tables.append(
+            replace(
+                table,
+                title=table.title if number == 1 else "",
+                columns=[table.columns[i] for i in part],
+                rows=[[row[i] for i in part] for row in table.rows],
+                notes=table.notes if number == len(parts) else [],
+                left=sum(i < table.left for i in part),
+                sentences=tuple(part.index(i) for i in table.sentence_columns if i in part),
+                joined=tuple(part.index(i) for i in table.joined if i in part),
+                formulas=None,
+            )
+        )
     return tables
 
 
+def _forced(table: Table, width: int) -> Table:
+    """The table with its widest columns broken inside of words where it does not fit otherwise."""
+    widths = _widths(table)
+    over = _indent(table) + sum(widths) + _GAP * (len(widths) - 1) - width
+    if over <= 0:
+        return table
+    narrow = list(widths)
+    while over > 0 and max(narrow) > 1:
+        narrow[narrow.index(max(narrow))] -= 1
+        over -= 1
+    rooms = {i: room for i, room in enumerate(narrow) if room < widths[i]}
+    headers = [textwrap.wrap(text, narrow[i]) or [""] for i, text in enumerate(table.columns)]
+    head, *more = (list(line) for line in zip_longest(*headers, fillvalue=""))
+    cut = _in_lines(table, rooms, textwrap.wrap)
+    headings = {number + len(more): text for number, text in cut.headings.items()}
+    return replace(cut, columns=head, rows=[*more, *cut.rows], headings=headings)
+
+
 def _print_rich(tables: Iterable[Table], stream: TextIO) -> None:
-    from rich.box import SIMPLE_HEAD
     from rich.console import Console
-    from rich.table import Table as RichTable
     from rich.text import Text  # in which brackets and colons are no markup
 
     console = Console(file=stream, highlight=False)
-    fitting = [broken(table, console.width, _GAP) for table in tables]
-    for table in [part for whole in fitting for part in folded(whole, console.width)]:
+    for table in (part for whole in tables for part in fitted(whole, max(console.width, NARROWEST))):
         if table.title:
             console.print(Text(table.title, style="bold"))
-        if table.rows:
-            shown = RichTable(box=SIMPLE_HEAD, show_header=bool(table.columns), padding=(0, 1, 0, 0))
-            for i in range(len(table.rows[0])):
-                header = Text(table.columns[i]) if table.columns else ""
-                text = i < table.left or i in table.sentence_columns
-                shown.add_column(header, justify="left" if text else "right", overflow="fold")
-            for row in table.rows:
-                shown.add_row(*(Text(cell, style=_COLOURS.get(cell, "")) for cell in row))
-            console.print(shown)
+        for line in _lines(table):
+            console.print(Text.assemble(*line), soft_wrap=True)
         for note in table.notes:
-            console.print(Text(note))
+            console.print(Text(note), soft_wrap=True)
         console.print()

@@ -47,7 +47,7 @@ def error(capsys: pytest.CaptureFixture[str], *words: str) -> str:
 
 def test_templates_are_listed(capsys: pytest.CaptureFixture[str]) -> None:
     shown = output(capsys, "new", "--list")
-    assert all(f"\n{name} " in shown for name in templates()) and max(map(len, shown.splitlines())) <= 82
+    assert all(f"\n{name} " in shown for name in templates()) and max(map(len, shown.splitlines())) <= 120
     assert f"without --template it is `{DEFAULT}`" in shown
     assert "name the folder to make" in error(capsys, "new")
 
