@@ -22,6 +22,7 @@ from edesign.report.response.damper_results import (
     dampers_table,
     each_damper_table,
 )
+from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.summary import all_results, entry, find, input_warnings, results
 from edesign.report.tables.table import Table, number, seconds, whole
@@ -57,16 +58,16 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     if is_building_archive(archive):
         from edesign.report.building.tables import building_tables
 
-        return [_heading(archive), *building_tables(archive)]
+        return [heading(archive), *building_tables(archive)]
     if is_substructure_archive(archive):
         from edesign.report.substructure.building_tables import building_tables as of_tests
         from edesign.report.substructure.tables import substructure_tables
 
         tables = [*substructure_tables(archive), *of_tests(archive)]
-        return [_heading(archive), *(table for table in tables if table.rows)]
+        return [heading(archive), *(table for table in tables if table.rows)]
     if is_study_archive(archive):
         try:
-            tables = [_heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
+            tables = [heading(archive), warnings_table(archive), *tables_of(archive), *study_tables(archive)]
             return [table for table in tables if table.rows or table.notes]
         except EdesignError:
             if not archive.damage:
@@ -74,11 +75,12 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
     groups = all_results(archive)
     entries = [entry(name, group) for name, group in groups.items()]
     kinds = {item["kind"] for item in entries}
-    tables = [_heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
+    tables = [heading(archive), warnings_table(archive, groups), *tables_of(archive), analyses_table(entries)]
     tables += [periods_table(name, group) for name, group in groups.items() if "period" in group.variables]
     tables += target_tables(archived_project(archive) if "target" in kinds else None, groups)
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     tables += [measures_table(entries), isolation_table(groups), dampers_table(groups), *restrained_tables(groups)]
+    tables += ground_tables(groups)
     tables.append(statistics_table(entries))
     return [table for table in tables if table.rows or table.notes]
 
@@ -108,6 +110,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
         *target_tables(None, {name: group}),
         each_damper_table(name, group),
         *restrained_tables({name: group}),
+        *ground_tables({name: group}),
     ]
     tables += [statistics_table(entries), fallbacks_table(name, group)]
     return [table for table in tables if table.rows or table.notes]
@@ -166,20 +169,22 @@ def statistics_table(entries: list[dict[str, Any]]) -> Table:
     return table
 
 
-def periods_table(name: str, group: Group) -> Table:
-    """Return periods and effective modal masses of a modal analysis."""
+def periods_table(name: str, group: Group, most: int | None = None) -> Table:
+    """Return periods and effective modal masses of a modal analysis: of the first modes, or of all."""
     table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
     period = group.variables.get("period")
     if period is None:
         return table
     ratio = group.variables.get("effective_mass_ratio_x")
     total = 0.0
-    for mode, value in enumerate(period.values):
+    for mode, value in enumerate(period.values[:most]):
         cells = ["-", "-"]
         if ratio is not None:
             total += float(ratio.values[mode])
             cells = [f"{100 * float(ratio.values[mode]):.2f}", f"{100 * total:.2f}"]
         table.rows.append([str(mode + 1), f"{value:.4f}", f"{1 / value:.4f}", *cells])
+    if len(table.rows) < period.values.size:
+        table.notes.append(f"the first {len(table.rows)} of {period.values.size} modes")
     table.notes += amplitude_notes(group)
     return table
 
@@ -216,7 +221,8 @@ def fallbacks_table(name: str, group: Group) -> Table:
     return table
 
 
-def _heading(archive: Archive) -> Table:
+def heading(archive: Archive) -> Table:
+    """Return what the archive is, of which files, made when, and whether it is complete."""
     about = archive.attributes
     state = str(about.get("status")) if archive.complete else "not complete: the run goes on or was interrupted"
     made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"

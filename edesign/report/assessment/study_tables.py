@@ -22,6 +22,7 @@ from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table
 from edesign.report.design.tables import design_tables
+from edesign.report.response.ground_tables import ground_tables
 from edesign.report.summary import all_results, ending, statistics
 from edesign.report.tables.table import Table, number, seconds, whole
 from edesign.study.check.warnings import warning_lines
@@ -63,6 +64,7 @@ def study_tables(archive: Archive) -> list[Table]:
         verdicts = judge((), study.objectives, judged, study.base, study)
         tables.append(objectives_table(verdicts, study.objectives, study.base))
     tables += incremental_tables(archive, groups)
+    tables += ground_tables(groups)
     return [table for table in tables if table.rows or table.notes]
 
 

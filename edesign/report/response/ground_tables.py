@@ -43,7 +43,7 @@ def _footings(groups: Mapping[str, Group]) -> list[Table]:
         for table in made if len(alike) > 1 else ():
             table.title += f" ({some_names(several)})"
         tables += made
-    return [*tables, _first_mode(on_footings), _work(on_footings)]
+    return [*tables, first_mode_table(on_footings), _work(on_footings)]
 
 
 def _told(group: Group) -> tuple[str, ...]:
@@ -101,7 +101,8 @@ def _impedances(group: Group) -> Table:
     return table
 
 
-def _first_mode(groups: Mapping[str, Group]) -> Table:
+def first_mode_table(groups: Mapping[str, Group]) -> Table:
+    """Return period and damping of the first mode on fixed feet and on footings; no rows without footings."""
     table = Table(
         "First mode on fixed feet and on footings",
         ["analysis", "T fixed [s]", "T [s]", "ratio", "one mass: ratio", "damping [%]", "one mass: damping [%]"],

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.building.footings import DIRECTIONS
+from edesign.report.archive_tables import details, overview
 from edesign.report.response.ground_tables import SHOWN, ground_tables
 
 
@@ -47,3 +52,16 @@ def test_work_stands_under_the_footing_that_does_it() -> None:
 def test_a_page_of_histories_is_shown() -> None:
     work = ground_tables({str(i): on_footings(60e6, {"A0": 1e3}) for i in range(SHOWN + 2)})[-1]
     assert len(work.rows) == SHOWN and work.notes[-1] == f"The first {SHOWN} of {SHOWN + 2} histories."
+
+
+def test_an_archive_of_a_project_tells_its_footings(tmp_path: Path) -> None:
+    path = tmp_path / "project.h5"
+    group = on_footings(60e6, {"A0": 1e3})
+    group.attributes |= {"kind": "history", "status": "completed", "order": 0}
+    with ArchiveWriter(path, Group(attributes={"title": "On footings", "planned": ["shake"]})) as writer:
+        writer.write("analyses/shake", group)
+        writer.finish()
+    with open_archive(path) as opened:
+        for tables in (overview(opened), details(opened, "shake")):
+            titles = [table.title for table in tables]
+            assert {"Footings", "Stiffness and damping of footings"} <= set(titles)
