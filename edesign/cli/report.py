@@ -29,7 +29,7 @@ def report(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
     """Write the report of an archive as one HTML page that opens offline and can be mailed, or as a PDF."""
-    tell = (lambda line: None) if quiet else _Progress()
+    tell = (lambda line: None) if quiet else PageProgress()
     pdf = pdf or (output is not None and output.suffix.lower() == ".pdf")
     options = print_options(pdf, paper, appendix)
     if pdf:
@@ -43,7 +43,7 @@ def report(
     print(f"report: {written} ({written.stat().st_size / 1e6:.1f} MB)")
 
 
-class _Progress:
+class PageProgress:
     """A line on standard error now and then: by time on a terminal, elsewhere by count, whatever the machine."""
 
     def __init__(self) -> None:

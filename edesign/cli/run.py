@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated
 
@@ -39,6 +41,9 @@ def run(
         str | None,
         typer.Option("--scheduler", metavar="ADDRESS", help="Of a dask cluster: tcp://host:8786; it implies dask."),
     ] = None,
+    report: Annotated[
+        bool, typer.Option("--report", help="Write the report too, one HTML page beside the archive.")
+    ] = False,
     check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a check of a building is not met.")] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
@@ -54,19 +59,28 @@ def run(
     if kind == BUILDING:
         if only or folder or scheduler:
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
-        _run_building(project, archive, overwrite, check, quiet)
+        _run_building(project, archive, overwrite, report, check, quiet)
     else:
-        _run_analyses(
-            project, kind == STUDY, archive, only, folder, fresh, overwrite, workers, backend, scheduler, quiet
-        )
+        how = _How(archive, tuple(only or ()), fresh, overwrite, workers, "dask" if scheduler else backend, scheduler)
+        _run_analyses(project, kind == STUDY, folder or [], how, report, quiet)
 
 
-def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool, quiet: bool) -> None:
-    from edesign.archive.reader import open_archive
+@dataclass(frozen=True)
+class _How:
+    """How analyses are run: the options of the command that are those of `run_project`."""
+
+    archive: Path | None
+    only: tuple[str, ...]
+    fresh: bool
+    overwrite: bool
+    workers: int
+    backend: str
+    scheduler: str | None
+
+
+def _run_building(file: Path, archive: Path | None, overwrite: bool, report: bool, check: bool, quiet: bool) -> None:
     from edesign.building.building_file import load_building
     from edesign.cli.stages import Tell, in_stages
-    from edesign.report.building.tables import building_tables
-    from edesign.report.tables.text import print_tables
     from edesign.space.elastic_design import ElasticDesign
     from edesign.study.building import run_building
 
@@ -75,45 +89,25 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, check: bool
         return run_building(load_building(file), archive, overwrite, tell)
 
     path, design = in_stages(work, quiet)
-    if not quiet:
-        with open_archive(path) as opened:
-            print_tables(building_tables(opened))
-        print(f"archive: {path}")
+    _end(path, "", report, quiet)
     if check and not design.passed:
         raise AnalysisError(f"{file}: not all checks are met; all are in {path}")
 
 
-def _run_analyses(
-    project: Path,
-    is_study: bool,
-    archive: Path | None,
-    only: list[str] | None,
-    folder: list[Path] | None,
-    fresh: bool,
-    overwrite: bool,
-    workers: int,
-    backend: str,
-    scheduler: str | None,
-    quiet: bool,
-) -> None:
+def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, report: bool, quiet: bool) -> None:
     from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
     from edesign.ground_motion.project_records import with_folders
-    from edesign.report.archive_tables import overview
-    from edesign.report.tables.text import print_tables
     from edesign.study.run.run import run_project, run_study
 
-    backend = "dask" if scheduler is not None else backend
     with listener(quiet) as listen:
-        how = (archive, listen, workers, only or (), fresh, backend, scheduler, overwrite)
+        options = (how.archive, listen, how.workers, how.only, how.fresh, how.backend, how.scheduler, how.overwrite)
         if is_study:
             study = load_study(project)
-            summary = run_study(study.of(with_folders(study.base, folder)) if folder else study, *how)
+            summary = run_study(study.of(with_folders(study.base, folders)) if folders else study, *options)
         else:
-            summary = run_project(with_folders(load_project(project), folder or []), *how)
-    if not quiet:
-        print_tables(overview(summary.archive))
-        print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
+            summary = run_project(with_folders(load_project(project), folders), *options)
+    _end(summary.archive, f" ({summary.seconds:.1f} s)", report, quiet)
     if summary.failed:
         alike: dict[str, list[str]] = {}
         for outcome in summary.failed:
@@ -122,6 +116,29 @@ def _run_analyses(
         raise AnalysisError(
             f"{len(summary.failed)} of {len(summary.outcomes)} analyses failed; all are in {summary.archive}{reasons}"
         )
+
+
+def _end(archive: Path, took: str, report: bool, quiet: bool) -> None:
+    """Write the report if it is asked for, then print the tables in short and where the files are."""
+    from edesign.archive.reader import open_archive
+    from edesign.report.short_tables import short_tables
+    from edesign.report.tables.text import PAPER, print_tables
+
+    page = None
+    if report:
+        from edesign.cli.report import PageProgress
+        from edesign.report.page.document import write_page
+
+        if not quiet:
+            print("writing the report ...", file=sys.stderr, flush=True)
+        page = write_page(archive, None, (lambda line: None) if quiet else PageProgress())
+    if quiet:
+        return
+    with open_archive(archive) as opened:
+        print_tables(short_tables(opened), widest=PAPER)
+    print(f"archive: {archive}{took}")
+    if page is not None:
+        print(f"report: {page}")
 
 
 def _shortened(names: list[str], most: int = 4) -> str:

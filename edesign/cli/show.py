@@ -15,6 +15,9 @@ from edesign.cli.complete import archived_names
 
 def show(
     archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
+    whole: Annotated[
+        bool, typer.Option("--all", help="All tables, not only verdicts, means and what governs.")
+    ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")] = False,
     analysis: Annotated[
         str | None,
@@ -35,13 +38,14 @@ def show(
     ] = None,
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
-    """Print the records and analyses of an archive, response measures and statistics."""
+    """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
     from edesign.archive.files import check_folder
     from edesign.archive.reader import Archive, DamagedArchive, read_archive
     from edesign.report.archive_tables import details, overview
     from edesign.report.drawing.style import check_format
+    from edesign.report.short_tables import short_tables
     from edesign.report.summary import summarise
-    from edesign.report.tables.text import print_tables
+    from edesign.report.tables.text import PAPER, print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
         if member is not None:
@@ -56,6 +60,9 @@ def show(
         if member is not None:
             tables = member_tables(of_building, member)
         else:
+            if analysis is None and not whole:
+                short = short_tables(opened)
+                return lambda: print_tables(short, widest=PAPER)
             tables = details(opened, analysis) if analysis is not None else overview(opened)
         return lambda: print_tables(tables)
 

@@ -20,7 +20,7 @@ from edesign.cli.main import main
 from edesign.report.assessment.study_tables import study_tables
 from edesign.report.assessment.verdict_data import study_verdicts
 from edesign.report.page.document import write_page
-from edesign.report.tables.text import print_tables
+from edesign.report.tables.text import PAPER, print_tables
 from edesign.study.run.run import run_study
 
 Answers = dict[tuple[str, str], Verdict]
@@ -154,7 +154,7 @@ def test_verdicts_fit_a_terminal_and_stand_in_the_report(archive: Path) -> None:
     stream = io.StringIO()
     with open_archive(archive) as opened:
         tables = study_tables(opened)
-    print_tables([table for table in tables if "riteria" in table.title], stream)
-    assert max(map(len, stream.getvalue().splitlines())) <= 80
+    print_tables([table for table in tables if "riteria" in table.title], stream, widest=PAPER)
+    assert max(map(len, stream.getvalue().splitlines())) <= PAPER
     page = write_page(archive, archive.with_suffix(".html")).read_text(encoding="utf-8")
     assert "does not apply" in page and "floor spectral acceleration at 5 Hz" in page

@@ -11,6 +11,23 @@ from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_R
 from edesign.report.tables.table import Table, number
 
 STATISTIC_TITLES = {"mean": "Mean", "maximum": "Maximum", "median": "Median", "84%": "84 % percentile (counted)"}
+MAIN = (
+    "roof_displacement_m",
+    "interstorey_drift",
+    "residual_interstorey_drift",
+    "base_shear_N",
+    "column_base_shear_N",
+    "roof_acceleration_m_s2",
+    "beam_plastic_rotation_rad",
+    "column_plastic_rotation_rad",
+    "brace_ductility",
+    "damper_strain",
+    "damper_deformation_m",
+    "damper_force_N",
+)
+"""Measures of which the means are told where there is room for few."""
+DIFFERENCE = "diff. [%]"
+"""Header of the column beside a variant: how far it is from the first variant of its level."""
 
 
 def label(found: HistorySet) -> str:
@@ -61,7 +78,9 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
     )
     for statistic, title in titles.items() if ordered else ():
         of = STATISTICS[statistic]
-        table = Table(title, ("measure", *_headers(ordered, pairs)))
+        headers = ("measure", *_headers(ordered, pairs))
+        joined = tuple(i for i, header in enumerate(headers) if header == DIFFERENCE)
+        table = Table(title, headers, joined=joined)
         for name, measure, unit in shown:
             cells = []
             for each, pair in zip(over, pairs, strict=True):
@@ -75,6 +94,49 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
         table.notes += missing_notes(sets)
         tables.append(table)
     return tables
+
+
+def means_tables(sets: Sequence[HistorySet]) -> list[Table]:
+    """Return a table for each level: rows are the main measures, columns the means of the variants.
+
+    Beside each further variant stands its difference from the first one, as in `statistics_tables`.
+    """
+    tables = []
+    for level in dict.fromkeys(found.level for found in sets):
+        ordered = [found for found in sets if found.level == level and found.completed]
+        if not ordered:
+            continue
+        over = [measure_statistics(found) for found in ordered]
+        pairs = [_pair(ordered[0], found) for found in ordered]
+        headers = ["measure"]
+        for found, pair in zip(ordered, pairs, strict=True):
+            headers += [found.variant or "frame"] if pair is None else [found.variant, DIFFERENCE]
+        joined = tuple(i for i, header in enumerate(headers) if header == DIFFERENCE)
+        table = Table(_of_how_many(ordered, f" at {level}" if level else ""), headers, joined=joined)
+        for name, measure, unit in MEASURE_ROWS:
+            if measure not in MAIN or not any(each[measure].count for each in over):
+                continue
+            cells = []
+            for each, pair in zip(over, pairs, strict=True):
+                cells.append(number(each[measure].mean, scale=unit, negligible=ROUNDING))
+                if pair is not None:
+                    cells.append(_difference(pair.base[measure].mean, pair.own[measure].mean))
+            table.rows.append([name, *cells])
+        table.notes += [pair.note for pair in pairs if pair is not None and pair.note]
+        table.notes += missing_notes([found for found in sets if found.level == level])
+        tables.append(table)
+    return tables
+
+
+def _of_how_many(ordered: Sequence[HistorySet], at: str) -> str:
+    """What the values of a table are: of one record, or means over how many."""
+    counts = {found.variant: len(found.completed) for found in ordered}
+    if set(counts.values()) == {1}:
+        return f"Response{at}, one record"
+    if len(set(counts.values())) == 1:
+        return f"Mean response{at}, {len(ordered[0].completed)} records"
+    numbers = ", ".join(f"{variant or 'frame'} {count}" for variant, count in counts.items())
+    return f"Mean response{at}, records: {numbers}"
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:
@@ -123,7 +185,7 @@ def _records(found: HistorySet) -> dict[str, str]:
 def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> list[str]:
     headers = []
     for found, pair in zip(ordered, pairs, strict=True):
-        headers += [label(found)] if pair is None else [label(found), "diff. [%]"]
+        headers += [label(found)] if pair is None else [label(found), DIFFERENCE]
     return headers
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import isinf
 
 from edesign.assess.criteria import Verdict
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
@@ -21,6 +22,8 @@ from edesign.report.tables.table import Table
 from edesign.report.tables.text import wrapped
 
 REMARKS = "Remarks on the criteria"
+BEYOND = 10
+"""Demand over capacity from which on its size means nothing but that the limit is far off."""
 TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
 
 
@@ -46,11 +49,11 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
     for verdict in verdicts:
         about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
         value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
-        ratio = "-" if verdict.ratio is None else f"{verdict.ratio:.2f}"
-        answers.rows.append([*about, verdict.answer, value, shown(verdict.limit, verdict.unit), ratio])
+        limit = shown(verdict.limit, verdict.unit)
+        answers.rows.append([*about, verdict.answer, value, limit, ratio_text(verdict)])
         if verdict.governing_history:
             of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
-            governs.rows.append([*about, verdict.place or "frame", _motion(verdict), *of])
+            governs.rows.append([*about, verdict.place or "frame", motion_of(verdict), *of])
         if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
             remarks.rows.append([*about, f"{verdict.answer}: {said}"])
     answers.notes += wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound.")
@@ -58,8 +61,20 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
         governs.notes += wrapped(
             "Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."
         )
-        governs.notes += _few(verdicts)
+        governs.notes += few_notes(verdicts)
     return [table for table in (answers, governs, remarks, requirements) if table.rows]
+
+
+def ratio_text(verdict: Verdict) -> str:
+    """Return demand over capacity with two decimals; from 10 on how far it is beyond means nothing."""
+    if verdict.ratio is None:
+        return "-"
+    return beyond_or(verdict.ratio, f"{verdict.ratio:.2f}")
+
+
+def beyond_or(ratio: float, text: str) -> str:
+    """Return the text of demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay."""
+    return text if ratio < BEYOND or isinf(ratio) else f"> {BEYOND}"
 
 
 def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
@@ -114,7 +129,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         for verdict in verdicts:
             if not verdict.name.startswith(f"objective {letter},"):
                 continue
-            value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
+            value = "-" if verdict.value is None else beyond_or(verdict.value, shown(verdict.value, verdict.unit))
             level = objective_level(letter, project.hazard)
             table.rows.append(
                 [
@@ -139,7 +154,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                 )
     if table.rows:
         table.notes.append("Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level.")
-    table.notes += _few(verdicts)
+    table.notes += few_notes(verdicts)
     return table
 
 
@@ -147,8 +162,8 @@ def _governs(verdict: Verdict) -> str:
     return ", ".join(part for part in (verdict.governing_history, verdict.place) if part) or "-"
 
 
-def _motion(verdict: Verdict) -> str:
-    """The record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
+def motion_of(verdict: Verdict) -> str:
+    """Return the record of the history that governs, by the end of its name: damped.DBE.Tabas1978 -> Tabas1978."""
     name = verdict.governing_history
     return name.partition(f".{verdict.level}.")[2] or name
 
@@ -162,20 +177,31 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
     if usage.ratio < ROUNDING:
         return "D/C 0"
     place = usage.member or f"storey {usage.storey}"
-    return f"D/C {usage.ratio:.3g}: {usage.governing}, {place}, {history}"
+    return f"D/C {beyond_or(usage.ratio, f'{usage.ratio:.3g}')}: {usage.governing}, {place}, {history}"
 
 
-def _few(verdicts: Sequence[Verdict]) -> list[str]:
-    """What the codes say of statistics over few histories, if a verdict rests on one."""
-    enough = CODES["ec8"].set_rules.number_for_mean
-    few = [v for v in verdicts if v.statistic not in ("maximum", "share") and 0 < v.count + len(v.missing) < enough]
-    if not few:
-        return []
-    sets = dict.fromkeys(", ".join(part for part in (v.variant, v.level) if part) or "-" for v in few)
-    return wrapped(
-        f"Fewer than {enough} histories: {'; '.join(sets)}. The maximum counts then, not the mean "
-        "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
-    )
+def few_notes(verdicts: Sequence[Verdict]) -> list[str]:
+    """Return what the codes say of statistics over few histories, or of one, if a verdict rests on them."""
+    rules = CODES["ec8"].set_rules
+    sets: dict[str, int] = {}
+    for v in verdicts:
+        count = v.count + len(v.missing)
+        if v.statistic not in ("maximum", "share") and 0 < count < rules.number_for_mean:
+            sets[", ".join(part for part in (v.variant, v.level) if part) or "the frame"] = count
+    single = [name for name, count in sets.items() if count == 1]
+    few = [name for name, count in sets.items() if count > 1]
+    lines = []
+    if few:
+        lines += wrapped(
+            f"Fewer than {rules.number_for_mean} histories: {'; '.join(few)}. The maximum counts then, not the mean "
+            "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
+        )
+    if single:
+        lines += wrapped(
+            f"One history only: {'; '.join(single)}. It shows how the frame responds and proves nothing: "
+            f"EN 1998-1, 3.2.3.1.2(4), asks for {rules.least_number} at least."
+        )
+    return lines
 
 
 def _missing(verdict: Verdict) -> str:

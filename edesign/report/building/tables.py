@@ -33,10 +33,19 @@ def building_tables(archive: Archive) -> list[Table]:
     Raises:
         ArchiveError: nothing of the building is there.
     """
+    return _made(archive, TABLES)
+
+
+def short_building_tables(archive: Archive) -> list[Table]:
+    """Return base shear, the governing check of each group of members, and the verdict; see `building_tables`."""
+    return _made(archive, SHORT_TABLES)
+
+
+def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
     results = BuildingResults(archive)
     results.group()
     missing = Table("Missing")
-    tables = [table for make in TABLES for table in or_missing(make, results, missing)]
+    tables = [table for make in makes for table in or_missing(make, results, missing)]
     return [*tables, missing] if missing.notes else tables
 
 
@@ -277,5 +286,10 @@ TABLES: tuple[Make, ...] = (
     lambda results: [deflection_table(results.group("deflections"))],
     lambda results: [reaction_table(results.group("foundations")), foundation_table(results.group("foundations"))],
     lambda results: [combinations_table(results)],
+    lambda results: [verdict_table(results)],
+)
+SHORT_TABLES: tuple[Make, ...] = (
+    lambda results: [base_shear_table(results)],
+    lambda results: [groups_table(results)],
     lambda results: [verdict_table(results)],
 )

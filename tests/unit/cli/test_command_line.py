@@ -95,7 +95,7 @@ def test_options_of_run(core: Core, tmp_path: Path, capsys: pytest.CaptureFixtur
 
 
 def test_show_prints_tables(archive: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["show", str(archive)]) == 0
+    assert main(["show", str(archive), "--all"]) == 0
     lines = capsys.readouterr().out.splitlines()
     assert lines[0] == "Two storeys"
 
@@ -273,4 +273,4 @@ def test_a_terminal_gets_a_bar_and_ruled_tables(
     assert "━" in errors.getvalue() and "[1/2] a: completed" in errors.getvalue()
     monkeypatch.setattr(sys, "stdout", output)
     assert main(["show", str(archive)]) == 0
-    assert "────" in output.getvalue() and "el_centro" in output.getvalue()
+    assert "----" in output.getvalue() and "el_centro" in output.getvalue()

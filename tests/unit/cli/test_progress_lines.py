@@ -101,12 +101,12 @@ def test_quiet_listens_to_nothing(capsys: pytest.CaptureFixture[str]) -> None:
 def test_lines_of_a_report_come_by_count_and_on_a_terminal_by_time(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    lines = report._Progress()
+    lines = report.PageProgress()
     for number in range(1, 26):
         lines(f"figure {number}")
     assert capsys.readouterr().err == "figure 10\nfigure 20\n"
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True)
     monkeypatch.setattr(report, "LINE_AFTER", 0.0)
-    lines = report._Progress()
+    lines = report.PageProgress()
     lines("figure 1")
     assert capsys.readouterr().err == "figure 1\n"

@@ -69,7 +69,7 @@ def test_every_control_and_bidirectional_character_is_written_out() -> None:
 def test_tables_in_a_pipe_and_on_a_terminal(
     archive: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    assert main(["show", str(archive)]) == 0
+    assert main(["show", str(archive), "--all"]) == 0
     plain = capsys.readouterr().out
     assert acting(plain) == [] and plain.startswith(SHOWN + r"\nsecond line" + "\narchive ")
     rows = [line for line in plain.splitlines() if line.startswith("one ")]  # in parts, as the table is wide
