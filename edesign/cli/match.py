@@ -48,6 +48,8 @@ def match(
     time_step: source.TimeStep = None,
     layout: source.Layout = None,
     component: source.Component = None,
+    column: source.Column = None,
+    time_column: source.TimeColumn = None,
     archive: Annotated[
         Path | None, typer.Option("--archive", "-a", help="Where to write; NAME_matched.h5 here by default.")
     ] = None,
@@ -93,7 +95,7 @@ def match(
     target = elastic_spectrum(hazard, level)
     band = (action.quantity(periods[0], TIME, "--periods"), action.quantity(periods[1], TIME, "--periods"))
     settings = MatchOptions(method=method, periods=band, scale_bounds=scale_bounds, damping=hazard.damping)  # type: ignore[arg-type]
-    reading = source.Reading.of(unit, time_step, layout, component)
+    reading = source.Reading.of(unit, time_step, layout, component, column, time_column)
     name, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)
     period = action.fundamental_period(loaded, t1)
     tables = []

@@ -37,6 +37,12 @@ Layout = Annotated[
 Component = Annotated[
     str | None, typer.Option("--component", help="Which one of files that hold several: number, orientation or name.")
 ]
+Column = Annotated[
+    str | None, typer.Option("--column", help="Of tables with several: that of the acceleration, header or number.")
+]
+TimeColumn = Annotated[
+    str | None, typer.Option("--time-column", help="Beside --column: that of the times in s, header or number.")
+]
 NoStandIns = Annotated[
     bool, typer.Option("--no-stand-ins", help="Refuse simulated motions in place of missing recordings.")
 ]
@@ -50,9 +56,19 @@ class Reading:
     time_step: float | None = None
     layout: str | None = None
     component: str | None = None
+    column: int | str | None = None
+    time_column: int | str | None = None
 
     @classmethod
-    def of(cls, unit: str | None, time_step: str | None, layout: str | None, component: str | None) -> Reading:
+    def of(
+        cls,
+        unit: str | None,
+        time_step: str | None,
+        layout: str | None,
+        component: str | None,
+        column: str | None = None,
+        time_column: str | None = None,
+    ) -> Reading:
         """The options as they are written.
 
         Raises:
@@ -61,7 +77,10 @@ class Reading:
         from edesign.cli.hazard_options import quantity
         from edesign.project.notation.units import TIME
 
-        return cls(unit, quantity(time_step, TIME, "--time-step") if time_step else None, layout, component)
+        if time_column is not None and column is None:
+            raise InputError("--time-column: only with --column, which names the acceleration")
+        step = quantity(time_step, TIME, "--time-step") if time_step else None
+        return cls(unit, step, layout, component, _header_or_number(column), _header_or_number(time_column))
 
 
 def read_inputs(
@@ -87,7 +106,8 @@ def read_inputs(
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
         if reading != Reading():
             raise InputError(
-                "--unit, --time-step, --layout, --component: only for record files; a suite file says these itself"
+                "--unit, --time-step, --layout, --component, --column: only for record files; a suite file says these "
+                "itself"
             )
         name = _name(inputs[0])
         suite = load_suite(inputs[0])
@@ -119,13 +139,15 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
         if twin is not None:
             raise InputError(f"{path}: the same recording as {recordings[twin].detail}; leave one of them out")
         recordings[name] = Found(record, "file", str(path))
-    of_tables = reading.unit, reading.time_step, reading.layout
-    if of_tables != (None, None, None) and not any(detect(path) == "table" for path in inputs):
+    of_tables = (reading.unit, reading.time_step, reading.layout, reading.column)
+    if any(option is not None for option in of_tables) and not any(detect(path) == "table" for path in inputs):
         raise InputError(
-            "--unit, --time-step, --layout: only for tables of text; these files say unit and time step themselves"
+            "--unit, --time-step, --layout, --column: only for tables of text; these files say all this themselves"
         )
     if reading.component is not None and not any(names_components(detect(path)) for path in inputs):
-        raise InputError("--component: only for files that name their components; these hold one")
+        tables = any(detect(path) == "table" for path in inputs)
+        instead = "columns of tables are chosen by --column" if tables else "these hold one"
+        raise InputError(f"--component: only for files that name their components; {instead}")
     return recordings
 
 
@@ -149,8 +171,14 @@ def _record(path: Path, name: str, reading: Reading) -> Record:
         acceleration_unit=reading.unit,
         time_step=reading.time_step,
         layout=reading.layout,  # type: ignore[arg-type]
+        acceleration_column=reading.column,
+        time_column=reading.time_column,
         name=name,
     )
+
+
+def _header_or_number(column: str | None) -> int | str | None:
+    return int(column) if column is not None and column.isdecimal() else column
 
 
 def _name(path: Path) -> str:

@@ -46,6 +46,8 @@ def spectrum(
     time_step: source.TimeStep = None,
     layout: source.Layout = None,
     component: source.Component = None,
+    column: source.Column = None,
+    time_column: source.TimeColumn = None,
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table.")] = None,
     figure: Annotated[Path | None, typer.Option("--figure", metavar="FILE", help="Draw: .svg, .png or .pdf.")] = None,
 ) -> None:
@@ -83,7 +85,7 @@ def spectrum(
     first, last = (action.quantity(text, TIME, "--periods") for text in periods)
     if first >= last:
         raise InputError(f"--periods: the shorter period stands first, not {first:g} s before {last:g} s")
-    reading = source.Reading.of(unit, time_step, layout, component)
+    reading = source.Reading.of(unit, time_step, layout, component, column, time_column)
     found: dict[str, Found] = {}
     if inputs:
         _, found = source.read_inputs(inputs, folder or [], not no_stand_ins, reading)

@@ -35,6 +35,10 @@ class Channel:
         return Record(name or path.stem, self.acceleration, self.time_step, f"{path.name}: {factual}")  # type: ignore[arg-type]
 
 
+CHOICE = "by --component on the command line, by `component` in a project or suite file"
+"""How one of several components is chosen."""
+
+
 def choose(path: Path, channels: Sequence[Channel], component: str | int | None) -> Channel:
     """The component that is asked for, or the only one.
 
@@ -44,7 +48,7 @@ def choose(path: Path, channels: Sequence[Channel], component: str | int | None)
     labels = listed(channel.label for channel in channels)
     if component is None:
         if len(channels) > 1:
-            raise InputError(f"{path}: the file holds {len(channels)} components; name one: {labels}")
+            raise InputError(f"{path}: the file holds {len(channels)} components; name one: {labels}, {CHOICE}")
         return channels[0]
     wanted = _plain(str(component))
     found = [channel for channel in channels if wanted in {_plain(name) for name in (channel.label, *channel.names)}]

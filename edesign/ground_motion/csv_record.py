@@ -26,6 +26,7 @@ _PROOF = 5  # numbers that rise evenly and so are times: three samples in a row 
 _COMMENTS = ("#", "%")
 _HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
 ROWS, COLUMNS = "`layout: rows` (--layout rows)", "`layout: columns` (--layout columns)"
+CHOICE = "by --column on the command line, by `columns` in a project or suite file"
 _OTHERWISE = (
     "; if the first column is not the time, name the columns by `columns` in a project or suite file, or, if both are "
     f"samples, write {ROWS}"
@@ -92,7 +93,13 @@ def read_csv(
                 _check_proof(table, found)
             time_step = found
     if time_step is None:
-        raise InputError(f"{path}: the file has no column of times; a time step is needed")
+        several = acceleration_column is not None and table.width > 1
+        which = (
+            "no column of times is named, by --time-column or `columns`"
+            if several
+            else "the file has no column of times"
+        )
+        raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`)")
     if not time_step > 0.0:
         raise InputError(f"{path}: the time step must be greater than zero, not {time_step:g} s")
     factor = ACCELERATION_UNITS[acceleration_unit]
@@ -166,9 +173,9 @@ def _columns_of(
     """Columns of times, if there are any, and of accelerations; of two without a name the first has the times."""
     if acceleration_column is None and table.width > 2:
         hint = "" if table.header else f"; if they are samples in turn, write {ROWS}"
+        which = f" ({', '.join(f'{i} `{name}`' for i, name in enumerate(table.header, 1))})" if table.header else ""
         raise InputError(
-            f"{table.where}: {table.width} columns; name the one that is the acceleration, by `columns` in a project "
-            f"or suite file{hint}"
+            f"{table.where}: {table.width} columns{which}; name the one that is the acceleration: {CHOICE}{hint}"
         )
     if time_column is None and acceleration_column is None:
         return (0 if table.width == 2 else None), table.width - 1

@@ -145,7 +145,9 @@ def _suite(project: HoldsRecords, name: str, spec: SuiteRecords) -> Suite:
     for i, wanted in enumerate(spec.only):
         if wanted not in ids:
             where = project.where("records", name, "only", i)
-            raise InputError(f"{where}: records.{name}.only[{i}]: {unknown_name('recording', wanted, ids)}")
+            number = int(wanted) if wanted.isdecimal() and 1 <= int(wanted) <= len(ids) else 0
+            hint = f"`only` takes names, and number {number} of the suite is `{ids[number - 1]}`; " if number else ""
+            raise InputError(f"{where}: records.{name}.only[{i}]: {hint}{unknown_name('recording', wanted, ids)}")
     return suite.model_copy(update={"records": tuple(entry for entry in suite.records if entry.id in spec.only)})
 
 

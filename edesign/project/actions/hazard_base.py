@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -24,10 +25,13 @@ def _probability(value: Any) -> float:
     return parse_ratio(value, 0.0, 1.0, low_allowed=False, high_allowed=False)
 
 
+_RETURN_PERIOD = replace(TIME, name="number of years", example="475 years")
+
+
 def _years(value: Any) -> float:
-    seconds = parse_quantity(value, TIME, "positive")
+    seconds = parse_quantity(value, _RETURN_PERIOD, "positive")
     if seconds < YEAR * (1.0 - 1e-9):
-        raise refuse(f"`{value}` is shorter than a year; it is written like `475 year`")
+        raise refuse(f"`{value}` is shorter than a year; it is written like `{_RETURN_PERIOD.example}`")
     return seconds
 
 

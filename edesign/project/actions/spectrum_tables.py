@@ -46,7 +46,7 @@ class SpectrumFile(_Table):
 
 def _which(value: Any) -> str:
     keys = keys_in(value)
-    return "?values" if "periods" in keys or "accelerations" in keys else "?file"
+    return "?file" if ("file" in keys or "column" in keys) and "periods" not in keys else "?values"
 
 
 SpectrumTable = Annotated[

@@ -16,7 +16,7 @@ from pydantic_core import PydanticCustomError
 
 from edesign.project.notation.written import Written, quantity, ratio, words_or
 from edesign.project.reading.base import refuse
-from edesign.project.reading.problems import as_seen
+from edesign.project.reading.problems import as_seen, nearest
 
 if TYPE_CHECKING:
     import pint
@@ -51,17 +51,26 @@ class Kind:
     least: float = 1e-30
     most: float = 1e30
     """Of what has no bounds of its own: the product of ten such numbers is still one of double precision."""
+    large: tuple[float, str] | None = None
+    """From which number on people mean another unit than that of the example, and which."""
+
+    def written(self, number: str) -> str:
+        """Return a bare number with the unit that people likely mean."""
+        unit = self.example.split(" ", 1)[1]
+        if self.large is not None and abs(float(number)) >= self.large[0]:
+            unit = self.large[1]
+        return f"{number} {unit}"
 
 
 # The bounds are wide: what lies beyond them is a slip of the power or of the unit. Each says what it is taken from.
 _KINDS = (
-    LENGTH := Kind("length", "m", "3.5 m", 1e-10, 4.1e7),  # atoms in iron, 2.5e-10 m; the equator
+    LENGTH := Kind("length", "m", "3.5 m", 1e-10, 4.1e7, (100.0, "mm")),  # atoms in iron, 2.5e-10 m; the equator
     AREA := Kind("area", "m^2", "100 cm^2", 1e-12, 1e6),  # squares of a micrometre and of a kilometre
     INERTIA := Kind("second moment of area", "m^4", "33740 cm^4", 1e-24, 1e12),  # their fourth powers
     FORCE := Kind("force", "N", "120 kN", 1e-9, 1e13),  # the finest balances; the weight of 1e12 kg
     LINE_LOAD := Kind("force per length", "N/m", "23 kN/m", 1e-9, 1e13),  # that force on a metre
     STIFFNESS := Kind("stiffness", "N/m", "120 kN/mm", 1e-6, 1e18),  # 1e18: E A / L of 1 km^2 of steel 0.2 m long
-    STRESS := Kind("stress", "Pa", "275 MPa", 1e-6, 1e15),  # a thousand times diamond, E = 1.2e12 Pa
+    STRESS := Kind("stress", "Pa", "275 MPa", 1e-6, 1e15, (1e6, "Pa")),  # a thousand times diamond, E = 1.2e12 Pa
     MASS := Kind("mass", "kg", "29.5 t", 1e-9, 1e12),  # a microgram; the heaviest buildings have 1e10 kg
     TIME := Kind("time", "s", "0.01 s", 1e-12, 1.5e17),  # below any sampling; the age of the Earth
     ACCELERATION := Kind("acceleration", "m/s^2", "0.32 g", 1e-10, 1e6),  # seismometers; shock tables reach 1e5 g
@@ -106,8 +115,7 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
         raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}`")
     number, unit = match[1], match[2]
     if not unit:
-        shown = f"{number} {kind.example.split(' ', 1)[1]}"
-        raise refuse(f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{shown}`")
+        raise refuse(f"the bare number `{value}` needs a unit; {a(kind.name)} is written like `{kind.written(number)}`")
     try:
         factor = _known_factor(unit, kind)
     except PydanticCustomError:
@@ -142,7 +150,10 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
     if not (math.isfinite(result) and inside_low and inside_high):
         lower = f"at least {low:g}" if low_allowed else f"greater than {low:g}"
         upper = "" if high == math.inf else f" and at most {high:g}" if high_allowed else f" and less than {high:g}"
-        raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed")
+        percent = result / 100.0  # 5 where 5 % is meant
+        meant = not unit and 1.0 <= result <= 100.0 and low < percent < high
+        hint = f"; {number} per cent is written `{number} %`" if meant else ""
+        raise refuse(f"`{value}` is out of range: a ratio {lower}{upper} is allowed{hint}")
     if result > LARGEST_FACTOR or 0.0 < abs(result) < 1.0 / LARGEST_FACTOR:
         span = f"{1.0 / LARGEST_FACTOR:g} to {LARGEST_FACTOR:g}" + (", or zero" if low_allowed and low <= 0.0 else "")
         raise refuse(f"`{value}` is beyond what a ratio can be, {span}")
@@ -169,6 +180,9 @@ def held(kind: Kind, what: str, *words: str) -> Written:
     def read(value: Any) -> Any:
         if isinstance(value, str) and value in words:
             return value
+        meant = nearest(value, words) if isinstance(value, str) else ""
+        if meant:
+            raise refuse(f"`{value}` is unknown; did you mean `{meant}`? ({what})")
         try:
             return parse_quantity(value, kind, "positive")
         except ValueError as error:

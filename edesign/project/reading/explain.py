@@ -82,8 +82,17 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
         other = f", or {shape}" if loc[-1] == f"{TAG}plain" and (shape := _other_shape(model, loc)) else ""
         hint = did_you_mean(str(detail["input"]), allowed)
         problems.at_value(keys, f"{as_seen(detail['input'])} is unknown{hint} (allowed: {listed(allowed)}{other})")
+    elif kind == "tuple_type" and _of_mappings(model, loc):
+        seen = as_seen(detail["input"])
+        problems.at_value(keys, f"a list of mappings, each `- {{key: value}}` on its line, is needed here, not {seen}")
     else:
         problems.at_value(keys, _message(kind, detail, context))
+
+
+def _of_mappings(model: type[BaseModel], loc: tuple[int | str, ...]) -> bool:
+    """Whether the items of a list are mappings."""
+    annotation = _bare(_annotation_at(model, loc))
+    return any(_is_model(_bare(one)) for item in get_args(annotation) for one in _alternatives(item))
 
 
 def _as_written(message: str, value: Any, at: Keys) -> str:
@@ -123,6 +132,8 @@ def _wrong_choice(keys: Keys, value: Any, context: Mapping[str, Any], problems: 
 
 def _message(kind: str, detail: ErrorDetails, context: Mapping[str, Any]) -> str:
     seen = as_seen(detail["input"])
+    if kind == "tuple_type" and isinstance(detail["input"], str):
+        return f"a list is needed here: `[{detail['input']}]`, not {seen}"
     if kind in _WORDS:
         return f"{_WORDS[kind](context)} is needed here, not {seen}"
     if kind in _LIMITS:

@@ -112,7 +112,8 @@ def nearest(seen: str, allowed: Iterable[str]) -> str:
     names = {name.lower(): name for name in allowed}
     close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
     if not close:
-        return ""
+        begun = [name for name in names if seen and name.startswith(seen.lower())]  # ec8 of ec8-2004
+        return names[begun[0]] if len(begun) == 1 else ""
     likeness = [difflib.SequenceMatcher(None, name, seen.lower()).ratio() for name in close]
     # of equally near names the one that begins alike: HEB205 is HEB200 rather than HEB320
     best = [name for name, value in zip(close, likeness, strict=True) if value == max(likeness)]

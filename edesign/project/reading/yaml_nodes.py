@@ -230,4 +230,6 @@ def _hint(said: str) -> str:
         return " (indent with spaces, not tabs)"
     if "mapping values are not allowed" in said:
         return " (a `:` followed by a space inside text needs quotes around the text)"
+    if "could not find expected ':'" in said:
+        return " (a key and its value are written `key: value`, with a space behind the colon)"
     return ""

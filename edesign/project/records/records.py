@@ -142,6 +142,14 @@ class PairRecord(_Record):
     spectrum: CombinedSpectrum = "rotd100"
 
 
+def _names(value: Any) -> Any:
+    """One name as a list of one; numbers become text, so that the suite can say which names it has."""
+    several = value if isinstance(value, (list, tuple)) else [value] if isinstance(value, (str, int)) else value
+    if not isinstance(several, (list, tuple)):
+        return value
+    return tuple(str(one) if isinstance(one, int) and not isinstance(one, bool) else one for one in several)
+
+
 class SuiteRecords(_Record):
     """All recordings of a suite file, or some of them; a history of them becomes one of each.
 
@@ -156,7 +164,7 @@ class SuiteRecords(_Record):
     suite: Annotated[str, Field(min_length=1)]
     folders: tuple[Annotated[str, Field(min_length=1)], ...] = ()
     stand_ins: bool = True
-    only: Annotated[tuple[str, ...], Field(min_length=1)] | None = None
+    only: Annotated[tuple[str, ...], Field(min_length=1), BeforeValidator(_names)] | None = None
     processing: tuple[Step, ...] = ()
 
 

@@ -7,6 +7,7 @@ stays inside, and such a mistake leaves them.
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
@@ -51,6 +52,21 @@ def implausible(project: Project, period: float | None) -> list[str]:
     """
     found = [_period(project, period) if period is not None else "", _weight(project), _damping(project)]
     return [*(text for text in found if text), *_under_gravity(project)]
+
+
+def sizes(project: Project) -> str:
+    """Return what the file makes of storeys, bays, moduli and gravity loads, in words and units.
+
+    Args:
+        project: the validated project.
+    """
+    y, x = project.frame.y, project.frame.x
+    heights = [upper - lower for lower, upper in pairwise(y)]
+    widths = [right - left for left, right in pairwise(x)]
+    moduli = ", ".join(f"E of {name} is {material.E / 1e9:.4g} GPa" for name, material in project.materials.items())
+    storeys = f"storeys are {min(heights):.4g} to {max(heights):.4g} m high"
+    bays = f", bays {min(widths):.4g} to {max(widths):.4g} m wide" if widths else ""
+    return f"{storeys}{bays}; {moduli}; gravity loads are {gravity_load(project) / 1e3:.4g} kN"
 
 
 def _period(project: Project, period: float) -> str:

@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 
 from edesign.building.isolation import base_masses
 from edesign.building.masses import node_masses
+from edesign.errors import AnalysisError
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.ground_motion.record_choice import RecordChoice, choice_lines
 from edesign.ground_motion.sources import Found
@@ -21,6 +22,7 @@ from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import project_warnings, record_warnings, study_warnings, unjudged
 from edesign.study.check.check import check_inputs, check_study_inputs
 from edesign.study.check.criteria import too_few_motions
+from edesign.study.check.plausibility import sizes
 from edesign.study.check.suitability import scale_warnings
 from edesign.study.design.design import first_warnings
 from edesign.study.motions.choosing import study_with_choices, with_choices
@@ -51,7 +53,7 @@ def check_project(project: Project) -> dict[str, str]:
     found = check_inputs(project, [task.spec for task in plan])
     unused = [name for name in project.records if all(name != record_of(key) for key in found)]
     others = find_recordings(project, [key for name in unused for key in references(project, name)])
-    period = fundamental_period(project)
+    period = _period(project)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*project_warnings(project, recorded), *record_warnings(recorded), *_scales(project, plan, found)]
     warnings += _failed_choices(project, found)
@@ -88,7 +90,7 @@ def check_study(study: Study) -> dict[str, str]:
     study = study_with_choices(study.afresh(), study.archive_path)
     plan = make_study_plan(study)
     found = check_study_inputs(study, plan)
-    period = fundamental_period(study.base)
+    period = _period(study.base)
     entries = Counter(task.entry for task in plan)
     recorded = {name: item.record for name, item in found.items()}
     warnings = [*study_warnings(study, plan, recorded), *record_warnings(recorded), *unjudged(study, plan)]
@@ -115,6 +117,18 @@ def check_study(study: Study) -> dict[str, str]:
         "archive": str(study.archive_path),
         **({"warnings": "\n".join(warnings)} if warnings else {}),
     }
+
+
+def _period(project: Project) -> float | None:
+    """The first period; where there is none, the sizes in which a slip of a unit shows stand in the message.
+
+    Raises:
+        AnalysisError: the first period cannot be found.
+    """
+    try:
+        return fundamental_period(project)
+    except AnalysisError as error:
+        raise AnalysisError(f"{error}. A unit may be wrong: {sizes(project)}") from error
 
 
 def _scales(project: Project, plan: Sequence[Task], found: Mapping[str, Found]) -> list[str]:

@@ -113,7 +113,11 @@ def test_the_width_of_the_lines_does_not_matter(tmp_path: Path, width: int, sepa
 @pytest.mark.parametrize(
     ("text", "arguments", "said"),
     [
-        (CASE, {}, ":1: 5 columns; name the one that is the acceleration, by `columns` in a project or suite file; if"),
+        (
+            CASE,
+            {},
+            ":1: 5 columns; name the one that is the acceleration: by --column on the command line, by `columns` in a",
+        ),
         (CASE, {"acceleration_column": 1}, ":1: 5 numbers a line without headers may be 5 channels, or 5 samples"),
         (lines_of(WAVE, 2), {}, ":4: the time 0.500395 s is not after"),
         (lines_of(WAVE, 2), {"time_step": 0.01}, "if both are samples, write `layout: rows` (--layout rows)"),

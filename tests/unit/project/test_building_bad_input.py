@@ -79,7 +79,7 @@ def faults(text: str) -> list[tuple[tuple[int, int], str]]:
         (
             "ends: pinned",
             "ends: @hinged",
-            "beams[1].ends: an end is `rigid`, `pinned`, or has a stiffness: `hinged` is no r",
+            "beams[1].ends: `hinged` is unknown; did you mean `pinned`? (an end is `rigid`, `pinned`, or has",
         ),
         (
             "ends: pinned",

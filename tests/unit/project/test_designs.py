@@ -98,7 +98,7 @@ def test_level_of_the_verification_is_that_of_the_design(text: str) -> None:
         (GOOD + ", brace: {ratios: 7}", "unknown key; did you mean `ratio`?"),
         (GOOD + ", distribution: uniform, target_in: storeys", "Eq. 5.9 storey by storey"),
         (GOOD + ", distribution: least_area", "designs.tried.level: this key is missing"),
-        (GOOD + ", properties: {table: thesis}", "`thesis` is unknown (allowed: `thesis_appendix_a`)"),
+        (GOOD + ", properties: {table: thesis}", "`thesis` is unknown; did you mean `thesis_appendix_a`?"),
         (GOOD + ", properties: {G_storage: 1 MPa}", "loss_factor: this key is missing"),
         (GOOD + ", frequency: [1 Hz, 0.5 Hz]", "the band runs backwards"),
         (GOOD + ", bounds: {upper: 1.2}", "designs.tried.level: this key is missing; bounds"),

