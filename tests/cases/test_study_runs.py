@@ -196,7 +196,7 @@ def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
         (one,) = (c for key, c in found.items() if key.endswith(text))
         assert one["value"] == pytest.approx(ratio, rel=1e-6) and one["passed"] is (ratio >= 0.9)
         said = f"records set: not met: 3.2.3.1.2(4)c, {one['text']}: {ratio:.3g}, required 0.9"
-        assert (said in told.stderr) is not one["passed"] and one["text"] in whole
+        assert (said in told.stderr) is not one["passed"] and one["text"][:50] in whole
     assert {c["passed"] for c in found.values()} == {True, False}  # the shortest period passes, that of the bare fails
 
 

@@ -187,6 +187,7 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         f"{name}: {about.get('criteria_of', SET_RULES.code)}",
         ("clause", "criterion", "required", "found", "verdict"),
         left=2,
+        sentences=1,
     )
     for found in about["criteria"]:
         verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]
