@@ -34,6 +34,7 @@ from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
+from edesign.report.ground_motion.record_tables import tables_of
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.summary import all_results, design_warnings, ending, entry, input_warnings
@@ -90,6 +91,8 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
 
 
 def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
+    if not groups:  # of `edesign match`
+        return tables_of(archive)
     entries = [entry(name, group) for name, group in groups.items()]
     tables = [analyses_table(entries)]
     tables += [periods_table(name, group, PERIODS_SHOWN) for name, group in groups.items()]
