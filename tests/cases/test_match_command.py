@@ -105,7 +105,10 @@ def test_the_best_of_a_library_are_chosen(tmp_path: Path, capsys: pytest.Capture
         (["set.yaml", *SITE, "--scale-bounds", "2", "1"], "scale_bounds"),
         (["set.yaml", *SITE, "--no-stand-ins"], "third: this recording was not found"),
         (["set.yaml", *SITE, "--folder", "nowhere"], "there is no such folder"),
-        (["set.yaml", *SITE, "--unit", "g"], "--unit, --time-step, --layout, --component: only for record files"),
+        (
+            ["set.yaml", *SITE, "--unit", "g"],
+            "--unit, --time-step, --layout, --component, --column: only for record files",
+        ),
         (["set.yaml", "first.csv", *SITE], "one suite file, or record files"),
         (["first.csv", *SITE], "declare it: --unit g"),
         (["first.csv", "FIRST.txt", *SITE, "--unit", "g"], "another of the files is called FIRST too"),
@@ -226,7 +229,7 @@ def test_several_samples_a_line(
     assert main(["spectrum", "first.csv", *SITE, "--unit", "m/s^2", "--component", "1"]) == 2
     assert "--component: only for files that name their components" in capsys.readouterr().err
     assert main(["spectrum", "suite.yaml", *SITE, "--layout", "rows"]) == 2
-    assert "--layout, --component: only for record files" in capsys.readouterr().err
+    assert "--layout, --component, --column: only for record files" in capsys.readouterr().err
 
 
 def test_scaling_beyond_the_usual_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

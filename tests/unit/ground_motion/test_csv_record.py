@@ -57,7 +57,7 @@ def test_times_may_begin_anywhere_and_be_rounded(tmp_path: Path) -> None:
         ("0,1\n0.01,2\n0.02\n", ":3: 1 columns; the lines before have 2"),
         ("0,1\n0.01,x\n0.02,3\n", ":2: `x` is not a number"),
         ("0,1\n0.01,nan\n0.02,3\n", ":2: `nan` is not a finite number"),
-        ("t,a,b\n0,1,2\n0.01,2,3\n", "3 columns; name the one"),
+        ("t,a,b\n0,1,2\n0.01,2,3\n", "(1 `t`, 2 `a`, 3 `b`); name the one"),
         ("time,acc\n0,1\n", "at least two samples, not 1"),
         ("# only a comment\n", "no samples"),
         ("1\n2\n", "no column of times; a time step is needed"),
