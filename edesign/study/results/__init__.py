@@ -1,0 +1,4 @@
+"""What analyses record, and the groups of the archive that come of it.
+
+`study.analysis` and `study.design` write by it; names, units and meanings of the quantities stand here.
+"""
