@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -25,6 +23,7 @@ from edesign.project.substructure.structure import ShearBuilding
 from edesign.project.substructure.summary import summary
 from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.rig.rigs import ideal
+from tools import doc_pages
 
 PAGE = Path(__file__).parents[3] / "docs" / "reference" / "rts_file.md"
 
@@ -194,9 +193,7 @@ def test_a_frame_that_may_yield() -> None:
 
 
 def test_the_examples_of_the_page() -> None:
-    blocks = re.findall(r"(?:^ {4}.*\n|^\n)+", PAGE.read_text(encoding="utf-8"), re.MULTILINE)
-    examples = [text for block in blocks if (text := textwrap.dedent(block).strip()).startswith("edesign_rts: 1")]
-    small, thesis = (rts(text + "\n") for text in examples)
+    small, thesis = (rts(step.text) for step in doc_pages.steps(PAGE.read_text(encoding="utf-8")))
     assert small.plant.kind == "ideal" and thesis.project is not None
     test = thesis.tests[1]
     assert isinstance(test, RtsTest) and thesis.motion(test).record == "el_centro"
