@@ -37,7 +37,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs-keys bench memcheck wheel coverage clean distclean
+.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs docs-keys bench memcheck wheel coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -50,6 +50,7 @@ help:
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make slow      the tests that make test leaves out for their time; CI runs them too"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
+	@echo "make docs      the documentation as a site that opens without a server: build/site/index.html"
 	@echo "make memcheck  C tests under valgrind, then random calls of the core under sanitizers"
 	@echo "make wheel     a source distribution and a wheel with SuiteSparse and SUNDIALS inside, in dist; what is in it"
 	@echo "make coverage  the Python tests with the lines that they run, of the package; build/coverage"
@@ -115,6 +116,11 @@ $(STAMPS)/peers: $(STAMPS)/test
 
 $(STAMPS)/wheel: $(STAMPS)/build tools/requirements.py
 	@$(PY) tools/requirements.py wheel >$(STAMPS)/wheel.txt && $(INSTALL) -r $(STAMPS)/wheel.txt
+	@touch $@
+
+$(STAMPS)/docs: $(STAMPS)/build
+	$(SAY) installing what the site needs
+	@$(PY) tools/requirements.py docs >$(STAMPS)/docs.txt && $(INSTALL) -r $(STAMPS)/docs.txt
 	@touch $@
 
 setup: $(STAMPS)/build
@@ -200,6 +206,11 @@ format: $(STAMPS)/test
 
 docs-keys: setup
 	@$(PY) -m tools.docs_keys
+
+# The theme tells at each build of its successor: we know (pyproject.toml).
+docs: $(STAMPS)/docs
+	@NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+	$(SAY) build/site/index.html
 
 clean:
 	rm -rf build dist *.egg-info core_c/build edesign/core/_edcore*.so .pytest_cache .mypy_cache .ruff_cache .hypothesis \

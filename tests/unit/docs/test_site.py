@@ -1,0 +1,78 @@
+"""The navigation of the site and the public functions of the package are complete; pages need no other host."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+import yaml
+
+import edesign
+from tools import site_hooks
+
+ROOT = Path(__file__).parents[3]
+DOCS = ROOT / "docs"
+CONFIG: dict[str, Any] = yaml.safe_load((ROOT / "mkdocs.yml").read_text(encoding="utf-8"))
+
+
+def test_navigation_names_pages_that_exist() -> None:
+    named = site_hooks.paths_in(CONFIG["nav"])
+    assert [page for page in named if not (DOCS / page).is_file()] == []
+    assert len(named) == len(set(named))
+
+
+def test_every_folder_of_pages_has_an_index() -> None:
+    folders = {page.parent for page in DOCS.rglob("*.md")} - {DOCS}
+    assert [folder.name for folder in folders if not (folder / "README.md").is_file()] == []
+    assert [
+        folder.name for folder in folders if f"{folder.relative_to(DOCS)}/README.md" not in str(CONFIG["nav"])
+    ] == []
+
+
+def test_page_without_a_line_follows_those_of_its_folder() -> None:
+    nav: list[Any] = ["index.md", {"Reference": ["reference/README.md", {"Laws": ["reference/laws/README.md"]}]}]
+    site_hooks.section_of(Path("reference/laws"), nav).append("reference/laws/viscous.md")
+    site_hooks.section_of(Path("reference/keys"), nav).append("reference/keys/frame.md")
+    inner = {"Laws": ["reference/laws/README.md", "reference/laws/viscous.md"]}
+    assert nav[1] == {"Reference": ["reference/README.md", inner, "reference/keys/frame.md"]}
+
+
+@pytest.mark.parametrize("name", [name for name in edesign.__all__ if not name.startswith("__")])
+def test_public_function_stands_on_the_page_of_python(name: str) -> None:
+    function = getattr(edesign, name)
+    assert f"::: {function.__module__}.{name}\n" in (DOCS / "reference" / "python.md").read_text(encoding="utf-8")
+
+
+def test_pages_load_nothing_from_other_hosts() -> None:
+    assert CONFIG["theme"]["font"] is False
+    scripts = [*CONFIG["extra"]["polyfills"], *CONFIG["extra_css"], *CONFIG.get("extra_javascript", [])]
+    assert all((DOCS / name).is_file() for name in scripts)
+    pictures = re.compile(r"!\[[^\]]*\]\((https?:[^)]*)\)|<(?:img|script)[^>]*https?:")
+    assert [page.name for page in DOCS.rglob("*.md") if pictures.search(page.read_text(encoding="utf-8"))] == []
+
+
+def test_pictures_are_small() -> None:
+    large = [p.name for p in (DOCS / "tutorials" / "figures").iterdir() if p.stat().st_size > 150_000]
+    assert large == []
+
+
+def test_result_of_the_readme_is_that_of_the_tutorial() -> None:
+    """The table of README.md rounds what the first tutorial prints, which a test repeats."""
+    tutorial = (DOCS / "tutorials" / "first_damped_building.md").read_text(encoding="utf-8")
+    readme = (ROOT / "README.md").read_text(encoding="utf-8")
+    rows = {
+        "interstorey drift": ("interstorey drift [%]", 1.0),
+        "base shear of the columns": ("base shear, columns [kN]", 1.0),
+        "roof acceleration": ("roof acceleration [m/s2]", 1.0),
+        "plastic rotation of beams": ("beam plastic rotation [rad]", 1e3),
+        "axial force of the columns": ("column axial force [kN]", 1.0),
+    }
+    for shown, (printed, factor) in rows.items():
+        bare, damped, change = re.search(rf"^{re.escape(printed)} +(\S+) +(\S+) +(\S+)$", tutorial, re.M).groups()
+        cells = re.search(rf"^\| {shown} \| (\S+) .*?\| (\S+).*?\| (\S+) % \|$", readme, re.M).groups()
+        # within half of the last digit that is shown
+        for cell, value in zip(cells, (factor * float(bare), factor * float(damped), float(change)), strict=True):
+            half = 0.5 * 10.0 ** -len(cell.partition(".")[2])
+            assert abs(float(cell) - value) <= 1.001 * half, (shown, cell, value)
