@@ -6,7 +6,8 @@ A page marks them by the line that opens a block:
     ```yaml title="my_frame/project.yaml, at the end"     lines that are added to it
     ```console                                            `$ edesign ...`, below it what is printed
 
-In what is printed `...` as a line stands for any lines, at the end of a line for the rest of it.
+A page that begins with files of the repository names them in a comment, `<!-- files: PATH PATH -->`; they are copied to
+the folder first. In what is printed `...` as a line stands for any lines, at the end of a line for the rest of it.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from __future__ import annotations
 import io
 import re
 import shlex
+import shutil
 from collections.abc import Iterator
 from contextlib import chdir, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
@@ -21,6 +23,8 @@ from pathlib import Path
 from typing import Literal
 
 BLOCK = re.compile(r'^```(?P<kind>yaml title="(?P<title>[^"]+)"|console)\n(?P<text>.*?)^```$', re.DOTALL | re.MULTILINE)
+_FILES = re.compile(r"^<!-- files: (.*) -->$", re.MULTILINE)
+ROOT = Path(__file__).resolve().parents[1]
 ADDED = ", at the end"
 DIFFERENCE = 0.02
 """Relative, of figures on a page: they are printed with 4 digits, and other machines round otherwise. Standard errors
@@ -78,7 +82,10 @@ def follow(page: Path, folder: Path) -> Iterator[tuple[Step, str]]:
     Raises:
         RuntimeError: a command fails; the message has what it said.
     """
-    for step in steps(page.read_text(encoding="utf-8")):
+    text = page.read_text(encoding="utf-8")
+    for name in (name for found in _FILES.finditer(text) for name in found[1].split()):
+        shutil.copy(ROOT / name, folder)
+    for step in steps(text):
         path = folder / step.name
         if step.kind == "run":
             yield step, printed_by(step.name, folder)

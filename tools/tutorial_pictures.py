@@ -54,6 +54,16 @@ def of_calibration(folder: Path) -> Drawn:
     yield from calibration_figures(calibrate(load_campaign(folder / "tests" / "campaign.yaml")))
 
 
+def of_building(folder: Path) -> Drawn:
+    """All figures of the designed building, and of the study of its frames: 35 histories."""
+    from tools.doc_pages import printed_by
+
+    printed_by("edesign run study.yaml --workers 2", folder)
+    for name in ("designed.h5", "study.h5"):
+        with open_archive(folder / name) as archive:
+            yield from ((f"{name}/{figure}", caption, drawn) for figure, caption, drawn in all_figures(archive))
+
+
 PICTURES: dict[str, tuple[Callable[[Path], Drawn], dict[str, str]]] = {
     "first_damped_building": (
         of_archive,
@@ -67,6 +77,10 @@ PICTURES: dict[str, tuple[Callable[[Path], Drawn], dict[str, str]]] = {
     "what_the_law_lacks": (
         of_calibration,
         {"errors": "lacks_errors", "loops": "lacks_loops", "residuals": "lacks_residuals"},
+    ),
+    "building": (
+        of_building,
+        {"designed.h5/elevation_X2": "building_use", "study.h5/profile_storey_drift_DBE": "building_drift"},
     ),
 }
 """Of each page: what draws, and the figures that are wanted with the names of their files."""
