@@ -8,6 +8,7 @@ Usage: python tools/package_map.py [--check]
 from __future__ import annotations
 
 import ast
+import re
 import sys
 from pathlib import Path
 
@@ -55,7 +56,6 @@ HEAD = """# Map of the packages
 
 Every folder of the repository stands here with what it holds. The text of a package is its
 docstring; the docstring of a module, on its first line, tells what the module holds.
-
 """
 
 
@@ -103,10 +103,21 @@ def page() -> str:
     lines = [HEAD]
     for name, folder in packages().items():
         text = docstring(folder / "__init__.py").strip()
-        lines.append(f"{'#' * (name.count('/') + 2)} `{name}`\n\n{text}\n\n")
-    lines.append("## Other folders\n\n| folder | what it holds |\n|---|---|\n")
+        if name.count("/") < 2:
+            lines.append(f"\n{'#' * (name.count('/') + 2)} `{name}`\n\n{text}\n")
+            continue
+        inner = name.split("/", 2)[2]
+        lines.append(("" if lines[-1].lstrip().startswith("- ") else "\n") + f"- **`{inner}`** {in_short(text)}\n")
+    lines.append("\n## Other folders\n\n| folder | what it holds |\n|---|---|\n")
     lines += [f"| `{name}` | {text} |\n" for name, text in FOLDERS.items()]
     return "".join(lines)
+
+
+def in_short(text: str) -> str:
+    """A docstring on one line, up to its first list or block."""
+    paragraphs = text.split("\n\n")
+    kept = [part for at, part in enumerate(paragraphs) if at == 0 or not re.match(r" |- |[A-Z]\w+:$", part)]
+    return " ".join(" ".join(kept).split())
 
 
 def main() -> int:

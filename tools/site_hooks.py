@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from pathlib import PurePosixPath
+import sys
+from pathlib import Path, PurePosixPath
 from typing import Any
 
 
 def on_files(files: Any, config: Any) -> Any:
     """Append every page that no line of `nav` names to the section that holds the index of its folder.
 
-    So the pages of laws and effects, one a law, need no line each, and a page that someone adds is never lost. A page
-    whose folder has no section goes to the section of the folder above.
+    So the pages of laws and effects, one a law, need no line each, and a page that someone adds is never lost. They
+    stand in the order in which the index links to them, those without a link at the end. A page whose folder has no
+    section goes to the section of the folder above.
 
     Args:
         files: the files of the site (mkdocs.structure.files.Files).
@@ -20,10 +22,25 @@ def on_files(files: Any, config: Any) -> Any:
         The files as they are.
     """
     named = set(paths_in(config.nav))
-    for page in sorted(file.src_uri for file in files.documentation_pages()):
-        if page not in named:
-            section_of(PurePosixPath(page).parent, config.nav).append(page)
+    left = [file.src_uri for file in files.documentation_pages() if file.src_uri not in named]
+    for page in sorted(left, key=lambda page: place_in_index(PurePosixPath(page), Path(config.docs_dir))):
+        section_of(PurePosixPath(page).parent, config.nav).append(page)
     return files
+
+
+def place_in_index(page: PurePosixPath, docs: Path) -> tuple[str, int, str]:
+    """Where a page stands: its folder, the place of the first link to it in the folder's index, its name.
+
+    Args:
+        page: relative to docs.
+        docs: the folder of all pages.
+
+    Returns:
+        A key to sort by; pages that the index does not link to come last.
+    """
+    index = docs / page.parent / "README.md"
+    at = index.read_text(encoding="utf-8").find(f"]({page.name}") if index.exists() else -1
+    return str(page.parent), at if at >= 0 else sys.maxsize, page.name
 
 
 def paths_in(nav: Any) -> list[str]:

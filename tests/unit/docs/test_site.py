@@ -76,3 +76,15 @@ def test_result_of_the_readme_is_that_of_the_tutorial() -> None:
         for cell, value in zip(cells, (factor * float(bare), factor * float(damped), float(change)), strict=True):
             half = 0.5 * 10.0 ** -len(cell.partition(".")[2])
             assert abs(float(cell) - value) <= 1.001 * half, (shown, cell, value)
+
+
+def test_links_say_where_they_lead() -> None:
+    """A reader sees the name of a page, not that of its file; links inside the docs lead to pages that are there."""
+    unnamed, broken = [], []
+    for page in [*DOCS.rglob("*.md"), ROOT / "README.md"]:
+        text = page.read_text(encoding="utf-8")
+        if page.name not in ("command_line.md", "report.md"):
+            unnamed += [f"{page.name}: {found}" for found in re.findall(r"\[[\w/]+\.md\]\(", text)]
+        for target in re.findall(r"\]\((?!\w+:)([^)#\s]+)", text):
+            broken += [] if (page.parent / target).exists() else [f"{page.name}: {target}"]
+    assert unnamed == [] and broken == []
