@@ -207,9 +207,10 @@ format: $(STAMPS)/test
 docs-keys: setup
 	@$(PY) -m tools.docs_keys
 
-# The theme tells at each build of its successor: we know (pyproject.toml).
+# The theme tells at each build of its successor: we know (pyproject.toml). With --quiet warnings would not count.
 docs: $(STAMPS)/docs
-	@NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+	@NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict >$(STAMPS)/docs.log 2>&1 || \
+	    { grep -Ev '^(INFO|DEBUG) ' $(STAMPS)/docs.log >&2; exit 1; }
 	$(SAY) build/site/index.html
 
 clean:

@@ -66,7 +66,8 @@ def read_record_file(
         file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
         acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2" or "mm/s^2".
         time_step: s; of tables without a column of times.
-        time_column, acceleration_column: of tables; header, or number from 1.
+        time_column: of tables; header, or number from 1.
+        acceleration_column: likewise.
         layout: of tables: "columns", or "rows" of several samples in turn; found from the file by default.
         component: of formats whose files name their components; needed where a file holds several.
         name: of the record; its file name by default.

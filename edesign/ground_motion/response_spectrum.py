@@ -125,7 +125,8 @@ def rotated_spectra(
     The peak displacement of the rotated motion is taken in steps of one degree, for each period by itself.
 
     Args:
-        first, second: (n,) m/s2 each, at right angles, with the same time axis.
+        first: (n,) m/s2.
+        second: (n,) m/s2, at right angles to it, with the same time axis.
         time_step: s, of both.
         periods: (n_T,) s; 0 gives the percentiles of the peak ground acceleration.
         damping: ratio of critical, 0 <= damping < 1.

@@ -88,3 +88,17 @@ def test_links_say_where_they_lead() -> None:
         for target in re.findall(r"\]\((?!\w+:)([^)#\s]+)", text):
             broken += [] if (page.parent / target).exists() else [f"{page.name}: {target}"]
     assert unnamed == [] and broken == []
+
+
+@pytest.mark.slow
+def test_site_is_built_without_a_broken_link(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Strict: unknown pages, anchors and functions of the reference are errors. The search index opens as a file."""
+    build = pytest.importorskip("mkdocs.commands.build")
+    pytest.importorskip("mkdocstrings_handlers.python")
+    from mkdocs.config import load_config
+
+    monkeypatch.setenv("NO_MKDOCS_2_WARNING", "1")
+    build.build(load_config(str(ROOT / "mkdocs.yml"), site_dir=str(tmp_path)))
+    assert (tmp_path / "search" / "search_index.js").is_file()
+    index = (tmp_path / "index.html").read_text(encoding="utf-8")
+    assert re.findall(r'<(?:script|link|img)[^>]*(?:src|href)="https?:[^"]*', index) == []
