@@ -1,4 +1,4 @@
-"""Carrying out a plan: order, tasks, back ends, progress, interruption, and going on where a run stopped.
+"""Carrying out a plan: order, calls, back ends, progress, interruption, and going on where a run stopped.
 
 `run.py` is behind `edesign run`.
 """
