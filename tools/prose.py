@@ -24,7 +24,7 @@ BASELINE = ROOT / "tests" / "unit" / "docs" / "prose.yaml"
 WORDS, LENGTH = 25, 100
 WRAPPED = 96
 """Length of the lines that --wrap makes: the next change of a word need not break them again."""
-GENERATED = "<!-- written by"
+GENERATED = re.compile(r"^<!-- (?:written by|Made from) ", re.MULTILINE)
 _FENCE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 _BLOCK = re.compile(r"(?:^|(?<=\n\n))(?:(?: {4}|\t).*\n|\n(?= {4}))+", re.MULTILINE)
 _LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
@@ -37,7 +37,9 @@ def pages() -> dict[str, Path]:
     """Pages that people wrote, by their paths below the root: those of docs, and README.md."""
     found = [*sorted((ROOT / "docs").rglob("*.md")), ROOT / "README.md"]
     return {
-        path.relative_to(ROOT).as_posix(): path for path in found if GENERATED not in path.read_text(encoding="utf-8")
+        path.relative_to(ROOT).as_posix(): path
+        for path in found
+        if not GENERATED.search(path.read_text(encoding="utf-8"))
     }
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import sys
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -11,8 +12,8 @@ def on_files(files: Any, config: Any) -> Any:
     """Append every page that no line of `nav` names to the section that holds the index of its folder.
 
     So the pages of laws and effects, one a law, need no line each, and a page that someone adds is never lost. They
-    stand in the order in which the index links to them, those without a link at the end. A page whose folder has no
-    section goes to the section of the folder above.
+    stand in the order in which the index links to them, those without a link at the end. A folder whose index is not
+    named becomes a section of the folder above, under the heading of the index.
 
     Args:
         files: the files of the site (mkdocs.structure.files.Files).
@@ -23,7 +24,13 @@ def on_files(files: Any, config: Any) -> Any:
     """
     named = set(paths_in(config.nav))
     left = [file.src_uri for file in files.documentation_pages() if file.src_uri not in named]
-    for page in sorted(left, key=lambda page: place_in_index(PurePosixPath(page), Path(config.docs_dir))):
+    indexes = sorted(page for page in left if page.endswith("/README.md"))
+    for page in indexes:
+        heading = re.search(r"^# (.*)$", (Path(config.docs_dir) / page).read_text(encoding="utf-8"), re.MULTILINE)
+        title = heading[1].replace("`", "") if heading else PurePosixPath(page).parent.name
+        section_of(PurePosixPath(page).parent, config.nav).append({title: [page]})
+    rest = [page for page in left if page not in indexes]
+    for page in sorted(rest, key=lambda page: place_in_index(PurePosixPath(page), Path(config.docs_dir))):
         section_of(PurePosixPath(page).parent, config.nav).append(page)
     return files
 

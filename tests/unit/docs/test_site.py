@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
@@ -26,17 +27,30 @@ def test_navigation_names_pages_that_exist() -> None:
 def test_every_folder_of_pages_has_an_index() -> None:
     folders = {page.parent for page in DOCS.rglob("*.md")} - {DOCS}
     assert [folder.name for folder in folders if not (folder / "README.md").is_file()] == []
-    assert [
-        folder.name for folder in folders if f"{folder.relative_to(DOCS)}/README.md" not in str(CONFIG["nav"])
-    ] == []
 
 
-def test_page_without_a_line_follows_those_of_its_folder() -> None:
+def test_pages_without_a_line_follow_those_of_their_folder(tmp_path: Path) -> None:
+    """In the order of the links in the index; a folder that is not named is a section under its heading."""
+    pages = {
+        "reference/README.md": "# Reference\n",
+        "reference/laws/README.md": "# Laws\n[zener](zener.md), [gap](gap.md)\n",
+        "reference/laws/gap.md": "# Gap\n",
+        "reference/laws/other.md": "# Other\n",
+        "reference/laws/zener.md": "# Zener\n",
+        "reference/keys/README.md": "# Keys of `files`\n",
+        "reference/keys/frame.md": "# Frame\n",
+    }
+    for name, text in pages.items():
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(text, encoding="utf-8")
     nav: list[Any] = ["index.md", {"Reference": ["reference/README.md", {"Laws": ["reference/laws/README.md"]}]}]
-    site_hooks.section_of(Path("reference/laws"), nav).append("reference/laws/viscous.md")
-    site_hooks.section_of(Path("reference/keys"), nav).append("reference/keys/frame.md")
-    inner = {"Laws": ["reference/laws/README.md", "reference/laws/viscous.md"]}
-    assert nav[1] == {"Reference": ["reference/README.md", inner, "reference/keys/frame.md"]}
+    files = SimpleNamespace(documentation_pages=lambda: [SimpleNamespace(src_uri=name) for name in pages])
+    site_hooks.on_files(files, SimpleNamespace(nav=nav, docs_dir=str(tmp_path)))
+    laws = ["README", "zener", "gap", "other"]
+    assert nav[1]["Reference"][1:] == [
+        {"Laws": [f"reference/laws/{name}.md" for name in laws]},
+        {"Keys of files": ["reference/keys/README.md", "reference/keys/frame.md"]},
+    ]
 
 
 @pytest.mark.parametrize("name", [name for name in edesign.__all__ if not name.startswith("__")])
