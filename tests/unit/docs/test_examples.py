@@ -22,7 +22,7 @@ LOADERS: dict[str, Callable[[Path], object]] = {
     "specimen": load_programme,
 }
 """By the first key; other files are given to `edesign check`."""
-KEY = re.compile(r"^(?:    )?(edesign(?:_\w+)?): 1$", re.MULTILINE)
+KEY = re.compile(r"(?<=\n\n) {4}(edesign(?:_\w+)?): 1$", re.MULTILINE)
 
 
 def texts() -> dict[str, str]:
