@@ -38,6 +38,7 @@ FOLDERS = {
     "docs/verification": "What was checked against what.",
     "docs/results": "Results of long computations beside what they are compared with.",
     "docs/develop": "For those who change the program.",
+    "licences": "Licences of the libraries that wheels carry.",
     "projects": "Projects that run as they are, most of them of the reference work.",
     "tests": "Tests in Python; what several of them share stands in this folder itself.",
     "tests/unit": "Tests of single packages, in folders named as those of `edesign`.",
