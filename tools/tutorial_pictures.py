@@ -28,7 +28,7 @@ Drawn = Iterator[tuple[str, str, "Figure"]]
 
 def of_archive(folder: Path) -> Drawn:
     """All figures of the study of the first tutorial."""
-    with open_archive(folder / "my_frame" / "study.h5") as archive:
+    with open_archive(folder / "my_building" / "study.h5") as archive:
         yield from all_figures(archive)
 
 

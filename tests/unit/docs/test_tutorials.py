@@ -10,7 +10,7 @@ import pytest
 from tools import doc_pages
 
 DOCS = Path(__file__).parents[3] / "docs"
-LONG = {"what_the_law_lacks", "damper_test", "building"}  # a search, fits, a building: some seconds each
+LONG = {"what_the_law_lacks", "damper_test", "building", "index"}  # a search, fits, a building, a matched record
 
 
 def pages() -> list[Any]:
