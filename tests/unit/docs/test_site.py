@@ -97,8 +97,7 @@ def test_links_say_where_they_lead() -> None:
     unnamed, broken = [], []
     for page in [*DOCS.rglob("*.md"), ROOT / "README.md"]:
         text = page.read_text(encoding="utf-8")
-        if page.name not in ("command_line.md", "report.md"):
-            unnamed += [f"{page.name}: {found}" for found in re.findall(r"\[[\w/]+\.md\]\(", text)]
+        unnamed += [f"{page.name}: {found}" for found in re.findall(r"\[[\w/]+\.md\]\(", text)]
         for target in re.findall(r"\]\((?!\w+:)([^)#\s]+)", text):
             broken += [] if (page.parent / target).exists() else [f"{page.name}: {target}"]
     assert unnamed == [] and broken == []
