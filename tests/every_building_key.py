@@ -5,6 +5,7 @@ from __future__ import annotations
 EVERY_KEY = """\
 edesign_building: 1
 title: Every key
+document: {client: C, project_number: "07", author: A. B., checker: C. D., revision: "02", date: 2026-05-04, notes: N}
 plan: {x: [6 m, 5 m], y: {count: 2, width: 5 m}}    # lines A to C, 1 to 3
 storeys: [4 m, 3.5 m, 3 m]
 setbacks:

@@ -80,6 +80,6 @@ def test_a_design_that_is_none_is_told_everywhere(study: Path, archive: Path) ->
     for text, begin in zip(kept["implausible"], beginnings, strict=True):
         assert f"design implausible: {text}" in checked
         assert f"design implausible: {text}" in summarise(archive)["archive"]["warnings"]
-        assert f"design implausible: {begin}" in page and f"warning: {text}" in printed
+        assert f"{begin[:1].upper()}{begin[1:]}" in page and f"warning: {text}" in printed
     assert max(map(len, stream.getvalue().splitlines())) <= 120
     assert "3 (chosen)" in printed and "1 x 2 layers of 120 mm" in printed

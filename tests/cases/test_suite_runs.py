@@ -179,7 +179,7 @@ def test_a_match_without_hazard_is_refused(tmp_path: Path, capsys: pytest.Captur
 
 
 def test_a_suite_is_no_project(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    assert main(["check", str(suite_project.write_suite(tmp_path))]) == 2
+    assert main(["run", str(suite_project.write_suite(tmp_path))]) == 2
     errors = capsys.readouterr().err
     assert errors.count("\n") == 1 and "this is a suite file; a project file begins with `edesign: 1`" in errors
 
