@@ -24,8 +24,8 @@ from pathlib import Path
 import numpy as np
 from scipy.special import beta
 
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.properties import properties
-from edesign.damper.test_record import DamperTest
 
 # not as tests.*: another package may be installed by that name
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))

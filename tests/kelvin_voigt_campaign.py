@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from edesign.damper.campaign import Campaign, write_campaign
+from edesign.damper.campaign_blocks import LawChoice
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_files import LawChoice
-from edesign.damper.test_record import DamperTest
 
 K, C = 4.0e6, 2.0e5  # N/m, N s/m
 RATE = 250.0  # Hz

@@ -16,10 +16,10 @@ from pathlib import Path
 import numpy as np
 
 from edesign.damper.campaign import write_campaign
-from edesign.damper.read_test import read_test
+from edesign.damper.campaign_blocks import LawChoice
+from edesign.damper.measured_files import read_test
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_files import LawChoice
-from edesign.damper.test_record import DamperTest
 
 SPECIMEN = Specimen("acrylic adhesive", 1, 100e-6, 0.13e-3)
 LAW = LawChoice("zener", {"k0": "1.5 N/mm", "k1": "7 N/mm", "c1": "2400 N*s/mm"})  # fits the slowest test alone

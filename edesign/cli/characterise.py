@@ -110,7 +110,7 @@ def _campaign(
 
     from edesign.cli.hazard_options import quantity
     from edesign.damper.campaign import Campaign, load_campaign, short_names
-    from edesign.damper.read_test import read_test
+    from edesign.damper.measured_files import read_test
     from edesign.damper.specimen import Specimen
     from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
     from edesign.project.notation.temperature import parse_temperature

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
+    from edesign.damper.campaign_blocks import LawChoice
     from edesign.damper.law import Law, Parameter
+    from edesign.damper.measured_histories import DamperTest
     from edesign.damper.property_table import PropertyTable
     from edesign.damper.specimen import Specimen
-    from edesign.damper.test_files import LawChoice
-    from edesign.damper.test_record import DamperTest
 
 AGAINST = ("forces", "properties")
 

@@ -11,10 +11,7 @@ import yaml
 from pydantic import Field
 
 from edesign.archive.files import make_folder, write_text
-from edesign.damper.read_test import read_test, write_test
-from edesign.damper.specimen import Specimen
-from edesign.damper.start import StartKind
-from edesign.damper.test_files import (
+from edesign.damper.campaign_blocks import (
     CampaignLaw,
     Celsius,
     LawChoice,
@@ -24,7 +21,10 @@ from edesign.damper.test_files import (
     check_one,
     check_specimen,
 )
-from edesign.damper.test_record import DamperTest, Use
+from edesign.damper.measured_files import read_test, write_test
+from edesign.damper.measured_histories import DamperTest, Use
+from edesign.damper.specimen import Specimen
+from edesign.damper.start import StartKind
 from edesign.errors import ArchiveError, InputError
 from edesign.input_files import spare_inputs
 from edesign.project.document import Document

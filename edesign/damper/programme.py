@@ -14,13 +14,13 @@ from edesign.damper.campaign import Campaign, write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.effects_file import read_effects
 from edesign.damper.laws import law as law_of
+from edesign.damper.measured_files import read_displacement
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
 from edesign.damper.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
 from edesign.damper.properties import CYCLES, Properties, properties
 from edesign.damper.property_table import from_properties, usable, write_property_table
-from edesign.damper.read_test import read_displacement
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_record import DamperTest
 from edesign.errors import AnalysisError, InputError
 
 PROPERTIES_FILE = "properties.csv"

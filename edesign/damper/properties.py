@@ -10,8 +10,8 @@ import scipy
 from edesign.damper.cycles import Block, find_blocks
 from edesign.damper.history import spline_velocity
 from edesign.damper.local_fit import noise, peak, value_at_reversal
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_record import DamperTest
 from edesign.errors import InputError
 
 CYCLES = (5, 15)

@@ -17,12 +17,12 @@ from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.outcome import Outcome
 from edesign.calibrate.search.selection import Selection
 from edesign.damper.campaign import write_campaign
+from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_files import LawChoice
-from edesign.damper.test_record import DamperTest
 
 NOISE = 20.0  # N, of forces of some 20 kN
 TEMPERATURES = (20.0, 22.5, 25.0, 27.5, 30.0, 33.0, 24.0, 29.0)

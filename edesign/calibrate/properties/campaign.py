@@ -12,9 +12,9 @@ from pydantic import Field
 
 from edesign.calibrate.problem import Use
 from edesign.damper.campaign import CampaignError
+from edesign.damper.campaign_blocks import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
 from edesign.damper.property_table import SAME_LEVEL, SAME_TEMPERATURE, PropertyTable, read_property_table
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_files import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.project.document import Document

@@ -18,7 +18,7 @@ from edesign.damper.nrms import nrms
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.test_record import DamperTest
+    from edesign.damper.measured_histories import DamperTest
 
 
 @dataclass(frozen=True)

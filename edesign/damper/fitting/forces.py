@@ -29,8 +29,8 @@ from edesign.damper.nrms import determination, error_of_peak, nrms
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
+    from edesign.damper.measured_histories import DamperTest
     from edesign.damper.specimen import Specimen
-    from edesign.damper.test_record import DamperTest
 
 STARTS, SCREENED = 6, 8
 """Descents; candidates that are screened for each."""

@@ -14,7 +14,7 @@ from edesign.damper.start import NONE, Extremes, Start
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.test_record import DamperTest
+    from edesign.damper.measured_histories import DamperTest
 
 _LEAST_SAMPLES = 8
 _PER_CYCLE = 30  # samples of a cycle that a search needs: a cubic through them is exact to 1e-5

@@ -15,7 +15,7 @@ from edesign.damper.start import SOFTENED, Extremes, Recorded, Start, extremes_b
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.test_record import DamperTest
+    from edesign.damper.measured_histories import DamperTest
 
 _LEAST = 5e-4  # of a test's rms force: no load cell is better
 _SOON = 0.01  # of a test's samples: so many more or less that are judged change nothing

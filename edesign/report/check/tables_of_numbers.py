@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.damper.column_units import names_quantity
 from edesign.damper.csv_table import read_csv_table
+from edesign.damper.measured_files import EXAMPLE, read_test
 from edesign.damper.property_table import COLUMNS, read_property_table
-from edesign.damper.read_test import EXAMPLE, read_test
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.read import FORMATS, component_labels, detect, read_record_file

@@ -17,7 +17,7 @@ from edesign.report.tables.table import number
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from edesign.damper.test_record import DamperTest
+    from edesign.damper.measured_histories import DamperTest
 
 ERROR = "#c0392b"
 

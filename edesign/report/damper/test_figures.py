@@ -10,9 +10,9 @@ import numpy as np
 from edesign.archive.files import make_folder
 from edesign.damper.campaign import Campaign
 from edesign.damper.cycles import find_blocks
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.property_table import PropertyTable
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_record import DamperTest
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, align_ordinates, logarithmic, new_figure, save, styled
 

@@ -16,14 +16,14 @@ from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import calibration_json
 from edesign.damper.campaign import Campaign, load_campaign, write_campaign
+from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import law
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
 from edesign.damper.specimen import Specimen
 from edesign.damper.start import StartKind
-from edesign.damper.test_files import LawChoice
-from edesign.damper.test_record import DamperTest
 from edesign.report.calibration.tables import starts_table, verdict_text
 
 MGMM = law("mgmm")

@@ -10,7 +10,7 @@ import pytest
 
 from edesign.calibrate import run
 from edesign.calibrate.dampers.readings import Reading
-from edesign.damper.test_files import LawChoice
+from edesign.damper.campaign_blocks import LawChoice
 
 
 @pytest.mark.parametrize(

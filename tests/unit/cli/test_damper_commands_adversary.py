@@ -10,8 +10,8 @@ import pytest
 
 from edesign.cli import main as command
 from edesign.damper.campaign import load_campaign, write_campaign
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.specimen import Specimen
-from edesign.damper.test_record import DamperTest
 from edesign.errors import ArchiveError
 
 SPECIMEN = ["--layers", "2", "--layer-area", "41400 mm^2", "--layer-thickness", "12 mm"]

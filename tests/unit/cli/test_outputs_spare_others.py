@@ -21,9 +21,9 @@ from edesign.archive.writer import partial_path
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
-from edesign.damper.read_test import write_test
+from edesign.damper.measured_files import write_test
+from edesign.damper.measured_histories import DamperTest
 from edesign.damper.signals import sine
-from edesign.damper.test_record import DamperTest
 from edesign.errors import ArchiveError, InputError, Interrupted
 from edesign.input_files import note_input, noting_inputs, spare_inputs
 from edesign.project import Project

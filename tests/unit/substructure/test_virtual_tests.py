@@ -15,7 +15,7 @@ import scipy
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
-from edesign.damper.read_test import read_test
+from edesign.damper.measured_files import read_test
 from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.reading.problems import FileProblems

@@ -9,8 +9,8 @@ import numpy as np
 from edesign.archive.csv_files import write_csv_file
 from edesign.damper.column_units import columns_in_si, names_quantity, need
 from edesign.damper.csv_table import CsvTable, read_csv_table
+from edesign.damper.measured_histories import FEWEST, DamperTest, Use
 from edesign.damper.start import StartKind
-from edesign.damper.test_record import FEWEST, DamperTest, Use
 from edesign.errors import InputError
 
 EXAMPLE = "time_s,displacement_mm,force_kN"
