@@ -21,6 +21,7 @@ from edesign.damper.campaign_blocks import (
     check_one,
     check_specimen,
 )
+from edesign.damper.measured_columns import ReadingKeys, reading_of
 from edesign.damper.measured_files import read_test, write_test
 from edesign.damper.measured_histories import DamperTest, Use
 from edesign.damper.specimen import Specimen
@@ -30,7 +31,6 @@ from edesign.input_files import spare_inputs
 from edesign.project.document import Document
 from edesign.project.notation.temperature import Temperature
 from edesign.project.notation.units import PositiveTime
-from edesign.project.reading.base import Model
 from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
@@ -43,7 +43,7 @@ class CampaignError(FileProblems):
     """A campaign file is wrong."""
 
 
-class TestEntry(Model):
+class TestEntry(ReadingKeys):
     """A test of the specimen.
 
     Attributes:
@@ -72,7 +72,7 @@ class TestEntry(Model):
         return self.temperature if self.temperature is not None else self.temperature_C
 
 
-class CampaignFile(Model):
+class CampaignFile(ReadingKeys):
     """A campaign file: tests of one damper, in the order in which they were made.
 
     Attributes:
@@ -122,15 +122,14 @@ class Campaign:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the reader of the files leaves out: columns of other quantities, one line for tests with the same."""
-        left_out: dict[tuple[str, ...], list[str]] = {}
+        """How files were read that are not plain, and what was left out; one line for tests with the same."""
+        told: dict[str, list[str]] = {}
         for test in self.tests:
             if test.unread:
-                left_out.setdefault(test.unread, []).append(test.name)
-        return tuple(
-            f"{', '.join(names)}: not read: {', '.join(f'`{header}`' for header in headers)}"
-            for headers, names in left_out.items()
-        )
+                told.setdefault(f"not read: {', '.join(f'`{header}`' for header in test.unread)}", []).append(test.name)
+            if test.reading:
+                told.setdefault(f"read: {test.reading}", []).append(test.name)
+        return tuple(f"{', '.join(names)}: {text}" for text, names in told.items())
 
 
 def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
@@ -173,6 +172,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
                     name=name,
                     start=entry.start or file.start,
                     start_ramp=_ramp(entry, file),
+                    said=reading_of(entry, file),
                 )
             )
         except InputError as error:

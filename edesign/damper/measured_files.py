@@ -2,19 +2,49 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Literal
 
 import numpy as np
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.damper.column_units import columns_in_si, names_quantity, need
-from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.damper.measured_histories import FEWEST, DamperTest, Use
 from edesign.damper.start import StartKind
 from edesign.errors import InputError
+from edesign.project.notation.table_format import TableFormat
+from edesign.tables.columns import Chosen, columns_in_si, need
+from edesign.tables.table import Table, read_table
 
 EXAMPLE = "time_s,displacement_mm,force_kN"
 _WHAT = "test file"
+_AT_REST = 5e-3
+"""Of the range of the displacement: within so much of the first sample the specimen has not moved yet. A sine from its
+zero leaves it after 0.0016 of a period, a fraction of a sample at 100 samples a cycle."""
+_FEWEST_AT_REST = 10
+"""Samples: fewer are the beginning of a motion that starts slowly."""
+
+DisplacementZero = Literal["as_recorded", "first_sample", "rest"]
+"""What counts as no displacement: the zero of the transducer, the first sample, or the mean of the rest before."""
+
+
+@dataclass(frozen=True)
+class TestReading:
+    """What is said of how the file of a test is read; what is not said is found.
+
+    Attributes:
+        table: of the format of the table.
+        columns: of its columns.
+        time_step: s; of a table without a column of times.
+        zero: what counts as no displacement.
+    """
+
+    __test__ = False  # no test of pytest
+
+    table: TableFormat | None = None
+    columns: Chosen = field(default_factory=Chosen)
+    time_step: float | None = None
+    zero: DisplacementZero = "as_recorded"
 
 
 def read_test(
@@ -27,6 +57,7 @@ def read_test(
     name: str = "",
     start: StartKind = "unknown",
     start_ramp: float | None = None,
+    said: TestReading | None = None,
 ) -> DamperTest:
     """Read a test.
 
@@ -40,13 +71,16 @@ def read_test(
         needs_force: whether a file without force is refused.
         name: of the test; the file name without ending by default.
         start, start_ramp: as of DamperTest.
+        said: of how the file is read.
 
     Raises:
         InputError: the file cannot be read or is wrong, or no temperature is known.
     """
     path = Path(path)
     needed = ("time", "displacement", "force") if needs_force else ("time", "displacement")
-    table, columns, unread = _columns(path, needed)
+    said = said or TestReading()
+    table, columns, unread = _columns(path, needed, said)
+    displacement, zero = _from_zero(table, columns["time"], columns["displacement"], said.zero)
     temperatures = columns.get("temperature")
     if temperature_C is None:
         if temperatures is None:
@@ -55,7 +89,7 @@ def read_test(
     return DamperTest(
         name or path.stem,
         columns["time"],
-        columns["displacement"],
+        displacement,
         columns.get("force"),
         float(temperature_C),
         temperatures,
@@ -65,6 +99,7 @@ def read_test(
         tuple(unread),
         start,
         start_ramp,
+        "; ".join(part for part in (table.form.words, zero) if part),
     )
 
 
@@ -95,10 +130,47 @@ def write_test(path: Path | str, test: DamperTest) -> None:
     write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), Path(path), digits=9)
 
 
-def _columns(path: Path, needed: tuple[str, ...]) -> tuple[CsvTable, dict[str, np.ndarray], list[str]]:
+def rest_before(displacement: np.ndarray) -> int:
+    """Return how many samples of a displacement (n,) m are rest before the motion; 0: it shows none."""
+    moved = np.abs(displacement - displacement[0]) > _AT_REST * np.ptp(displacement)
+    samples = int(np.argmax(moved))
+    return samples if samples >= _FEWEST_AT_REST else 0
+
+
+def _from_zero(
+    table: Table, time: np.ndarray, displacement: np.ndarray, zero: DisplacementZero
+) -> tuple[np.ndarray, str]:
+    """Displacement (n,) m from what counts as none, and what is to be told of its beginning."""
+    samples = rest_before(displacement)
+    rest = f"rest before the motion for {time[samples] - time[0]:.3g} s" if samples else ""
+    if zero == "as_recorded":
+        first = float(displacement[0])
+        if abs(first) <= _AT_REST * np.ptp(displacement):
+            return displacement, rest
+        told = f"the first sample is displaced by {1e3 * first:.3g} mm, taken as recorded"
+        return displacement, ", ".join(part for part in (told, rest) if part)
+    if zero == "rest" and not samples:
+        raise InputError(
+            f"{table.where(row=0)}: the displacement moves from the first samples on, so there is no rest to take its "
+            "zero from; `first_sample` and `as_recorded` are left"
+        )
+    offset = float(np.mean(displacement[:samples])) if zero == "rest" else float(displacement[0])
+    whose = "the rest" if zero == "rest" else "the first sample"
+    told = f"{1e3 * offset:.3g} mm, the displacement of {whose}, taken off all"
+    return displacement - offset, ", ".join(part for part in (told, rest) if part)
+
+
+def _columns(
+    path: Path, needed: tuple[str, ...], said: TestReading | None = None
+) -> tuple[Table, dict[str, np.ndarray], list[str]]:
     """Columns of a file in SI, checked as far as its lines matter, and the headers of those that are not read."""
-    table = read_csv_table(path, _WHAT, EXAMPLE, names_quantity)
-    columns, unread = columns_in_si(table)
+    said = said or TestReading()
+    table = read_table(path, _WHAT, EXAMPLE, said.columns.names, given=said.table)
+    columns, unread = columns_in_si(table, said.columns)
+    if said.time_step is not None:
+        if "time" in columns:
+            raise InputError(f"{table.where()}: a time step is said, and the file has a column of times; give one")
+        columns = {"time": said.time_step * np.arange(table.rows.shape[0])} | columns
     need(table, columns, *needed)
     time = columns["time"]
     if time.size < FEWEST:

@@ -35,6 +35,7 @@ class DamperTest:
         start: what is said of how it starts.
         start_ramp: duration of the way from rest to the first sample of a test that starts at rest, s; None: one
             sampling interval.
+        reading: how its table was read, as far as it is not plain, and where its displacement begins; for people.
     """
 
     name: str
@@ -49,6 +50,7 @@ class DamperTest:
     unread: tuple[str, ...] = ()
     start: StartKind = "unknown"
     start_ramp: float | None = None
+    reading: str = ""
 
     def __post_init__(self) -> None:
         for name in ("time", "displacement", "force", "temperature_history"):

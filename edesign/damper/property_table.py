@@ -14,12 +14,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.damper.csv_table import read_csv_table
 from edesign.damper.properties import Properties
 from edesign.errors import InputError
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.problems import did_you_mean
+from edesign.tables.table import read_table
 
 COLUMNS = {  # header: attribute, and its SI unit in that of the header
     "temperature_C": ("temperature_C", 1.0),
@@ -244,7 +244,7 @@ def read_property_table(path: Path | str, content: bytes | None = None) -> Prope
         InputError: the file cannot be read, a column is unknown, missing or twice there, or a value is not positive.
     """
     path = Path(path)
-    table = read_csv_table(path, _WHAT, _EXAMPLE, content=content)
+    table = read_table(path, _WHAT, _EXAMPLE, content=content)
     columns = {}
     for i, header in enumerate(table.headers):
         if header not in COLUMNS:

@@ -15,7 +15,6 @@ from edesign.calibrate.structure.structure_file import ChannelsBlock, StructureF
 from edesign.calibrate.structure.table import read_table
 from edesign.damper.campaign import CampaignError, short_names
 from edesign.damper.campaign_blocks import check_law
-from edesign.damper.csv_table import CsvTable
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
 from edesign.errors import InputError
@@ -24,6 +23,7 @@ from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
+from edesign.tables.table import Table
 
 _WHAT, _BEGINS = "campaign file", "structure:"
 _FEWEST = 16  # samples
@@ -190,7 +190,7 @@ def _record(path: Path, block: ChannelsBlock) -> tuple[float, np.ndarray, tuple[
     return step, base, tuple(channels), np.column_stack(values)
 
 
-def _column(table: CsvTable, header: str) -> np.ndarray:
+def _column(table: Table, header: str) -> np.ndarray:
     if header not in table.headers:
         hint = did_you_mean(header, table.headers)
         raise InputError(f"{table.where()}: there is no column `{header}`{hint} (there are: {listed(table.headers)})")

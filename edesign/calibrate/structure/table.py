@@ -9,29 +9,29 @@ import zlib
 from dataclasses import replace
 from pathlib import Path
 
-from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.errors import InputError
 from edesign.project.reading.file_bytes import read_file, read_up_to, too_large
 from edesign.project.reading.limits import TABLE_BYTES
+from edesign.tables import table as tables
 
 WHAT = "record file"
 EXAMPLE = "time_s,base_m_s2,floor_1_m_s2"
 
 
-def read_table(path: Path) -> CsvTable:
+def read_table(path: Path) -> tables.Table:
     """Read a table; a name that ends in .gz is that of a compressed one.
 
     Raises:
         InputError: the file cannot be read, is wrong, or too large (also once it is decompressed).
     """
     if path.suffix.lower() != ".gz":
-        return read_csv_table(path, WHAT, EXAMPLE)
+        return tables.read_table(path, WHAT, EXAMPLE)
     text = _decompressed(path)
     with tempfile.TemporaryDirectory() as folder:
         plain = Path(folder) / path.stem
         plain.write_bytes(text)
         try:
-            return replace(read_csv_table(plain, WHAT, EXAMPLE), path=path)
+            return replace(tables.read_table(plain, WHAT, EXAMPLE), path=path)
         except InputError as error:
             raise InputError(str(error).replace(str(plain), str(path))) from None
 

@@ -6,8 +6,6 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.column_units import names_quantity
-from edesign.damper.csv_table import read_csv_table
 from edesign.damper.measured_files import EXAMPLE, read_test
 from edesign.damper.property_table import COLUMNS, read_property_table
 from edesign.ground_motion.intensity import measures
@@ -15,6 +13,8 @@ from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.read import FORMATS, component_labels, detect, read_record_file
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.check.damper_files import table_range
+from edesign.tables.quantities import names_quantity
+from edesign.tables.table import read_table
 
 _PROPERTIES = 3  # headers of a property table that tell it
 _TEST = 2  # and of a test: time, and displacement or force
@@ -26,7 +26,7 @@ def table_summary(path: Path) -> dict[str, str]:
     Raises:
         InputError: it is wrong.
     """
-    table = read_csv_table(path, "table", EXAMPLE, names_quantity)
+    table = read_table(path, "table", EXAMPLE, names_quantity)
     if sum(header in COLUMNS for header in table.headers) >= _PROPERTIES:
         properties = read_property_table(path)
         return {

@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.column_units import DISPLACEMENT, FORCE, TIME, Units
-from edesign.damper.csv_table import CsvTable, read_csv_table
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
+from edesign.tables.quantities import DISPLACEMENT, FORCE, TIME, Units
+from edesign.tables.table import Table, read_table
 
 HEADERS = ("time_s", "target_mm", "command_mm", "displacement_mm", "actuator_mm", "force_kN")
 """As virtual tests are written."""
@@ -79,7 +79,7 @@ def read_measured(path: Path | str, *needed: str) -> MeasuredRecord:
             times do not ascend, or the sampling is uneven.
     """
     path = Path(path)
-    table = read_csv_table(path, "measured record", EXAMPLE, lambda header: _quantity(_name_and_unit(header)[0]) != "")
+    table = read_table(path, "measured record", EXAMPLE, lambda header: _quantity(_name_and_unit(header)[0]) != "")
     channels, unread = _columns(table)
     for name in ("time", *needed):
         if name not in channels:
@@ -122,7 +122,7 @@ def clipped(values: np.ndarray) -> float | None:
     return None
 
 
-def _columns(table: CsvTable) -> tuple[dict[str, np.ndarray], list[str]]:
+def _columns(table: Table) -> tuple[dict[str, np.ndarray], list[str]]:
     found: dict[str, np.ndarray] = {}
     unread = []
     for i, header in enumerate(table.headers):
@@ -160,7 +160,7 @@ def _quantity(name: str) -> str:
     return next((quantity for quantity, (_, names) in COLUMNS.items() if plain in names), "")
 
 
-def _even_step(table: CsvTable, time: np.ndarray) -> float:
+def _even_step(table: Table, time: np.ndarray) -> float:
     back = np.flatnonzero(np.diff(time) <= 0.0)
     if back.size:
         at = int(back[0]) + 1

@@ -74,7 +74,7 @@ def test_numbers_beyond_all_units(folder: Path, capsys: pytest.CaptureFixture[st
     ("text", "said"),
     [
         (f"{HEADERS},\n0,1,2,\n1,2,3,4\n", "a.csv:1: column 4 has no header"),
-        ("time_s displacement_mm force_kN\n0 1 2\n1 2 3\n", "a.csv:1: there is one column; commas"),
+        ("time_s displacement_mm force_kN\n0,1 2\n1 2 3\n", "a.csv:1: there is one column; commas"),
         (
             f"{HEADERS}\n0,0,1,5,2,5\n0,1,1,6,2,7\n",
             "a.csv:2: 6 cells; the headers name 3 columns; if these are decimal",

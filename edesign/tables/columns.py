@@ -1,0 +1,205 @@
+"""Columns of tests of dampers: `force_kN` is a force in kN, and so is `Kraft` with `kN` in a line below."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.project.reading.problems import did_you_mean
+from edesign.tables.quantities import (
+    QUANTITIES,
+    name_and_unit,
+    names_quantity,
+    other_quantity_of,
+    quantity_of,
+    scaled_unit,
+    spelled,
+)
+from edesign.tables.table import Table
+
+_MISSPELT = 0.75  # likeness of names from which a header is one misspelt: of `forse` and `force` it is 0.8
+
+
+@dataclass(frozen=True)
+class Chosen:
+    """What is said of the columns of a table.
+
+    Attributes:
+        columns: header or number, from 1, by quantity; if there are any, no other column is read.
+        units: by quantity, in place of those of the headers.
+        reversed: quantities that have the other sign in the file.
+    """
+
+    columns: Mapping[str, int | str] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
+    reversed: Sequence[str] = ()
+
+    def names(self, header: str) -> bool:
+        """Return whether a cell is a header: one that is said, or that names a quantity."""
+        return header in self.columns.values() or names_quantity(header)
+
+
+def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str, np.ndarray], list[str]]:
+    """Columns by quantity, in s, m, N, degC, and the headers of columns of other quantities, which are not read.
+
+    Args:
+        table: headers name quantity and unit: `force_kN`, also `Force (kN)`, `Axial Force [kN]` or `Load kN`.
+        chosen: what is said of the columns.
+
+    Raises:
+        InputError: a header is nearly that of a quantity, has no unit or one of another quantity, a quantity comes
+            twice, or a column that is said is not there.
+    """
+    chosen = chosen or Chosen()
+    places = _said(table, chosen.columns) if chosen.columns else _found(table)
+    found = {}
+    for quantity, i in places.items():
+        unit = chosen.units.get(quantity)
+        factor, zero = _said_unit(table, i, quantity, unit) if unit else _factors(table, i, quantity)
+        values = table.rows[:, i]
+        found[quantity] = factor * values + zero
+        if quantity in chosen.reversed:
+            found[quantity] = -found[quantity]
+    for quantity in (*chosen.units, *chosen.reversed):
+        if quantity not in found:
+            raise InputError(f"{table.where()}: the unit or sign of {quantity} is said, but there is no column of it")
+    return found, [header for i, header in enumerate(table.headers) if i not in places.values()]
+
+
+def places_of(table: Table) -> dict[str, int]:
+    """Return the columns of the quantities that the headers name, from 0.
+
+    Raises:
+        InputError: a header is nearly that of a quantity, or a quantity comes twice.
+    """
+    return _found(table)
+
+
+def unit_of(table: Table, column: int, quantity: str) -> str | None:
+    """Return the unit of a column as `QUANTITIES` has it; None: none that is known."""
+    if column in table.clocks and quantity == "time":
+        return "s"
+    unit = name_and_unit(table.headers[column])[1]
+    return spelled(unit) if unit and spelled(unit) in QUANTITIES[quantity] else None
+
+
+def need(table: Table, columns: Mapping[str, np.ndarray], *quantities: str) -> None:
+    """Check that quantities are there.
+
+    Raises:
+        InputError: one is missing.
+    """
+    for quantity in quantities:
+        if quantity not in columns:
+            example = f"{quantity}_{next(iter(QUANTITIES[quantity]))}"
+            raise InputError(
+                f"{table.where()}: there is no column of {quantity}, such as `{example}` "
+                f"(the columns are: {', '.join(table.headers)})"
+            )
+
+
+def _found(table: Table) -> dict[str, int]:
+    """Columns by quantity, in the order of the file: of plain names first, of others where no column has one."""
+    found: dict[str, int] = {}
+    others: dict[str, int] = {}
+    for i, header in enumerate(table.headers):
+        name, unit = name_and_unit(header)
+        quantity = quantity_of(name)
+        if quantity is not None:
+            if quantity in found:
+                raise InputError(f"{table.where(i)}: there is a {quantity} already in column {found[quantity] + 1}")
+            found[quantity] = i
+            continue
+        other = other_quantity_of(name)
+        if other is None and (near := difflib.get_close_matches(name.strip().lower(), QUANTITIES, 1, _MISSPELT)):
+            meant = f"{near[0]}_{unit}" if unit in QUANTITIES[near[0]] else near[0]
+            raise InputError(
+                f"{table.where(i)}: the column is unknown; did you mean `{meant}`? (allowed: "
+                f"{', '.join(QUANTITIES)}, with their unit: `force_kN`)"
+            )
+        if other is not None and other in others and other not in _plain_of(table):
+            raise InputError(
+                f"{table.where(i)}: column {others[other] + 1} may be the {other} too; say which one by `columns`"
+            )
+        if other is not None:
+            others[other] = i
+    return found | {quantity: i for quantity, i in others.items() if quantity not in found}
+
+
+def _plain_of(table: Table) -> set[str | None]:
+    return {quantity_of(name_and_unit(header)[0]) for header in table.headers}
+
+
+def _said(table: Table, columns: Mapping[str, int | str]) -> dict[str, int]:
+    """Columns that are said, from 0."""
+    places: dict[str, int] = {}
+    for quantity, wanted in columns.items():
+        if isinstance(wanted, int):
+            if not 1 <= wanted <= len(table.headers):
+                raise InputError(
+                    f"{table.where()}: there is no column {wanted} ({quantity}); the columns are numbered 1 to "
+                    f"{len(table.headers)}"
+                )
+            at = wanted - 1
+        else:
+            names = [name_and_unit(header)[0].strip() for header in table.headers]
+            where = [i for i, header in enumerate(table.headers) if header == wanted] or [
+                i for i, name in enumerate(names) if name == wanted
+            ]
+            if len(where) != 1:
+                hint = did_you_mean(wanted, table.headers)
+                said = f"there are {len(where)} columns" if where else "there is no column"
+                raise InputError(
+                    f"{table.where()}: {said} `{wanted}` ({quantity}){hint} (the columns are: "
+                    f"{', '.join(table.headers)})"
+                )
+            at = where[0]
+        if at in places.values():
+            raise InputError(f"{table.where(at)}: the column cannot be two quantities")
+        places[quantity] = at
+    return places
+
+
+def _said_unit(table: Table, i: int, quantity: str, unit: str) -> tuple[float, float]:
+    units = QUANTITIES[quantity]
+    if spelled(unit) in units:
+        return units[spelled(unit)]
+    factor = scaled_unit(unit, {name: one for name, (one, zero) in units.items() if not zero})
+    if factor is None:
+        raise InputError(
+            f"{table.where(i)}: `{unit}` is no unit of {quantity} (allowed: {', '.join(units)}, also with a number: "
+            f"`{next(iter(units))}/10`)"
+        )
+    return factor, 0.0
+
+
+def _factors(table: Table, i: int, name: str) -> tuple[float, float]:
+    units = QUANTITIES[name]
+    unit = name_and_unit(
+        table.headers[i].rpartition("/")[2]
+        if quantity_of(name_and_unit(table.headers[i])[0]) is None
+        else table.headers[i]
+    )[1]
+    if unit is None and i in table.clocks:
+        return 1.0, 0.0
+    if unit is None:
+        raise InputError(f"{table.where(i)}: the unit is missing; write {_listed(name)}, or say it by `units`")
+    plain = spelled(unit)
+    if plain in units:
+        return units[plain]
+    other = next((quantity for quantity, them in QUANTITIES.items() if plain in them), None)
+    said = f"`{unit}` is a unit of {other}, not of {name}" if other else f"the unit `{unit}` is unknown"
+    near = did_you_mean(f"{name}_{unit}", _names(name))
+    raise InputError(f"{table.where(i)}: {said}{near} (allowed: {_listed(name)})")
+
+
+def _names(quantity: str) -> list[str]:
+    return [f"{quantity}_{unit}" for unit in QUANTITIES[quantity]]
+
+
+def _listed(quantity: str) -> str:
+    return ", ".join(f"`{name}`" for name in _names(quantity))

@@ -1,0 +1,192 @@
+"""How a table stands in its file: headers, units, signs between columns and before decimals; said or found."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from edesign.errors import InputError
+from edesign.project.notation.table_format import Decimal, Delimiter, Encoding, TableFormat
+from edesign.tables.text import TableText, is_number, like_number
+
+SIGNS: dict[Delimiter, str | None] = {"comma": ",", "semicolon": ";", "tab": "\t", "blanks": None}
+"""Signs between the columns; None: any number of blanks and tabs."""
+
+_HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
+_WIDE_GAP = re.compile(r"\s{2,}|\t")
+_THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
+_MARKS = {
+    "MTS": re.compile(r"MTS\d*\||\bMTS\b|TestSuite|MultiPurpose"),
+    "Instron": re.compile(r"\bInstron\b|Bluehill|WaveMatrix|\bTestAnlage\b", re.IGNORECASE),
+    "dSPACE": re.compile(r"dSPACE|ControlDesk|trace_values|Platform\(\)://|Model Root/", re.IGNORECASE),
+}
+"""What machines leave in the lines above the numbers."""
+
+
+@dataclass(frozen=True)
+class Form:
+    """How a table stands in its file, as it was read.
+
+    Attributes:
+        encoding: of the file.
+        header_line: line of the headers; None: there are none.
+        units_line: line of the units; None: there is none.
+        first_line: that of the first numbers.
+        delimiter: between the columns.
+        decimal: before the decimals.
+        skipped: lines above the headers that were not read.
+        repeated: lines below the first numbers that repeat headers or units, and were not read.
+        mark: maker of the test machine or controller whose marks the file has; empty: none is known.
+    """
+
+    encoding: Encoding
+    header_line: int | None
+    units_line: int | None
+    first_line: int
+    delimiter: Delimiter
+    decimal: Decimal = "point"
+    skipped: int = 0
+    repeated: int = 0
+    mark: str = ""
+
+    @property
+    def words(self) -> str:
+        """What is not plain about the table, for people; empty: UTF-8, one line of headers, commas and points."""
+        parts = [f"as exported by {self.mark}"] if self.mark else []
+        if self.encoding != "utf-8":
+            parts.append(self.encoding)
+        if self.skipped:
+            parts.append(f"{self.skipped} lines above the headers left out" if self.skipped > 1 else "1 line left out")
+        if self.header_line is None:
+            parts.append("no headers")
+        if self.units_line is not None:
+            parts.append(f"units in line {self.units_line}")
+        if self.delimiter != "comma":
+            between = {"semicolon": "semicolons", "tab": "tabs", "blanks": "blanks"}[self.delimiter]
+            parts.append(f"{between} between columns")
+        if self.decimal == "comma":
+            parts.append("decimal commas")
+        if self.repeated:
+            parts.append(f"{self.repeated} repeated lines of headers left out")
+        return ", ".join(parts)
+
+
+def mark_of(lines: Sequence[str]) -> str:
+    """Return the maker whose marks stand in lines; empty: none that is known."""
+    text = "\n".join(lines)
+    return next((maker for maker, mark in _MARKS.items() if mark.search(text)), "")
+
+
+def cells(line: str, delimiter: Delimiter) -> list[str]:
+    """Split a line; quotes around a cell fall away."""
+    sign = SIGNS[delimiter]
+    return line.split() if sign is None else [cell.strip().strip('"').strip() for cell in line.split(sign)]
+
+
+def header_cells(line: str, delimiter: Delimiter, width: int | None = None) -> list[str]:
+    """Split a line of headers; between blanks `Time (s)` is one, and two blanks may part names of several words.
+
+    Args:
+        line: of headers.
+        delimiter: between them.
+        width: number of columns, if it is known.
+    """
+    if delimiter != "blanks":
+        return cells(line, delimiter)
+    apart = _WIDE_GAP.split(line.strip())
+    return apart if len(apart) == width else _HEADER_WORD.findall(line)
+
+
+def find_header(
+    lines: Sequence[str], names: Callable[[str], bool], given: TableFormat | None
+) -> tuple[int, Delimiter] | None:
+    """Find the first line with two names or more, and the sign between its columns; None: there is none."""
+    signs: tuple[Delimiter, ...] = ("semicolon", "tab", "comma")
+    if given is not None and given.delimiter is not None:
+        signs = (given.delimiter,)
+    for i, line in enumerate(lines):
+        found, sign = max(
+            ((sum(map(names, header_cells(line, sign))), sign) for sign in signs), key=lambda pair: pair[0]
+        )
+        if found > 1:
+            return i, sign
+        if given is not None and given.skip is not None:
+            return None
+    return None
+
+
+def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int | None:
+    """Find the first line with two names between blanks, with numbers between blanks below it or below its units."""
+    for i, line in enumerate(lines[:-1]):
+        below = [lines[k].split() for k in range(i + 1, min(i + 3, len(lines)))]
+        row = next((row for row in below if all(map(like_number, row))), None)
+        if row is not None and len(row) > 1:
+            headers = header_cells(line, "blanks", len(row))
+            return i if len(headers) == len(row) and sum(map(names, headers)) > 1 else None
+    return None
+
+
+def first_numbers(lines: Sequence[str], delimiter: Delimiter) -> int | None:
+    """Find the first line with nothing but numbers, several of them; None: there is none."""
+    for i, line in enumerate(lines):
+        row = cells(line, delimiter)
+        if len(row) > 1 and any(row) and all(like_number(cell) for cell in row if cell):
+            return i
+    return None
+
+
+def delimiter_of(line: str) -> Delimiter:
+    """Return the sign that a line of headers or numbers has, a comma before others; a comma if it has none."""
+    order: tuple[Delimiter, ...] = ("comma", "semicolon", "tab")
+    return next((sign for sign in order if str(SIGNS[sign]) in line), "comma")
+
+
+def are_units(row: Sequence[str], width: int) -> bool:
+    """Return whether cells below headers are units: words and no number."""
+    return len(row) == width and any(row) and not any(map(like_number, row))
+
+
+def decimal_of(
+    text: TableText, lines: Sequence[str], first: int, delimiter: Delimiter, given: Decimal | None
+) -> Decimal:
+    """Find the sign before the decimals: a comma if numbers have at most one each, and no point anywhere.
+
+    Args:
+        text: of the table, for messages.
+        lines: of numbers.
+        first: number of the line of the first of them.
+        delimiter: between the columns, no comma.
+        given: what is said.
+
+    Raises:
+        InputError: every comma may as well part thousands, or a decimal comma is said and points stand there.
+    """
+    with_comma = [line for line in lines if "," in line]
+    if not with_comma:
+        return given or "point"
+    points = next((i for i, line in enumerate(lines) if "." in line), None)
+    if given == "comma" and points is not None:
+        raise InputError(
+            f"{text.path}: decimal commas are said, and a row has a point: `{lines[points].strip()[:40]}`; export it "
+            "without signs between thousands"
+        )
+    if given is not None:
+        return given
+    if points is not None:
+        return "point"
+    commas = [cell for line in with_comma for cell in cells(line, delimiter) if "," in cell]
+    if any(cell.count(",") > 1 for cell in commas):
+        return "point"
+    if all(map(_THOUSANDS.fullmatch, commas)):
+        raise InputError(
+            f"{text.path}:{first}: is `{commas[0]}` {commas[0].replace(',', '.')} or {commas[0].replace(',', '')}? "
+            "every comma of the table has three digits behind it; write `table: {decimal: comma}` if commas stand "
+            "before decimals; if they part thousands, export the table without them"
+        )
+    return "comma"
+
+
+def all_numbers(row: Sequence[str]) -> bool:
+    """Return whether all cells are numbers with points."""
+    return all(map(is_number, row))

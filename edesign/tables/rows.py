@@ -1,0 +1,71 @@
+"""Rows of a table as numbers, with the place of a cell that is none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.project.notation.table_format import Delimiter
+from edesign.tables.form import SIGNS, cells
+from edesign.tables.text import clock_seconds, is_clock, is_number
+
+
+def clocks_in_seconds(
+    path: Path, lines: list[str], numbers: Sequence[int], delimiter: Delimiter
+) -> tuple[list[str], frozenset[int]]:
+    """Put seconds since the first row in place of clock times; return the columns that had them too."""
+    sign = SIGNS[delimiter]
+    clocks = [] if sign is None else [i for i, cell in enumerate(cells(lines[0], delimiter)) if is_clock(cell)]
+    if not clocks or sign is None:
+        return lines, frozenset()
+    rows = [cells(line, delimiter) for line in lines]
+    for column in clocks:
+        try:
+            seconds = clock_seconds(path, [row[column] for row in rows], numbers)
+        except IndexError:  # a row that is too short, which the reader of numbers tells
+            return lines, frozenset()
+        for row, second in zip(rows, seconds, strict=True):
+            row[column] = second
+    return [sign.join(row) for row in rows], frozenset(clocks)
+
+
+def rows_of_numbers(
+    path: Path, headers: list[str], numbers: list[int], lines: list[str], delimiter: Delimiter
+) -> np.ndarray:
+    """Read rows of finite numbers (n, columns).
+
+    Raises:
+        InputError: a row is too short or long, or a cell is empty or no finite number.
+    """
+    try:
+        rows = np.loadtxt(lines, delimiter=SIGNS[delimiter], comments=None, ndmin=2)
+        good = rows.shape[1] == len(headers) and bool(np.isfinite(rows).all())
+    except ValueError:
+        good = False
+    if not good:  # the slow way, which knows the place
+        rows = np.array([_row(path, headers, n, line, delimiter) for n, line in zip(numbers, lines, strict=True)])
+    return rows
+
+
+def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Delimiter) -> list[float]:
+    found = cells(row, delimiter)
+    if len(found) != len(headers):
+        hint = ""
+        if delimiter == "comma" and len(found) > len(headers):
+            hint = "; if these are decimal commas, write points, or semicolons between the columns"
+        raise InputError(f"{path}:{line}: {len(found)} cells; the headers name {len(headers)} columns{hint}")
+    values = []
+    for i, (header, cell) in enumerate(zip(headers, found, strict=True), 1):
+        place = f"{path}:{line}, column {i} (`{header}`)"
+        if not cell:
+            raise InputError(f"{place}: the cell is empty")
+        if not is_number(cell):
+            hint = "; decimals stand behind a point, not a comma" if "," in cell else ""
+            raise InputError(f"{place}: `{cell[:40]}` is not a number{hint}")
+        if not np.isfinite(float(cell)):
+            raise InputError(f"{place}: `{cell[:40]}` is not a finite number")
+        values.append(float(cell))
+    return values

@@ -1,0 +1,231 @@
+"""Tables of numbers with the line of each row: exports of test machines, property tables, records of structures."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.project.notation.table_format import Delimiter, TableFormat
+from edesign.tables.form import (
+    SIGNS,
+    Form,
+    are_units,
+    cells,
+    decimal_of,
+    delimiter_of,
+    find_blank_header,
+    find_header,
+    first_numbers,
+    header_cells,
+    mark_of,
+)
+from edesign.tables.rows import clocks_in_seconds, rows_of_numbers
+from edesign.tables.text import TableText, is_number, like_number, table_text
+
+_LABELS = ("trace_values", "values", "data")  # in the first cell of the first row, of exports with a column of labels
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table as it stands in a file.
+
+    Attributes:
+        path: the file.
+        header_line: line of the headers, from 1; that of the first numbers if there are none.
+        headers: one of each column; its number if there are none.
+        rows: (n, columns), finite numbers.
+        lines: line of each row, (n,).
+        form: how it was read.
+        clocks: columns that are clock times in the file; here they are seconds since the first row.
+    """
+
+    path: Path
+    header_line: int
+    headers: tuple[str, ...]
+    rows: np.ndarray
+    lines: np.ndarray
+    form: Form
+    clocks: frozenset[int] = frozenset()
+
+    def where(self, column: int | None = None, row: int | None = None) -> str:
+        """`file:line, column 2 (force_kN)` for messages; without a row the line of the headers."""
+        line = self.header_line if row is None else int(self.lines[row])
+        place = f"{self.path}:{line}"
+        return place if column is None else f"{place}, column {column + 1} (`{self.headers[column]}`)"
+
+
+@dataclass(frozen=True)
+class _Body:
+    """The part of a table below its headers, while it is read."""
+
+    text: TableText
+    headers: list[str]
+    numbers: list[int]
+    lines: list[str]
+    form: Form
+
+
+def read_table(
+    path: Path,
+    what: str,
+    example: str,
+    names: Callable[[str], bool] | None = None,
+    content: bytes | None = None,
+    given: TableFormat | None = None,
+) -> Table:
+    """Read a table; blank lines and lines that begin with # are skipped.
+
+    Exports of test machines are read too: lines above the headers, a line of units below them, headers that come
+    again, columns without header and values at either end, and decimal commas where semicolons, tabs or blanks stand
+    between the columns.
+
+    Args:
+        path: the file; its encoding, and the sign between its columns, are found if they are not said.
+        what: it is, for messages: "test file".
+        example: headers of such a file.
+        names: whether a cell is a header; the headers then stand in the first line with two of them. None: in the
+            first line.
+        content: of the file, if it has been read.
+        given: what is said of the format.
+
+    Raises:
+        InputError: the file cannot be read, has no headers or rows, or a cell that is empty or no finite number; or
+            it may be read in two ways.
+    """
+    text = table_text(path, what, given, content=content)
+    if not text.lines:
+        raise InputError(f"{path}: the {what} is empty; its first line is like `{example}`")
+    body = (
+        _without_headers(text, given)
+        if given and given.headers is False
+        else _below_headers(text, example, names, given)
+    )
+    body = _without_repeats(body) if names is not None else body
+    if not body.lines:
+        raise InputError(f"{path}:{body.form.header_line}: there is no row below the headers")
+    body = _without_empty_columns(body)
+    headers, delimiter, first = body.headers, body.form.delimiter, body.numbers[0]
+    if "" in headers:
+        raise InputError(
+            f"{path}:{body.form.header_line}: column {headers.index('') + 1} has no header "
+            f"(a `{SIGNS[delimiter]}` too many?)"
+        )
+    lines = body.lines
+    if delimiter != "comma":
+        decimal = decimal_of(text, lines, first, delimiter, given.decimal if given else None)
+        body = replace(body, form=replace(body.form, decimal=decimal))
+        if decimal == "comma":
+            lines = [line.replace(",", ".") for line in lines]
+    elif given and given.decimal == "comma":
+        raise InputError(f"{path}:{first}: decimal commas and commas between the columns cannot be told apart")
+    lines, clocks = clocks_in_seconds(path, lines, body.numbers, delimiter)
+    rows = rows_of_numbers(path, headers, body.numbers, lines, delimiter)
+    place = first if body.form.header_line is None else body.form.header_line
+    return Table(path, place, tuple(headers), rows, np.array(body.numbers), body.form, clocks)
+
+
+def _without_headers(text: TableText, given: TableFormat) -> _Body:
+    """A table of which it is said that it has no headers: its columns are called by their numbers."""
+    delimiter = given.delimiter or delimiter_of(text.lines[0])
+    if given.delimiter is None and delimiter == "comma" and "," not in text.lines[0]:
+        delimiter = "blanks"
+    width = len(cells(text.lines[0].rstrip(), delimiter))
+    form = Form(text.encoding, None, None, text.numbers[0], delimiter, skipped=given.skip or 0)
+    return _Body(text, [str(i) for i in range(1, width + 1)], text.numbers, text.lines, form)
+
+
+def _below_headers(
+    text: TableText, example: str, names: Callable[[str], bool] | None, given: TableFormat | None
+) -> _Body:
+    path, numbers, lines = text.path, text.numbers, text.lines
+    top, delimiter = _top(lines, names, given)
+    if top and not _below_preamble(lines[:top], delimiter):
+        raise InputError(f"{path}:{numbers[0]}: numbers stand above the headers in line {numbers[top]}")
+    rest = lines[top + 1 :]
+    width = next((len(row) for row in map(str.split, rest) if all(map(like_number, row))), None)
+    headers = header_cells(lines[top], delimiter, width)
+    if len(headers) == 1 and len(headers[0].split()) > 2:
+        raise InputError(
+            f"{path}:{numbers[top]}: there is one column; commas, semicolons or tabs stand between columns"
+        )
+    if any(map(is_number, headers)):
+        raise InputError(f"{path}:{numbers[top]}: headers are missing; the first line is like `{example}`")
+    units_line = None
+    below = header_cells(rest[0], delimiter, len(headers)) if rest else []
+    said = given.units_row if given else None
+    if said and rest and len(below) != len(headers):
+        raise InputError(
+            f"{path}:{numbers[top + 1]}: a line of {len(headers)} units is needed here, as `units_row` says; it has "
+            f"{len(below)} cells"
+        )
+    if said or said is None and names is not None and are_units(below, len(headers)):
+        units_line = numbers[top + 1] if rest else None
+        headers = [
+            f"{name} ({unit.strip('()[] ')})" if unit.strip("()[] -") else name
+            for name, unit in zip(headers, below, strict=True)
+        ]
+        rest = rest[1:]
+    at = len(lines) - len(rest)
+    mark = mark_of(lines[: top + 1])
+    skipped = (given.skip or 0 if given else 0) + top
+    first = numbers[at] if rest else text.last
+    form = Form(text.encoding, numbers[top], units_line, first, delimiter, skipped=skipped, mark=mark)
+    return _Body(text, headers, numbers[at:], rest, form)
+
+
+def _top(lines: list[str], names: Callable[[str], bool] | None, given: TableFormat | None) -> tuple[int, Delimiter]:
+    """Which line has the headers, and the sign between its columns."""
+    if names is not None:
+        found = find_header(lines, names, given)
+        if found is not None:
+            return found
+        if given is None or given.delimiter is None:
+            blank = find_blank_header(lines, names)
+            if blank is not None and (blank == 0 or given is None or given.skip is None):
+                return blank, "blanks"
+    delimiter = given.delimiter if given and given.delimiter else delimiter_of(lines[0])
+    if names is not None and (given is None or given.skip is None):
+        for sign in (delimiter, *(sign for sign in SIGNS if sign not in (delimiter, "blanks"))):
+            start = first_numbers(lines, sign)
+            if start is not None and start > 1:  # names that nobody knows: the nearest line of words as wide
+                width = len(cells(lines[start], sign))
+                words = [i for i in range(start) if are_units(cells(lines[i], sign), width)]
+                if words:
+                    return words[-2] if words[-2:] == [start - 2, start - 1] else words[-1], sign
+    return 0, delimiter
+
+
+def _below_preamble(lines: list[str], delimiter: Delimiter) -> bool:
+    """Whether lines above the headers are no rows of numbers, which would be lost."""
+    return not any(len(row) > 1 and all(map(like_number, row)) for row in (cells(line, delimiter) for line in lines))
+
+
+def _without_repeats(body: _Body) -> _Body:
+    """Leave out lines below the first numbers that are those of headers, units, or what stands above them."""
+    known = {
+        line.strip() for n, line in zip(body.text.numbers, body.text.lines, strict=True) if n < body.form.first_line
+    }
+    kept = [i for i, line in enumerate(body.lines) if line.strip() not in known]
+    count = len(body.lines) - len(kept)
+    if not count or body.form.header_line is None:
+        return body
+    numbers, lines = [body.numbers[i] for i in kept], [body.lines[i] for i in kept]
+    return replace(body, numbers=numbers, lines=lines, form=replace(body.form, repeated=count))
+
+
+def _without_empty_columns(body: _Body) -> _Body:
+    """Leave out a column at either end that has nothing in all rows, but for a label in the first one."""
+    sign, headers, lines = SIGNS[body.form.delimiter], body.headers, body.lines
+    if sign is None:
+        return body
+    last_is_free = headers[-1] == "" or body.form.header_line is None
+    if last_is_free and len(headers) > 1 and all(line.rstrip(" ").endswith(sign) for line in lines):
+        headers, lines = headers[:-1], [line.rstrip(" ")[:-1] for line in lines]
+    label, _, rest = lines[0].partition(sign)
+    if label.strip(' ":').lower() in ("", *_LABELS) and all(line.lstrip(" ").startswith(sign) for line in lines[1:]):
+        headers, lines = headers[1:], [rest, *(line.lstrip(" ")[1:] for line in lines[1:])]
+    return replace(body, headers=headers, lines=lines)

@@ -1,0 +1,208 @@
+"""Text of tables: its encoding, its lines, and the numbers and clock times in its cells."""
+
+from __future__ import annotations
+
+import codecs
+import math
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from datetime import date
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.project.notation.table_format import Encoding, TableFormat
+from edesign.project.reading.file_bytes import read_file
+
+_CODECS: dict[Encoding, str] = {
+    "utf-8": "utf-8-sig",
+    "utf-16": "utf-16",
+    "latin-1": "latin-1",
+    "windows-1252": "cp1252",
+    "gbk": "gb18030",
+    "shift-jis": "cp932",
+}
+_EAST_ASIAN: dict[Encoding, re.Pattern[str]] = {  # words of headers, which no text in another encoding shows by chance
+    "gbk": re.compile("时间|位移|荷载|载荷|负荷|温度|加速度"),
+    "shift-jis": re.compile("時間|変位|荷重|温度|加速度"),
+}
+_HEAD = 1 << 16  # bytes that show an encoding
+_UTF_16_SHARE = 0.3  # of bytes at even, or odd, places that are zero: those of ASCII in UTF-16 are, all but a few
+_LINE_END = re.compile(r"\r\n|\r|\n")
+_CLOCK = re.compile(
+    r"(?:(?P<year>\d{4})[-/.](?P<month>\d{1,2})[-/.](?P<day>\d{1,2})[ T]+)?"
+    r"(?P<hour>\d{1,3}):(?P<minute>\d{2}):(?P<second>\d{2}(?:[.,]\d*)?)"
+)
+
+
+@dataclass(frozen=True)
+class TableText:
+    """The lines of a table that count.
+
+    Attributes:
+        path: the file.
+        encoding: of the file.
+        numbers: of the lines, from 1.
+        lines: those that are neither skipped, blank nor comments.
+        last: number of the last line of the file.
+    """
+
+    path: Path
+    encoding: Encoding
+    numbers: list[int]
+    lines: list[str]
+    last: int
+
+
+def table_text(
+    path: Path,
+    what: str,
+    given: TableFormat | None = None,
+    comments: tuple[str, ...] = ("#",),
+    content: bytes | None = None,
+    blank: str = " \t,;",
+) -> TableText:
+    """Read the lines of a table.
+
+    Args:
+        path: the file.
+        what: it is, for messages.
+        given: what is said of its format.
+        comments: signs with which lines begin that are skipped.
+        content: of the file, if it has been read.
+        blank: signs that a line may have and still be blank.
+
+    Raises:
+        InputError: the file cannot be read, or is no text in the encoding that is said.
+    """
+    data = read_file(path, what) if content is None else content
+    encoding, text = decoded(path, data, given.encoding if given else None)
+    skip = given.skip or 0 if given else 0
+    lines = _LINE_END.split(text)
+    last = len(lines) - (lines[-1] == "")
+    kept = [
+        (i, line)
+        for i, line in enumerate(lines, 1)
+        if i > skip and line.strip(blank) and not line.lstrip().startswith(comments)
+    ]
+    return TableText(path, encoding, [i for i, _ in kept], [line for _, line in kept], last)
+
+
+def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Encoding, str]:
+    """Decode a text file.
+
+    Args:
+        path: the file, for messages.
+        data: its content.
+        given: encoding that is said; found from the content if None.
+
+    Returns:
+        Encoding and text.
+
+    Raises:
+        InputError: it is no text in this encoding, or in none that is found.
+    """
+    encoding = given or encoding_of(data)
+    if encoding is None:
+        raise InputError(f"{path}: this is not a text file in UTF-8 or UTF-16")
+    codec = _CODECS[encoding]
+    if encoding == "utf-16" and not data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        codec = "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"
+    try:
+        text = data.decode(codec)
+    except UnicodeDecodeError as error:
+        line = len(_LINE_END.findall(data[: error.start].decode(codec, errors="replace"))) + 1
+        how = "as `encoding` says" if given else "as its beginning has it; is the file cut off or damaged?"
+        raise InputError(f"{path}:{line}: this is no text in {encoding}, {how}") from None
+    if "\0" in text:
+        raise InputError(f"{path}: this is not a text file in {encoding}")
+    return encoding, text
+
+
+def encoding_of(data: bytes) -> Encoding | None:
+    """Find the encoding of a text file; None: it is no text.
+
+    Marks and zero bytes show UTF-16, and what is valid UTF-8 is that. Of the others, GBK and Shift-JIS are taken
+    where they give words of headers, and Windows-1252 or Latin-1 if not.
+    """
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16"
+    if b"\0" in data:
+        head = data[:_HEAD]
+        zeros = max(head[0::2].count(0), head[1::2].count(0))
+        return "utf-16" if zeros > _UTF_16_SHARE * len(head) and len(data) % 2 == 0 else None
+    try:
+        data.decode("utf-8-sig")
+        return "utf-8"
+    except UnicodeDecodeError:
+        pass
+    for encoding, words in _EAST_ASIAN.items():
+        try:
+            if words.search(data.decode(_CODECS[encoding])):
+                return encoding
+        except UnicodeDecodeError:
+            pass
+    try:
+        data.decode("cp1252")
+    except UnicodeDecodeError:
+        return "latin-1"
+    return "windows-1252"
+
+
+def is_number(cell: str) -> bool:
+    """Return whether a cell is a number as Python reads it, infinite and nan too, without `_` between digits."""
+    try:
+        float(cell)
+    except ValueError:
+        return False
+    return "_" not in cell
+
+
+def like_number(cell: str) -> bool:
+    """Return whether a cell is a number, also one with a decimal comma, or a clock time."""
+    return is_number(cell.replace(",", ".")) or is_clock(cell)
+
+
+def number(word: str, path: Path, line: int, what: str = "an acceleration") -> float:
+    """Read a finite number.
+
+    Raises:
+        InputError: `word` is none; the message names file, line (from 1) and what was expected.
+    """
+    if not is_number(word):
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a number; {what} is expected here")
+    value = float(word)
+    if not math.isfinite(value):
+        raise InputError(f"{path}:{line}: `{word[:40]}` is not a finite number; {what} is expected here")
+    return value
+
+
+def is_clock(cell: str) -> bool:
+    """Return whether a cell is a time of a clock, such as `13:05:07.250`, with a date before it or without."""
+    return _CLOCK.fullmatch(cell.strip()) is not None
+
+
+def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> list[str]:
+    """Return seconds since the first of clock times, to nanoseconds, as text.
+
+    Raises:
+        InputError: a cell is no clock time, some have a date and others not, or a date does not exist.
+    """
+    seconds: list[float] = []
+    first_day: int | None = None
+    for cell, line in zip(cells, numbers, strict=True):
+        match = _CLOCK.fullmatch(cell.strip())
+        if match is None:
+            raise InputError(f"{path}:{line}: `{cell[:40]}` is no clock time, as `{cells[0].strip()}` in the first row")
+        day = 0
+        try:
+            if match["year"]:
+                day = date(int(match["year"]), int(match["month"]), int(match["day"])).toordinal()
+        except ValueError:
+            raise InputError(f"{path}:{line}: `{cell[:40]}`: there is no such day") from None
+        first_day = day if first_day is None else first_day
+        if (day == 0) != (first_day == 0):
+            raise InputError(f"{path}:{line}: `{cell[:40]}`: some clock times have a date, and others none")
+        of_day = 3600.0 * int(match["hour"]) + 60.0 * int(match["minute"]) + float(match["second"].replace(",", "."))
+        seconds.append(86400.0 * (day - first_day) + of_day)
+    return [f"{value - seconds[0]:.9f}" for value in seconds]
