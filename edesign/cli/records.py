@@ -65,7 +65,7 @@ def records(
     tables = FolderSource.model_construct(
         folder=where,
         flatfile=str(flatfile) if flatfile is not None else None,
-        acceleration_unit=unit,  # type: ignore[arg-type]
+        acceleration_unit=unit,
         time_step=reading.time_step,
         layout=layout,  # type: ignore[arg-type]
     )

@@ -15,9 +15,10 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
 from edesign.project.reading.problems import listed
+from edesign.tables.text import number
 
 FIRST = "STRONG GROUND MOTION RECORDS OF TUR"  # as the file begins; the country is written in more than one way
 COUNT, STEP, PEAKS = "NUMBER OF DATA", "SAMPLING INTERVAL", "RAW PGA VALUES"

@@ -9,8 +9,9 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.tables.text import number
 
 _HEADER_LINES = 4  # every form of the file has so many; the samples follow
 _VALUE = r"([^\s,=]+)"

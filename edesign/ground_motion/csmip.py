@@ -9,7 +9,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
+from edesign.tables.text import number
 
 DATA = re.compile(
     r"\s*([0-9]+)\s+points\s+of\s+accel\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"

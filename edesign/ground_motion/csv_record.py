@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import csv
-import re
-from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -12,10 +9,12 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.plausibility import LONGEST_STEP
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
-from edesign.ground_motion.units import ACCELERATION_UNITS
+from edesign.ground_motion.record_table import COLUMNS, ROWS, RecordTable, check_units, told
+from edesign.ground_motion.units import ACCELERATION_UNITS, acceleration_factor
+from edesign.project.notation.table_format import TableFormat
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.records.record_tables import Layout
+from edesign.tables.text import number
 
 LAYOUTS: tuple[Layout, ...] = ("columns", "rows")
 """How samples stand in a table: each line is one instant, or the samples run on along the lines."""
@@ -23,9 +22,6 @@ LAYOUTS: tuple[Layout, ...] = ("columns", "rows")
 _UNEVEN = 0.1  # of a step: times in files are rounded; a missing line moves the others by half a step or more
 _ROUNDING = 1e-6  # relative, between a given step and that of the time column
 _PROOF = 5  # numbers that rise evenly and so are times: three samples in a row do so by chance, five hardly ever
-_COMMENTS = ("#", "%")
-_HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Time (s)` is one
-ROWS, COLUMNS = "`layout: rows` (--layout rows)", "`layout: columns` (--layout columns)"
 CHOICE = "by --column on the command line, by `columns` in a project or suite file"
 _OTHERWISE = (
     "; if the first column is not the time, name the columns by `columns` in a project or suite file, or, if both are "
@@ -41,6 +37,7 @@ def read_csv(
     acceleration_column: int | str | None = None,
     name: str = "",
     layout: Layout | None = None,
+    given: TableFormat | None = None,
 ) -> Record:
     """Read a record from a table separated by commas, semicolons or blanks.
 
@@ -50,11 +47,13 @@ def read_csv(
 
     Args:
         path: the file.
-        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2"; a table does not say it, so it must be declared.
+        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2", also with a number ("g/10"); a table does not
+            say it, so it must be declared.
         time_step: s; needed without a time column, and checked against it otherwise.
         time_column, acceleration_column: header, or number from 1.
         name: of the record; its file name without ending by default.
         layout: "columns", or "rows" of several samples in turn; found from the file by default.
+        given: what is said of how the table stands in its file.
 
     Raises:
         InputError: unreadable file, unknown unit, column or layout, something else than finite numbers, lines of
@@ -66,12 +65,13 @@ def read_csv(
         raise InputError(
             f"{path}: a table does not say the unit of its accelerations; declare it: {', '.join(ACCELERATION_UNITS)}"
         )
-    if acceleration_unit not in ACCELERATION_UNITS:
+    factor = acceleration_factor(acceleration_unit)
+    if factor is None:
         raise InputError(f"{path}: unknown unit `{acceleration_unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
     if layout is not None and layout not in LAYOUTS:
         hint = did_you_mean(str(layout), LAYOUTS)
         raise InputError(f"{path}: unknown layout `{layout}`{hint}; allowed: {listed(LAYOUTS)}")
-    table = _Table.read(path)
+    table = RecordTable.read(path, given)
     named = time_column is not None or acceleration_column is not None
     if layout == "rows":
         if named:
@@ -85,6 +85,7 @@ def read_csv(
                 f"{table.where}: {table.width} numbers a line without headers may be {table.width} channels, or "
                 f"{table.width} samples in turn; write {COLUMNS}, or {ROWS} without `columns`"
             )
+        check_units(table, when, at, acceleration_unit)
         samples = table.numbers(at)
         if when is not None:
             times = np.array(table.numbers(when, "a time in s"))
@@ -102,73 +103,12 @@ def read_csv(
         raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`)")
     if not time_step > 0.0:
         raise InputError(f"{path}: the time step must be greater than zero, not {time_step:g} s")
-    factor = ACCELERATION_UNITS[acceleration_unit]
-    return Record(name or path.stem, factor * np.array(samples), time_step, f"{path.name} in {acceleration_unit}")
-
-
-@dataclass(frozen=True)
-class _Table:
-    """The cells of a file as text; blank lines and comments are left out.
-
-    Attributes:
-        path: of the file.
-        header: names of the columns, empty if there are none.
-        rows: cells of each line below.
-        places: number of each of these lines, from 1.
-    """
-
-    path: Path
-    header: list[str]
-    rows: list[list[str]]
-    places: list[int]
-
-    @classmethod
-    def read(cls, path: Path) -> _Table:
-        lines = read_lines(path)
-        kept = table_lines(lines)
-        if not kept:
-            raise InputError(f"{path}: the file has no samples")
-        places = [i for i, _ in kept]
-        delimiter = _delimiter(kept)
-        if delimiter:
-            cells = csv.reader((line for _, line in kept), delimiter=delimiter)
-            rows = [[cell.strip() for cell in row] for row in cells]
-        else:
-            rows = [line.split() for _, line in kept]
-        if any(is_number(cell) for cell in rows[0]):
-            return cls(path, [], rows, places)
-        if len(rows) == 1:
-            raise InputError(f"{path}:{len(lines)}: a record needs at least two samples, not 0")
-        return cls(path, rows[0] if delimiter else _HEADER_WORD.findall(kept[0][1]), rows[1:], places[1:])
-
-    @property
-    def width(self) -> int:
-        """Number of columns."""
-        return len(self.header or self.rows[0])
-
-    @property
-    def where(self) -> str:
-        """File and line of the first numbers."""
-        return f"{self.path}:{self.places[0]}"
-
-    def numbers(self, column: int, what: str = "an acceleration") -> list[float]:
-        """Return the numbers of a column."""
-        return [number(row[column], self.path, i, what) for row, i in zip(self.rows, self.places, strict=True)]
-
-    def check_width(self, may_be_rows: bool) -> None:
-        """Check that the lines are of one length, and two at least."""
-        hint = f"; if the numbers are samples in turn, write {ROWS}"
-        if self.header or self.width == 1 or not may_be_rows:
-            hint = ""
-        for row, line in zip(self.rows, self.places, strict=True):
-            if len(row) != self.width:
-                raise InputError(f"{self.path}:{line}: {len(row)} columns; the lines before have {self.width}{hint}")
-        if len(self.rows) < 2:
-            raise InputError(f"{self.where}: a record needs at least two samples, not {len(self.rows)}{hint}")
+    source = ", ".join(part for part in (f"{path.name} in {acceleration_unit}", told(table.form, given)) if part)
+    return Record(name or path.stem, factor * np.array(samples), time_step, source)
 
 
 def _columns_of(
-    table: _Table, time_column: int | str | None, acceleration_column: int | str | None
+    table: RecordTable, time_column: int | str | None, acceleration_column: int | str | None
 ) -> tuple[int | None, int]:
     """Columns of times, if there are any, and of accelerations; of two without a name the first has the times."""
     if acceleration_column is None and table.width > 2:
@@ -186,7 +126,7 @@ def _columns_of(
     return when, at
 
 
-def _check_proof(table: _Table, step: float) -> None:
+def _check_proof(table: RecordTable, step: float) -> None:
     """The first of two numbers a line is a time only if enough of them show it, at a step that recorders have."""
     if len(table.rows) < _PROOF:
         doubt = f"{len(table.rows)} lines do not show it"
@@ -200,7 +140,7 @@ def _check_proof(table: _Table, step: float) -> None:
     )
 
 
-def _along_rows(table: _Table) -> list[float]:
+def _along_rows(table: RecordTable) -> list[float]:
     """The numbers of all lines one after the other; the last line may be shorter."""
     if table.header:
         raise InputError(
@@ -227,28 +167,7 @@ def _along_rows(table: _Table) -> list[float]:
     return samples
 
 
-def table_lines(lines: list[str]) -> list[tuple[int, str]]:
-    """Number (from 1) and text of the lines that are neither blank nor comments, which begin with # or %."""
-    return [(i, line) for i, line in enumerate(lines, 1) if line.strip() and not line.lstrip().startswith(_COMMENTS)]
-
-
-def _delimiter(kept: list[tuple[int, str]]) -> str:
-    """Semicolon, comma, or nothing for blanks: what the first two lines are separated by."""
-    second = kept[min(1, len(kept) - 1)][1]  # the first may be the headers, in which blanks mean nothing
-    found = next((char for char in ";," if char in kept[0][1] + second), "")
-    return found or ("" if re.search(r"\S\s+\S", second) else ",")
-
-
-def is_number(cell: str) -> bool:
-    """Whether a cell is a number as Python reads it, infinite and nan too."""
-    try:
-        float(cell)
-    except ValueError:
-        return False
-    return True
-
-
-def _column(table: _Table, wanted: int | str) -> int:
+def _column(table: RecordTable, wanted: int | str) -> int:
     path, header, width = table.path, table.header, table.width
     if isinstance(wanted, int):
         if not 1 <= wanted <= width:
@@ -264,7 +183,7 @@ def _column(table: _Table, wanted: int | str) -> int:
     return header.index(wanted)
 
 
-def _uniform_step(table: _Table, times: np.ndarray, given: float | None, hint: str) -> float:
+def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hint: str) -> float:
     """The step of evenly spaced times, s; a given one is returned if it is the same."""
     path, places = table.path, table.places
     steps = np.diff(times)

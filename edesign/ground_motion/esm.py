@@ -14,9 +14,10 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
 from edesign.project.reading.problems import listed
+from edesign.tables.text import number
 
 KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*?)\s*$")
 STEP, COUNT = "SAMPLING_INTERVAL_S", "NDATA"

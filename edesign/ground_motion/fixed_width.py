@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.text import number
+from edesign.tables.text import number
 
 _FORMAT = re.compile(r"\(\s*([0-9]*)\s*([FEGI])\s*([0-9]+)(?:\.([0-9]+))?\s*\)", re.IGNORECASE)
 _END = re.compile(r"\s*(/&|-*\s*End[- ]of[- ]data)", re.IGNORECASE)

@@ -13,7 +13,8 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
+from edesign.tables.text import number
 
 FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"
 _HEADER_LINES = 17

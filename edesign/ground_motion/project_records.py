@@ -196,6 +196,7 @@ def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Mot
         time_column=spec.columns.time if spec.columns else None,
         acceleration_column=spec.columns.acceleration if spec.columns else None,
         layout=spec.layout,
+        table=spec.table,
         component=spec.component,
         name=name,
     )

@@ -11,9 +11,11 @@ from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, kne
 from edesign.ground_motion.channels import Channel
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
+from edesign.project.notation.table_format import TableFormat
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.record_tables import Layout
 from edesign.project.records.records import FileFormat
+from edesign.tables.text import is_number
 
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
@@ -44,6 +46,7 @@ _CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those tha
     "afad": afad.channels_of,
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
+_COMMENTS = ("#", "%")
 _HEAD = 100  # lines in which the marks of a format stand
 
 
@@ -56,6 +59,7 @@ def read_record_file(
     time_column: int | str | None = None,
     acceleration_column: int | str | None = None,
     layout: Layout | None = None,
+    table: TableFormat | None = None,
     component: str | int | None = None,
     name: str = "",
 ) -> Record:
@@ -64,11 +68,12 @@ def read_record_file(
     Args:
         path: the file.
         file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
-        acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2" or "mm/s^2".
+        acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2", "mm/s^2", or "g/10".
         time_step: s; of tables without a column of times.
         time_column: of tables; header, or number from 1.
         acceleration_column: likewise.
         layout: of tables: "columns", or "rows" of several samples in turn; found from the file by default.
+        table: of tables: how they stand in their files, where these do not show it.
         component: of formats whose files name their components; needed where a file holds several.
         name: of the record; its file name by default.
 
@@ -83,11 +88,12 @@ def read_record_file(
         "time_column": time_column,
         "acceleration_column": acceleration_column,
         "layout": layout,
+        "table": table,
     }
     found = _known(path, file_format) if file_format is not None else detect(path)
     _check_arguments(path, found, of_tables, component)
     if found == "table":
-        columns = (time_step, time_column, acceleration_column, name, layout)
+        columns = (time_step, time_column, acceleration_column, name, layout, table)
         record = csv_record.read_csv(path, acceleration_unit or "", *columns)
     elif found == "at2":
         record = at2.read_at2(path, name)
@@ -143,8 +149,9 @@ def detect(path: Path) -> FileFormat:
         return "at2"
     if path.suffix.lower() in _SUFFIXES:
         return _SUFFIXES[path.suffix.lower()]
-    rows = [re.split(r"[;,\s]+", line.strip(" \t,;")) for _, line in csv_record.table_lines(head)[:2]]
-    if rows and all(csv_record.is_number(cell) for cell in rows[-1]):  # the first may be the headers
+    kept = [line for line in head if line.strip() and not line.lstrip().startswith(_COMMENTS)]
+    rows = [re.split(r"[;,\s]+", line.strip(" \t,;")) for line in kept[:2]]
+    if rows and all(is_number(cell) for cell in rows[-1]):  # the first may be the headers
         return "table"
     raise InputError(f"{path}: no known format fits this file; read are {', '.join(FORMATS.values())}")
 

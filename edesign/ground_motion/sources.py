@@ -216,6 +216,7 @@ def _read(path: Path, entry: SuiteEntry) -> Record:
         time_column=columns.time if columns else None,
         acceleration_column=columns.acceleration if columns else None,
         layout=entry.layout,
+        table=entry.table,
         component=entry.component if names_components(found) else None,
         name=entry.id,
     )

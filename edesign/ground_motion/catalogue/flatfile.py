@@ -15,8 +15,9 @@ from typing import Any
 
 from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Facts
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
 from edesign.project.reading.problems import listed
+from edesign.tables.text import number
 
 _UNKNOWN = ("", "-", "--", "-999", "-999.0", "nan", "none", "---")
 _TRUTH = {"yes": True, "true": True, "1": True, "no": False, "false": False, "0": False}

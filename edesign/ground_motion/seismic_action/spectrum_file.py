@@ -7,13 +7,13 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.text import number
 from edesign.ground_motion.units import ACCELERATION_UNITS
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.actions.spectrum_tables import SpectrumFile
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.reading.yaml_file import yaml_text
+from edesign.tables.text import number
 
 EXAMPLE = "T [s],Se [g]"
 _UNIT = re.compile(r"[\[(]\s*([^\])]*?)\s*[\])]\s*$")

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import get_args
 
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import Hazard
@@ -15,7 +14,7 @@ from edesign.project.reading.problems import Keys, Problems, listed, unknown_nam
 from edesign.project.records.chosen_records import FolderSource, Period, SuiteSource
 from edesign.project.records.matching import Matching
 from edesign.project.records.processing import Step
-from edesign.project.records.record_tables import AccelerationUnit
+from edesign.project.records.record_tables import UNITS
 from edesign.project.records.records import (
     ChosenRecords,
     FemaP695Record,
@@ -27,8 +26,6 @@ from edesign.project.records.records import (
     SuiteRecords,
 )
 from edesign.project.records.suite_names import is_suite_name, suite_names
-
-UNITS = get_args(AccelerationUnit)
 
 
 def check_project_records(project: Project, problems: Problems) -> None:
@@ -243,7 +240,7 @@ def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems
         if record.columns is not None and record.columns.time is None and record.time_step is None:
             problems.under(keys, "time_step", "this key is missing; without a time column it is needed")
     elif kind is not None:
-        for key in ("acceleration_unit", "time_step", "columns"):
+        for key in ("acceleration_unit", "time_step", "columns", "table"):
             if getattr(record, key) is not None:
                 problems.at_key((*keys, key), f"a file of the format `{kind}` says this itself; leave this key out")
 

@@ -2,14 +2,29 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+import re
+from typing import Annotated, Any, Literal
 
 from pydantic import Field
 
-from edesign.project.reading.base import Model
+from edesign.project.notation.written import NUMBER, Written, text
+from edesign.project.reading.base import Model, refuse
+from edesign.project.reading.problems import did_you_mean, listed
 
 Layout = Literal["columns", "rows"]
-AccelerationUnit = Literal["g", "m/s^2", "cm/s^2", "mm/s^2"]
+UNITS = ("g", "m/s^2", "cm/s^2", "mm/s^2")
+"""Units of acceleration; `g/10` and `0.5 g` are also allowed."""
+_UNIT = rf"(?:{NUMBER}\s*)?(?:{'|'.join(map(re.escape, UNITS))})(?:/[0-9]*[1-9][0-9]*)?"
+
+
+def _acceleration_unit(value: Any) -> Any:
+    if not isinstance(value, str) or not re.fullmatch(_UNIT, value):
+        hint = did_you_mean(str(value), UNITS)
+        raise refuse(f"`{value}` is unknown{hint} (allowed: {listed(UNITS)}, also with a number: `g/10`)")
+    return value
+
+
+AccelerationUnit = Annotated[str, Written(_acceleration_unit, text("unit of acceleration", _UNIT, "g"))]
 Column = Annotated[int, Field(ge=1)] | Annotated[str, Field(min_length=1)]
 
 

@@ -8,6 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
+from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import PositiveTime
 from edesign.project.notation.written import Written, text
 from edesign.project.reading.base import Model, refuse
@@ -60,6 +61,7 @@ class _File(_Single):
         time_step: constant time step of a table of text; without the key from the column of time.
         columns: columns of a table of text; without the key time, then acceleration.
         layout: whether each line of a table is one instant (`columns`), or samples run on along it (`rows`).
+        table: how a table of text stands in its file, where the file does not show it.
     """
 
     file: Annotated[str, Field(min_length=1)]
@@ -69,6 +71,7 @@ class _File(_Single):
     time_step: PositiveTime | None = None
     columns: Columns | None = None
     layout: Layout | None = None
+    table: TableFormat | None = None
 
 
 class FileRecord(_File):
