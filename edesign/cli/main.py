@@ -21,6 +21,7 @@ from edesign.cli.design import design
 from edesign.cli.effects import effects
 from edesign.cli.extract import extract
 from edesign.cli.fit import fit
+from edesign.cli.inspect import inspect
 from edesign.cli.laws import laws
 from edesign.cli.match import match
 from edesign.cli.new import new
@@ -66,7 +67,7 @@ app = typer.Typer(
 )
 _PROJECTS = (new, check, run, design, show, compare, report, extract)
 _PARTS = (
-    *(spectrum, match, records, sections, laws, effects, quantities, schema),
+    *(inspect, spectrum, match, records, sections, laws, effects, quantities, schema),
     *(test, characterise, fit, calibrate),
 )
 for command in (*_PROJECTS, *_PARTS):

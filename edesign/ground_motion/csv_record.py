@@ -154,7 +154,7 @@ def _along_rows(table: RecordTable) -> list[float]:
             raise InputError(f"{table.path}:{line}: {len(row)} samples; the others have {width}, the last perhaps less")
     values = [[number(cell, table.path, i) for cell in row] for row, i in zip(rows, table.places, strict=True)]
     full = np.array([row for row in values if len(row) == width])
-    rising = [k for k in range(width) if _rises_evenly(full[:, k])]
+    rising = [k for k in range(width) if rises_evenly(full[:, k])]
     if len(full) >= _PROOF and 0 < len(rising) < width:
         step = full[1, rising[0]] - full[0, rising[0]]
         raise InputError(
@@ -194,7 +194,7 @@ def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hi
             f"{path}:{places[at]}: the time {times[at]:g} s is not after the time {times[at - 1]:g} s before it{hint}"
         )
     mean = float((times[-1] - times[0]) / steps.size)
-    if not _rises_evenly(times):
+    if not rises_evenly(times):
         usual = float(np.sort(steps)[(steps.size - 1) // 2])  # the median, one of the steps that occur
         at = int(np.argmax(np.abs(steps - usual))) + 1
         raise InputError(
@@ -208,8 +208,8 @@ def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hi
     return float(f"{mean:.9g}")  # the decimal number that the file means
 
 
-def _rises_evenly(values: np.ndarray) -> bool:
-    """Whether numbers rise by one step but for the rounding of times in files."""
+def rises_evenly(values: np.ndarray) -> bool:
+    """Return whether numbers rise by one step but for the rounding of times in files."""
     if values.size < 2 or np.any(np.diff(values) <= 0.0):
         return False
     mean = (values[-1] - values[0]) / (values.size - 1)

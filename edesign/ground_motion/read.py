@@ -47,6 +47,7 @@ _CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those tha
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _COMMENTS = ("#", "%")
+_PROOF = 5  # lines of as many numbers in turn, to the end of the head: a table below words
 _HEAD = 100  # lines in which the marks of a format stand
 
 
@@ -150,9 +151,13 @@ def detect(path: Path) -> FileFormat:
     if path.suffix.lower() in _SUFFIXES:
         return _SUFFIXES[path.suffix.lower()]
     kept = [line for line in head if line.strip() and not line.lstrip().startswith(_COMMENTS)]
-    rows = [re.split(r"[;,\s]+", line.strip(" \t,;")) for line in kept[:2]]
-    if rows and all(is_number(cell) for cell in rows[-1]):  # the first may be the headers
+    rows = [re.split(r"[;,\s]+", line.strip(" \t,;")) for line in kept]
+    numbers = [all(map(is_number, row)) for row in rows]
+    if numbers and numbers[:2][-1]:  # the first may be the headers
         return "table"
+    first = next((i for i in range(len(rows)) if all(numbers[i:])), len(rows))
+    if len(rows) - first >= _PROOF and len(set(map(len, rows[first:]))) == 1:
+        return "table"  # below lines of words
     raise InputError(f"{path}: no known format fits this file; read are {', '.join(FORMATS.values())}")
 
 

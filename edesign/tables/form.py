@@ -68,7 +68,7 @@ class Form:
         if self.decimal == "comma":
             parts.append("decimal commas")
         if self.repeated:
-            parts.append(f"{self.repeated} repeated lines of headers left out")
+            parts.append(f"{self.repeated} repeated line{'s' * (self.repeated > 1)} of headers left out")
         return ", ".join(parts)
 
 

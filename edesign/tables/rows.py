@@ -41,8 +41,10 @@ def rows_of_numbers(
         InputError: a row is too short or long, or a cell is empty or no finite number.
     """
     try:
+        if not all(map(str.strip, lines)):
+            raise ValueError("NumPy leaves out lines without anything")
         rows = np.loadtxt(lines, delimiter=SIGNS[delimiter], comments=None, ndmin=2)
-        good = rows.shape[1] == len(headers) and bool(np.isfinite(rows).all())
+        good = rows.shape == (len(lines), len(headers)) and bool(np.isfinite(rows).all())
     except ValueError:
         good = False
     if not good:  # the slow way, which knows the place

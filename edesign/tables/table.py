@@ -133,7 +133,7 @@ def _without_headers(text: TableText, given: TableFormat) -> _Body:
     delimiter = given.delimiter or delimiter_of(text.lines[0])
     if given.delimiter is None and delimiter == "comma" and "," not in text.lines[0]:
         delimiter = "blanks"
-    width = len(cells(text.lines[0].rstrip(), delimiter))
+    width = len(cells(text.lines[0], delimiter))
     form = Form(text.encoding, None, None, text.numbers[0], delimiter, skipped=given.skip or 0)
     return _Body(text, [str(i) for i in range(1, width + 1)], text.numbers, text.lines, form)
 

@@ -1,0 +1,1 @@
+"""What a table of numbers is read as: its account, and the YAML that reads it."""

@@ -1,0 +1,125 @@
+"""`edesign inspect`: what it proposes reads the file, and what the file does not say is asked."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import yaml
+
+from edesign.cli.main import main
+from edesign.damper.campaign import load_campaign
+from edesign.ground_motion.sources import find_suite
+from edesign.ground_motion.suite import load_suite
+
+SPECIMEN = "specimen: {name: p, layers: 2, layer_area_mm2: 41400, layer_thickness_mm: 12}\n"
+TIMES = [0.01 * i for i in range(40)]
+MOTION = [math.sin(0.3 * i) for i in range(40)]
+
+
+def table(sign: str, point: str = ".", *, force: bool = True) -> str:
+    lines = [
+        sign.join(f"{value:.6f}" for value in ((t, 5.0 * u, 4.0 * u + 1.0) if force else (t, u)))
+        for t, u in zip(TIMES, MOTION, strict=True)
+    ]
+    return "\n".join(lines).replace(".", point) + "\n"
+
+
+def account(path: Path, capsys: pytest.CaptureFixture[str]) -> dict[str, object]:
+    assert main(["inspect", str(path), "--json"]) == 0
+    found: dict[str, object] = json.loads(capsys.readouterr().out)
+    return found
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding"),
+    [
+        ("Time (sec),Stroke (mm),Load (kN)\n" + table(","), "utf-8"),
+        ("Time,Displacement,Force\n(s),(mm),(kN)\n" + table(","), "utf-8"),
+        (
+            "MTS793|MPT|ENU|1|2|.|/|:|1|0|0|A\n\nStation Name: frame\nTime\tAxial Displacement\tAxial Force\n"
+            "Sec\tmm\tkN\n" + table("\t", ","),
+            "utf-16",
+        ),
+        ("Prüfzeit (s);Weg (mm);Kraft (kN)\n" + table(";", ","), "latin-1"),
+        ("时间(秒),位移(毫米),力(千牛)\n" + table(","), "gbk"),
+        ("  Time (s)   Axial Stroke (mm)  Axial Load (kN)\n" + table("  "), "utf-8"),
+    ],
+)
+def test_the_campaign_that_is_proposed_reads_the_file(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, encoding: str
+) -> None:
+    path = tmp_path / "export 1.csv"
+    path.write_bytes(text.encode(encoding))
+    found = account(path, capsys)
+    assert found["taken_for"] == "test of a damper" and found["questions"] == ["What was the ambient temperature?"]
+    campaign = tmp_path / "campaign.yaml"
+    campaign.write_text(SPECIMEN + str(found["yaml"]).replace("?", "20"), encoding="utf-8")
+    (test,) = load_campaign(campaign).tests
+    np.testing.assert_allclose(test.time, TIMES, atol=1e-12)
+    np.testing.assert_allclose(test.displacement, [5e-3 * u for u in MOTION], atol=0.51e-9)  # six digits of mm
+    np.testing.assert_allclose(test.force, [4e3 * u + 1e3 for u in MOTION], atol=0.51e-3)
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "asked"),
+    [
+        ("0 .1 .2 .3 .4\n.5 .6 .7 .8 .9\n", None, 3),
+        ("Time (s),Acc (g)\n" + table(",", force=False), "g", 0),
+        ("Station 7\nt;a\ns;cm/s2\n" + table(";", ",", force=False), "cm/s^2", 0),
+        (table(",", force=False), None, 1),
+        ("t,ns,acc_g\n" + table(","), "g", 0),
+        ("0.1\n0.2\n0.3\n", None, 2),
+    ],
+)
+def test_the_record_that_is_proposed_is_read(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, unit: str | None, asked: int
+) -> None:
+    path = tmp_path / "shake.txt"
+    path.write_text(text)
+    found = account(path, capsys)
+    questions = found["questions"]
+    assert found["taken_for"] == "record" and isinstance(questions, list) and len(questions) == asked
+    proposed = str(found["yaml"]).replace("? s", "0.01 s").replace("?", "g")
+    entry = yaml.safe_load(proposed)["records"]["shake"]
+    assert unit is None or entry["acceleration_unit"] == unit
+    suite = tmp_path / "suite.yaml"
+    suite.write_text(yaml.safe_dump({"edesign_suite": 1, "title": "s", "records": [{"id": "a", **entry}]}))
+    (recording,) = find_suite(load_suite(suite), (), False)
+    assert recording.record.time_step == pytest.approx(0.01)
+    count = len(text.split()) if ".1 .2" in text else sum(line[0] in "0123456789-" for line in text.splitlines())
+    assert recording.record.acceleration.size == count
+
+
+def test_the_account_for_people(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    rows = [(0.01 * i, 2.0 if i < 12 else 2.0 + math.sin(0.3 * (i - 11)), i) for i in range(40)]
+    rows = rows[:20] + rows[23:]
+    path = tmp_path / "a.csv"
+    path.write_text("Time (s);Stroke (mm);Load\n" + "".join(f"{a:.2f};{b:.5f};{c}\n" for a, b, c in rows))
+    assert main(["inspect", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert "0.01 s, uneven, 0.39 s long; gaps before line 22" in said
+    assert "12 samples (0.12 s) of rest before the motion" in said
+    assert "the first sample is displaced by 2 mm" in said
+    assert "- What is the unit of the force (column 3)?" in said and "units: {force: ?}" in said
+    assert max(map(len, said.splitlines())) <= 120
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (SPECIMEN + "tests: []\n", "campaign or programme file (YAML), no table of numbers; `edesign calibrate`"),
+        ("time_s;displacement_mm;force_kN\n0;0;0\n1;1,234;1\n2;2,345;3\n", "is `1,234` 1.234 or 1234?"),
+        ("time_s,displacement_mm,force_kN\n0,0,0\n1,---,1\n", "`---` is not a number"),
+        ("", "the"),
+        ("nothing but words\nhere and there\n", "no known format"),
+    ],
+)
+def test_what_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str], text: str, said: str) -> None:
+    path = tmp_path / "a.txt"
+    path.write_text(text)
+    assert main(["inspect", str(path)]) == 2
+    assert said in capsys.readouterr().err
