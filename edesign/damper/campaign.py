@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Any
@@ -121,15 +121,31 @@ class Campaign:
         return tuple(test for test in self.tests if test.use == use)
 
     @property
+    def left_out(self) -> tuple[str, ...]:
+        """What the reader of the files leaves out: columns of other quantities, one line for tests with the same."""
+        return _by_tests(
+            (f"not read: {', '.join(f'`{header}`' for header in test.unread)}" if test.unread else "", test.name)
+            for test in self.tests
+        )
+
+    @property
+    def readings(self) -> tuple[str, ...]:
+        """How files were read that are not plain, and where motions begin; one line for tests with the same."""
+        return _by_tests((f"read: {test.reading}" if test.reading else "", test.name) for test in self.tests)
+
+    @property
     def notes(self) -> tuple[str, ...]:
-        """How files were read that are not plain, and what was left out; one line for tests with the same."""
-        told: dict[str, list[str]] = {}
-        for test in self.tests:
-            if test.unread:
-                told.setdefault(f"not read: {', '.join(f'`{header}`' for header in test.unread)}", []).append(test.name)
-            if test.reading:
-                told.setdefault(f"read: {test.reading}", []).append(test.name)
-        return tuple(f"{', '.join(names)}: {text}" for text, names in told.items())
+        """What the reader of the files leaves out, and how it reads the others."""
+        return self.left_out + self.readings
+
+
+def _by_tests(told: Iterable[tuple[str, str]]) -> tuple[str, ...]:
+    """Each text once, behind the names of the tests that it is told of."""
+    names: dict[str, list[str]] = {}
+    for text, name in told:
+        if text:
+            names.setdefault(text, []).append(name)
+    return tuple(f"{', '.join(tests)}: {text}" for text, tests in names.items())
 
 
 def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:

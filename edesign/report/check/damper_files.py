@@ -82,7 +82,7 @@ def tests_summary(path: Path) -> dict[str, str]:
 def _campaign_summary(path: Path) -> dict[str, str]:
     campaign = load_campaign(path, needs_force=False)
     specimen, tests = campaign.specimen, campaign.tests
-    warnings = list(campaign.notes)
+    warnings = list(campaign.left_out)
     uses = Counter(test.use for test in tests)
     if uses["fit"] < 2:
         warnings.append(f"{uses['fit']} tests with `use: fit`; `edesign calibrate` needs two, `edesign fit` one")
@@ -94,6 +94,7 @@ def _campaign_summary(path: Path) -> dict[str, str]:
         "title": campaign.title or path.stem,
         "specimen": f"{specimen.name}: {_size(specimen)}",
         "law": _law(campaign.law),
+        **({"read": "\n".join(campaign.readings).replace(": read: ", ": ")} if campaign.readings else {}),
         "tests": f"{len(tests)}: {uses['fit']} to fit to, {uses['validate']} to validate",
         "range": _range(tests, specimen),
         **_warnings(warnings),

@@ -34,14 +34,16 @@ def table_summary(path: Path) -> dict[str, str]:
             "range": table_range(properties),
         }
     words = [header.lower() for header in table.headers]
-    if any(word.startswith(("displacement", "stroke", "axial", "force", "load")) for word in words):
+    named = any(word.startswith(("displacement", "stroke", "axial", "force", "load")) for word in words)
+    if named or sum(map(names_quantity, table.headers)) >= _TEST:
         return _test_summary(path)
     if detect(path) != "table":
         return record_summary(path)
     return {
         "table": f"{table.rows.shape[0]} rows, columns {', '.join(table.headers)}",
+        **({"read": table.form.words} if table.form.words else {}),
         "use": "a record if it has accelerations: a project names it with `acceleration_unit`, and `time_step` or a\n"
-        "column of times; `edesign spectrum` takes it with --unit",
+        "column of times; `edesign spectrum` takes it with --unit; `edesign inspect` prints what reads it",
     }
 
 
@@ -84,6 +86,7 @@ def _test_summary(path: Path) -> dict[str, str]:
         warnings.append(f"times are uneven: steps from {np.min(steps):.3g} to {np.max(steps):.3g} s")
     return {
         "table": "test of a damper",
+        **({"read": test.reading} if test.reading else {}),
         "samples": f"{test.time.size}, {test.time[-1] - test.time[0]:.4g} s at {1.0 / np.median(steps):.4g} Hz",
         "range": f"displacement to {1e3 * np.max(np.abs(test.displacement)):.4g} mm, {force}; {celsius}",
         **({"warnings": "\n".join(warnings)} if warnings else {}),
