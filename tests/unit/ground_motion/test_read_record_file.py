@@ -77,7 +77,10 @@ def test_columns_of_blanks_by_header_and_one_column(tmp_path: Path) -> None:
     np.testing.assert_allclose(ns.acceleration, np.array([1.0, -0.25, 3.0]) * G, rtol=1e-15)
     with pytest.raises(InputError, match=r"no column `NS`.*the columns are: Time \(s\), NS \(g\), EW \(g\)"):
         read_record_file(path, acceleration_unit="g", acceleration_column="NS", time_step=0.01)
-    with pytest.raises(InputError, match=":3: 3 columns; name the one that is the acceleration"):
+    with pytest.raises(
+        InputError,
+        match=r":3: 3 columns \(1 `Time \(s\)`, 2 `NS \(g\)`, 3 `EW \(g\)`\); name the one that is the accel",
+    ):
         read_record_file(path, acceleration_unit="g")
     one = write(tmp_path, "a.acc", "  1.0\n  2.0\n -3.0\n")
     assert read_record_file(one, acceleration_unit="m/s^2", time_step=0.02).pga == 3.0

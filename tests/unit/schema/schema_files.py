@@ -17,8 +17,8 @@ from edesign.schema.build import combined_schema, schema_of
 from edesign.schema.kinds import KINDS
 
 ROOT = Path(__file__).parents[3]
-WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml")
-"""Data of the package that no user writes; the recommended values have no zones."""
+WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml", "prose.yaml")
+"""Data of the package and its tests that no user writes; the recommended values have no zones."""
 
 EXAMPLES = {
     "campaign": """\
@@ -116,10 +116,11 @@ def yaml_files() -> Iterator[Path]:
 
 
 def documented_files() -> Iterator[tuple[str, str]]:
-    """Whole files in pages of the documentation: indented blocks that begin with the version of a format."""
+    """Whole files in pages of the documentation: blocks of YAML that begin with the version of a format."""
     for page in sorted((ROOT / "docs").rglob("*.md")):
-        for block in re.findall(r"(?:^    .*\n|^ *\n)+", page.read_text(encoding="utf-8"), flags=re.MULTILINE):
-            text = re.sub(r"^    ", "", block.strip("\n"), flags=re.MULTILINE)
+        for text in re.findall(
+            r"^```yaml[^\n]*\n(.*?)^```", page.read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+        ):
             if re.match(r"edesign(_\w+)?: 1\b", text):
                 yield page.name, text
 
