@@ -19,7 +19,7 @@
 /* Operations of one solution at the dampers, with the iteration that it moves. */
 static double solution_flops(const ed_analysis *a)
 {
-  const double n = a->n, dampers = a->model->n_devices;
+  const double n = a->numbering.n, dampers = a->model->n_devices;
   return 2.0 / 3.0 * dampers * dampers * dampers + 2.0 * dampers * n;
 }
 
@@ -27,59 +27,73 @@ static double solution_flops(const ed_analysis *a)
 double ed_iteration_flops(const ed_analysis *a)
 {
   const double element = 1000.0; /* about, beside the solution */
-  return ed_solver_solve_flops(a->solver) + element * a->model->n_members;
+  return ed_solver_solve_flops(a->factors.solver) + element * a->model->n_members;
 }
 
 int ed_condensation_allocate(ed_analysis *a)
 {
-  const size_t dampers = (size_t)a->model->n_devices, n = (size_t)a->n;
+  const size_t dampers = (size_t)a->model->n_devices, n = (size_t)a->numbering.n;
   /* A solution here saves an iteration of the frame and its factors at best. Those that SUNDIALS integrates cost more than a frame. */
-  if (dampers == 0 || a->n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->solver))
+  if (dampers == 0 || a->devices.n_by_ode > 0 || solution_flops(a) > ed_iteration_flops(a) + ed_solver_flops(a->factors.solver))
     return ED_OK;
   for (int i = 0; i < a->model->n_devices; i++) /* whose force goes with one of the frame has to look at it in each iteration */
     if (a->model->devices[i].weigher >= 0)
       return ED_OK;
-  a->device_response = malloc(dampers * n * sizeof(double));
-  a->flexibility = malloc(dampers * dampers * sizeof(double));
-  a->condensed = malloc(dampers * dampers * sizeof(double));
-  a->condensed_pivot = malloc(dampers * sizeof(int));
-  a->condensed_work = malloc(7 * dampers * sizeof(double));
-  return a->device_response && a->flexibility && a->condensed && a->condensed_pivot && a->condensed_work ? ED_OK : ED_E_MEMORY;
+  ed_condensation *condensation = &a->condensation;
+  condensation->response = malloc(dampers * n * sizeof(double));
+  condensation->flexibility = malloc(dampers * dampers * sizeof(double));
+  condensation->balance = malloc(dampers * dampers * sizeof(double));
+  condensation->pivot = malloc(dampers * sizeof(int));
+  condensation->work = malloc(7 * dampers * sizeof(double));
+  return condensation->response && condensation->flexibility && condensation->balance && condensation->pivot && condensation->work
+             ? ED_OK
+             : ED_E_MEMORY;
+}
+
+void ed_condensation_free(ed_condensation *condensation)
+{
+  free(condensation->response);
+  free(condensation->flexibility);
+  free(condensation->balance);
+  free(condensation->pivot);
+  free(condensation->work);
 }
 
 int ed_condenses(const ed_analysis *a, int rung)
 {
-  return a->device_response && rung == 0 && a->reuse && a->run.kind == ED_RUN_HISTORY && ed_installed(a);
+  return a->condensation.response && rung == 0 && a->settings.reuse && a->run.kind == ED_RUN_HISTORY && ed_installed(a);
 }
 
 double ed_condensation_flops(const ed_analysis *a)
 {
-  return ed_condenses(a, 0) ? a->model->n_devices * (ed_solver_solve_flops(a->solver) + 2.0 * a->model->n_devices) : 0.0;
+  return ed_condenses(a, 0) ? a->model->n_devices * (ed_solver_solve_flops(a->factors.solver) + 2.0 * a->model->n_devices) : 0.0;
 }
 
 void ed_follow_pace(const ed_analysis *a, double *du)
 {
-  for (int i = 0; i < a->n; i++)
-    du[i] = a->duration * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
+  for (int i = 0; i < a->numbering.n; i++)
+    du[i] = a->devices.duration * (2.0 * a->committed.pace[i] - a->committed.pace_before[i]);
 }
 
 /* A^-1 B' and F of the present factors. */
 static int find_flexibility(ed_analysis *a)
 {
   const int dampers = a->model->n_devices;
-  const size_t n = (size_t)a->n;
-  if (a->flexibility_known)
+  const size_t n = (size_t)a->numbering.n;
+  if (a->condensation.known)
     return ED_OK;
-  memset(a->device_response, 0, (size_t)dampers * n * sizeof(double));
+  memset(a->condensation.response, 0, (size_t)dampers * n * sizeof(double));
   for (int i = 0; i < dampers; i++)
-    ed_add_along_device(a, i, 1.0, a->device_response + (size_t)i * n);
-  const int status = ed_solve_effective(a, dampers, a->device_response);
+    ed_add_along_device(&a->numbering, &a->model->devices[i], 1.0, a->condensation.response + (size_t)i * n);
+  const int status = ed_solve_effective(a, dampers, a->condensation.response);
   if (status != ED_OK)
     return status;
   for (int i = 0; i < dampers; i++)
-    for (int j = 0; j < dampers; j++)
-      a->flexibility[j * dampers + i] = ed_along_device(a, j, a->device_response + (size_t)i * n);
-  a->flexibility_known = 1;
+    for (int j = 0; j < dampers; j++) {
+      const double *response = a->condensation.response + (size_t)i * n;
+      a->condensation.flexibility[j * dampers + i] = ed_along_device(&a->numbering, &a->model->devices[j], response);
+    }
+  a->condensation.known = 1;
   return ED_OK;
 }
 
@@ -91,18 +105,18 @@ typedef struct {
 static void linearise(const ed_analysis *a, condensed *c, const double *moved)
 {
   for (int i = 0; i < a->model->n_devices; i++) {
-    c->at[i] = ed_along_device(a, i, moved);
-    c->force[i] = ed_device_force(a, &a->trial, i);
+    c->at[i] = ed_along_device(&a->numbering, &a->model->devices[i], moved);
+    c->force[i] = ed_device_force(&a->devices, &a->trial, i);
   }
 }
 
 /* Before the first trial of a step forces and deformations go on as in the last two steps. */
 static void expect(const ed_analysis *a, condensed *c)
 {
-  ed_follow_pace(a, a->work);
+  ed_follow_pace(a, a->iteration.work);
   for (int i = 0; i < a->model->n_devices; i++) {
-    c->at[i] = ed_along_device(a, i, a->work);
-    c->force[i] = ed_expected_device_force(a, i);
+    c->at[i] = ed_along_device(&a->numbering, &a->model->devices[i], a->iteration.work);
+    c->force[i] = ed_expected_device_force(&a->devices, &a->committed, i);
   }
 }
 
@@ -111,15 +125,15 @@ static int take_slopes(ed_analysis *a, double k, condensed *c)
 {
   const int n = a->model->n_devices;
   for (int j = 0; j < n; j++)
-    c->slope[j] = ed_device_slope(a, j);
+    c->slope[j] = ed_device_slope(&a->devices, &a->trial, j);
   for (int i = 0; i < n; i++) {
-    const double *row = a->flexibility + i * n;
-    double *of = a->condensed + i * n;
+    const double *row = a->condensation.flexibility + i * n;
+    double *of = a->condensation.balance + i * n;
     for (int j = 0; j < n; j++)
-      of[j] = k * row[j] * (c->slope[j] - a->device_factored[j]);
+      of[j] = k * row[j] * (c->slope[j] - a->factors.device_slope[j]);
     of[i] += 1.0;
   }
-  return ed_dense_factor(n, a->condensed, a->condensed_pivot) ? ED_OK : ED_E_SINGULAR;
+  return ed_dense_factor(n, a->condensation.balance, a->condensation.pivot) ? ED_OK : ED_E_SINGULAR;
 }
 
 /* x at which all balance with the linear laws, and the forces k (f_now - f(x) + S_0 x) by which they move the frame. */
@@ -129,15 +143,15 @@ static void balance(const ed_analysis *a, double k, condensed *c)
   for (int j = 0; j < n; j++)
     c->push[j] = k * (c->now[j] - c->force[j] + c->slope[j] * c->at[j]);
   for (int i = 0; i < n; i++) {
-    const double *row = a->flexibility + i * n;
+    const double *row = a->condensation.flexibility + i * n;
     double sum = c->free[i];
     for (int j = 0; j < n; j++)
       sum += row[j] * c->push[j];
     c->x[i] = sum;
   }
-  ed_dense_solve(n, a->condensed, a->condensed_pivot, c->x);
+  ed_dense_solve(n, a->condensation.balance, a->condensation.pivot, c->x);
   for (int j = 0; j < n; j++)
-    c->push[j] -= k * (c->slope[j] - a->device_factored[j]) * c->x[j];
+    c->push[j] -= k * (c->slope[j] - a->factors.device_slope[j]) * c->x[j];
 }
 
 /* Largest share of a damper's force in the unbalance of a degree: as there, moments are divided by the mean length of elements. */
@@ -146,7 +160,7 @@ static double reach(const ed_analysis *a, int i)
   const ed_device *device = &a->model->devices[i];
   double most = 0.0;
   for (int k = 0; k < device->n_terms; k++)
-    most = fmax(most, fabs(device->coefficient[k]) / (device->degree[k] % 3 == 2 ? a->length : 1.0));
+    most = fmax(most, fabs(device->coefficient[k]) / (device->degree[k] % 3 == 2 ? a->numbering.length : 1.0));
   return most;
 }
 
@@ -155,7 +169,8 @@ static double left(const ed_analysis *a, const condensed *c)
 {
   double largest = 0.0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    const double off = reach(a, i) * fabs(ed_device_force(a, &a->trial, i) - c->force[i] - c->slope[i] * (c->x[i] - c->at[i]));
+    const double linear = c->slope[i] * (c->x[i] - c->at[i]);
+    const double off = reach(a, i) * fabs(ed_device_force(&a->devices, &a->trial, i) - c->force[i] - linear);
     if (!(off <= largest))
       largest = off;
   }
@@ -172,10 +187,10 @@ ED_CLONES static void add_responses(int n, int count, const double *restrict res
 /* `moved` becomes `du` and what the dampers add to it, and the trial state moves along. */
 static void move_on(ed_analysis *a, const ed_step *step, const condensed *c, double *moved)
 {
-  double *change = a->work;
-  memcpy(change, a->du, (size_t)a->n * sizeof *change);
-  add_responses(a->n, a->model->n_devices, a->device_response, c->push, change);
-  for (int i = 0; i < a->n; i++) {
+  double *change = a->iteration.work;
+  memcpy(change, a->iteration.du, (size_t)a->numbering.n * sizeof *change);
+  add_responses(a->numbering.n, a->model->n_devices, a->condensation.response, c->push, change);
+  for (int i = 0; i < a->numbering.n; i++) {
     const double now = change[i];
     change[i] -= moved[i];
     moved[i] = now;
@@ -186,19 +201,19 @@ static void move_on(ed_analysis *a, const ed_step *step, const condensed *c, dou
 int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
 {
   const int dampers = a->model->n_devices;
-  double *work = a->condensed_work, *moved = a->predicted, before = HUGE_VAL;
+  double *work = a->condensation.work, *moved = a->iteration.predicted, before = HUGE_VAL;
   condensed c = {.free = work, .x = work + dampers, .at = work + 2 * dampers, .now = work + 3 * dampers, .force = work + 4 * dampers,
                  .slope = work + 5 * dampers, .push = work + 6 * dampers};
   /* Behind the first iteration of the frame the dampers move so little that slopes need not be new for the first trial. */
-  int slopes_known = !first && a->flexibility_known, status = find_flexibility(a);
+  int slopes_known = !first && a->condensation.known, status = find_flexibility(a);
   if (status != ED_OK)
     return status;
   for (int i = 0; i < dampers; i++) {
-    c.free[i] = ed_along_device(a, i, a->du);
-    c.now[i] = ed_device_force(a, first ? &a->committed : &a->trial, i);
+    c.free[i] = ed_along_device(&a->numbering, &a->model->devices[i], a->iteration.du);
+    c.now[i] = ed_device_force(&a->devices, first ? &a->committed : &a->trial, i);
   }
-  memset(moved, 0, (size_t)a->n * sizeof *moved);
-  for (int trial = 0; trial < a->max_iterations; trial++) {
+  memset(moved, 0, (size_t)a->numbering.n * sizeof *moved);
+  for (int trial = 0; trial < a->settings.max_iterations; trial++) {
     const int rough = first && trial == 0;
     if (rough)
       expect(a, &c);
@@ -214,10 +229,10 @@ int ed_move_condensed(ed_analysis *a, const ed_step *step, int first)
     const double off = left(a, &c);
     if (!isfinite(off))
       return ED_E_NOT_FINITE;
-    if (!rough && off <= a->tolerance * a->trial.head->force_level)
+    if (!rough && off <= a->settings.tolerance * a->trial.head->force_level)
       return ED_OK;
     if (off > 0.5 * before) /* Newton's method swings about rest */
-      a->swinging = 1;
+      a->devices.swinging = 1;
     before = off;
   }
   return ED_OK; /* what is left the frame's next iteration sees */

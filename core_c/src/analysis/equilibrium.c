@@ -3,17 +3,38 @@
 
 #include <float.h>
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
+
+int ed_iteration_allocate(ed_iteration *iteration, int n)
+{
+  double **vectors[] = {&iteration->r, &iteration->du, &iteration->work, &iteration->work2, &iteration->predicted};
+  for (size_t i = 0; i < sizeof vectors / sizeof *vectors; i++)
+    if (!(*vectors[i] = calloc((size_t)n, sizeof(double))))
+      return ED_E_MEMORY;
+  iteration->residuals = calloc(ED_MAX_RESIDUALS, sizeof(double));
+  return iteration->residuals ? ED_OK : ED_E_MEMORY;
+}
+
+void ed_iteration_free(ed_iteration *iteration)
+{
+  free(iteration->r);
+  free(iteration->du);
+  free(iteration->work);
+  free(iteration->work2);
+  free(iteration->predicted);
+  free(iteration->residuals);
+}
 
 /* Unbalance relative to the largest force so far; moments are made comparable by the mean element length. */
 double ed_unbalance(ed_analysis *a, const double *r)
 {
   double largest = 0.0;
-  for (int i = 0; i < a->n; i++) {
-    const double value = fabs(r[i]) / (a->rotational[i] ? a->length : 1.0);
+  for (int i = 0; i < a->numbering.n; i++) {
+    const double value = fabs(r[i]) / (a->numbering.rotational[i] ? a->numbering.length : 1.0);
     if (!(value <= largest)) { /* a NaN counts as the largest */
       largest = value;
-      a->worst = i;
+      a->iteration.worst = i;
       if (!isfinite(value))
         return value;
     }
@@ -32,37 +53,29 @@ void ed_raise_force_level(ed_analysis *a)
 {
   double force = 0.0, moment = 0.0;
   for (int m = 0; m < a->model->n_members; m++) {
-    const double *f = a->member_force + 6 * m;
+    const double *f = a->members.force + 6 * m;
     for (int end = 0; end < 6; end += 3) {
       force = larger(force, fabs(f[end]));
       force = larger(force, fabs(f[end + 1]));
       moment = larger(moment, fabs(f[end + 2]));
     }
   }
-  for (int i = 0; i < a->n; i++)
-    *(a->rotational[i] ? &moment : &force) = larger(a->rotational[i] ? moment : force, fabs(a->external[i]));
-  ed_largest_history_force(a, &force, &moment);
-  a->trial.head->force_level = larger(a->committed.head->force_level, larger(force, moment / a->length));
-}
-
-void ed_freeze_damping(ed_analysis *a, int rung)
-{
-  a->frozen = rung >= ED_RUNG_FROZEN_DAMPING;
-  if (a->rayleigh_stiffness == 0.0)
-    return;
-  if (a->rayleigh_kind == ED_STIFFNESS_COMMITTED || (a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->frozen)) {
-    memcpy(a->reference, ed_damping_tangent(a), ((size_t)a->nnz + 1) * sizeof(double));
+  for (int i = 0; i < a->numbering.n; i++) {
+    double *largest = a->numbering.rotational[i] ? &moment : &force;
+    *largest = larger(*largest, fabs(a->loading.external[i]));
   }
+  ed_largest_history_force(&a->run, a->numbering.rotational, &force, &moment);
+  a->trial.head->force_level = larger(a->committed.head->force_level, larger(force, moment / a->numbering.length));
 }
 
-int ed_last_iterations(const ed_analysis *a)
+int ed_last_iterations(const ed_iteration *iteration)
 {
-  return a->n_residuals > 0 ? a->n_residuals - 1 : 0;
+  return iteration->n_residuals > 0 ? iteration->n_residuals - 1 : 0;
 }
 
 void ed_move(ed_analysis *a, const ed_step *step, double factor, const double *du)
 {
-  for (int i = 0; i < a->n; i++) {
+  for (int i = 0; i < a->numbering.n; i++) {
     const double moved = factor * du[i];
     a->trial.u[i] += moved;
     a->trial.v[i] += step->velocity * moved;
@@ -74,15 +87,15 @@ static int evaluate(ed_analysis *a, const ed_step *step)
 {
   const int status = ed_update_elements(a);
   if (status == ED_OK)
-    step->residual(a, step, a->r);
+    step->residual(a, step, a->iteration.r);
   return status;
 }
 
 static double slope(const ed_analysis *a)
 {
   double sum = 0.0;
-  for (int i = 0; i < a->n; i++)
-    sum += a->du[i] * a->r[i];
+  for (int i = 0; i < a->numbering.n; i++)
+    sum += a->iteration.du[i] * a->iteration.r[i];
   return sum;
 }
 
@@ -102,7 +115,7 @@ static int search(ed_analysis *a, const ed_step *step, double start)
       next = 0.5 * (taken + 1.0);
     }
     next = fmax(next, 0.1 * taken);
-    ed_move(a, step, next - taken, a->du);
+    ed_move(a, step, next - taken, a->iteration.du);
     taken = next;
     const int status = evaluate(a, step);
     if (status != ED_OK)
@@ -115,13 +128,13 @@ static int search(ed_analysis *a, const ed_step *step, double start)
 /* Are new factors worth their price? With the rate of convergence seen, the iterations still to come cost more. */
 static int worth_factoring(const ed_analysis *a, double unbalance, double before)
 {
-  if (a->factored_stamp == a->tangent_stamp)
+  if (a->factors.stamp == a->matrix.stamp)
     return 0;
   const double rate = unbalance / before;
   if (rate >= 0.7)
     return 1;
-  const double to_come = log(a->tolerance / unbalance) / log(rate);
-  return to_come > 1.5 + a->factor_price;
+  const double to_come = log(a->settings.tolerance / unbalance) / log(rate);
+  return to_come > 1.5 + a->factors.price;
 }
 
 /* What rounding alone does to the unbalance: no iteration gets below it. */
@@ -129,72 +142,74 @@ double ed_rounding(ed_analysis *a)
 {
   double largest = 0.0;
   ed_assemble_tangent(a);
-  for (int i = 0; i < a->n; i++) {
-    const double force = fabs(a->tangent[a->diagonal[i]] * a->trial.u[i]) + a->mass[i] * fabs(a->trial.a[i]);
-    largest = larger(largest, a->rotational[i] ? force / a->length : force);
+  for (int i = 0; i < a->numbering.n; i++) {
+    const double force = fabs(a->matrix.tangent[a->matrix.diagonal[i]] * a->trial.u[i]) + a->numbering.mass[i] * fabs(a->trial.a[i]);
+    largest = larger(largest, a->numbering.rotational[i] ? force / a->numbering.length : force);
   }
   return 4.0 * DBL_EPSILON * largest / a->trial.head->force_level;
 }
 
 /* The last eight iterations did not halve the unbalance; unknown beyond those that are kept. */
-int ed_stalls(const ed_analysis *a, int iteration)
+int ed_stalls(const ed_iteration *iteration, int number)
 {
   enum { PATIENCE = 8 };
-  return iteration >= PATIENCE && iteration < a->n_residuals && a->residuals[iteration] > 0.5 * a->residuals[iteration - PATIENCE];
+  const double *residual = iteration->residuals + number;
+  return number >= PATIENCE && number < iteration->n_residuals && residual[0] > 0.5 * residual[-PATIENCE];
 }
 
-int ed_accept(ed_analysis *a, double unbalance)
+int ed_accept(ed_statistics *statistics, double unbalance)
 {
-  a->statistics.worst_unbalance = larger(a->statistics.worst_unbalance, unbalance);
+  statistics->worst_unbalance = larger(statistics->worst_unbalance, unbalance);
   return ED_OK;
 }
 
 int ed_equilibrate(ed_analysis *a, const ed_step *step, int rung)
 {
-  const int keep_factors = rung == 0 && a->reuse, condensed = ed_condenses(a, rung);
+  const int keep_factors = rung == 0 && a->settings.reuse, condensed = ed_condenses(a, rung);
   double before = HUGE_VAL;
   int status;
-  a->n_residuals = 0;
-  a->swinging = 0;
-  step->residual(a, step, a->r);
+  a->iteration.n_residuals = 0;
+  a->devices.swinging = 0;
+  step->residual(a, step, a->iteration.r);
   for (int iteration = 0;; iteration++) {
-    const double unbalance = ed_unbalance(a, a->r);
-    if (a->n_residuals < ED_MAX_RESIDUALS)
-      a->residuals[a->n_residuals++] = unbalance;
+    const double unbalance = ed_unbalance(a, a->iteration.r);
+    if (a->iteration.n_residuals < ED_MAX_RESIDUALS)
+      a->iteration.residuals[a->iteration.n_residuals++] = unbalance;
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
-    if (iteration > 0 && unbalance <= a->tolerance) /* small motions are not for the tolerance to swallow */
-      return ed_accept(a, unbalance);
-    if (iteration == a->max_iterations)
+    if (iteration > 0 && unbalance <= a->settings.tolerance) /* small motions are not for the tolerance to swallow */
+      return ed_accept(&a->statistics, unbalance);
+    if (iteration == a->settings.max_iterations)
       return ED_E_NOT_CONVERGED;
     /* going round in circles: piecewise linear laws, or a damping stiffness that jumps with them */
-    if (ed_stalls(a, iteration))
-      return unbalance <= ed_rounding(a) ? ed_accept(a, unbalance) : ED_E_NOT_CONVERGED;
-    const int same = a->factored_stamp >= 0 && a->factored_k == step->k && a->factored_m == step->m &&
-                     a->factored_c == step->c;
+    if (ed_stalls(&a->iteration, iteration))
+      return unbalance <= ed_rounding(a) ? ed_accept(&a->statistics, unbalance) : ED_E_NOT_CONVERGED;
+    const int same = a->factors.stamp >= 0 && a->factors.k == step->k && a->factors.m == step->m &&
+                     a->factors.c == step->c;
     int factor = !same;
     if (same && !keep_factors)
-      factor = a->factored_stamp != a->tangent_stamp || rung != 0;
+      factor = a->factors.stamp != a->matrix.stamp || rung != 0;
     else if (same && iteration > 0)
       factor = worth_factoring(a, unbalance, before);
-    if (!condensed && !a->swinging && iteration >= 3 && ed_installed(a) && unbalance > 0.1 * a->residuals[iteration - 2])
-      factor = a->swinging = 1;
+    if (!condensed && !a->devices.swinging && iteration >= 3 && ed_installed(a) &&
+        unbalance > 0.1 * a->iteration.residuals[iteration - 2])
+      factor = a->devices.swinging = 1;
     if (factor && (status = ed_factor_effective(a, step->k, step->m, step->c)) != ED_OK)
       return status;
-    memcpy(a->du, a->r, (size_t)a->n * sizeof(double));
-    if ((status = ed_solve_effective(a, 1, a->du)) != ED_OK)
+    memcpy(a->iteration.du, a->iteration.r, (size_t)a->numbering.n * sizeof(double));
+    if ((status = ed_solve_effective(a, 1, a->iteration.du)) != ED_OK)
       return status;
     a->statistics.iterations++;
     const double start = rung >= ED_RUNG_LINE_SEARCH ? slope(a) : 0.0;
     if (condensed)
       status = ed_move_condensed(a, step, iteration == 0);
     else
-      ed_move(a, step, 1.0, a->du);
+      ed_move(a, step, 1.0, a->iteration.du);
     if (status == ED_OK)
       status = condensed ? ed_update_members(a) : ed_update_elements(a);
     if (status != ED_OK)
       return status;
-    step->residual(a, step, a->r);
+    step->residual(a, step, a->iteration.r);
     if (rung >= ED_RUNG_LINE_SEARCH && (status = search(a, step, start)) != ED_OK)
       return status;
     before = unbalance;

@@ -8,24 +8,25 @@
 
 static void residual(ed_analysis *a, const ed_step *step, double *r)
 {
+  const ed_numbering *numbering = &a->numbering;
   const ed_state *now = &a->trial, *before = &a->committed;
   const double af = a->run.alpha_f, am = a->run.alpha_m;
-  const int n = a->n;
+  const int n = numbering->n;
   ed_damping_force(a, now->v, now->damping);
   if (af == 0.0 && am == 0.0) {
     for (int i = 0; i < n; i++)
-      r[i] = a->external[i] - now->resisting[i] - now->damping[i] -
-             a->mass[i] * (now->a[i] + a->influence[0][i] * step->ground[0] + a->influence[1][i] * step->ground[1]);
+      r[i] = a->loading.external[i] - now->resisting[i] - now->damping[i] -
+             numbering->mass[i] * (now->a[i] + numbering->influence[0][i] * step->ground[0] + numbering->influence[1][i] * step->ground[1]);
   } else {
     const double gx = (1.0 - af) * step->ground[0] + af * step->ground_before[0];
     const double gy = (1.0 - af) * step->ground[1] + af * step->ground_before[1];
     for (int i = 0; i < n; i++)
-      r[i] = a->external[i] - (1.0 - af) * (now->resisting[i] + now->damping[i]) -
+      r[i] = a->loading.external[i] - (1.0 - af) * (now->resisting[i] + now->damping[i]) -
              af * (before->resisting[i] + before->damping[i]) -
-             a->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + a->influence[0][i] * gx +
-                           a->influence[1][i] * gy);
+             numbering->mass[i] * ((1.0 - am) * now->a[i] + am * before->a[i] + numbering->influence[0][i] * gx +
+                           numbering->influence[1][i] * gy);
   }
-  ed_add_history_forces(a, af, r);
+  ed_add_history_forces(&a->run, numbering->mass, af, r);
   ed_raise_force_level(a);
 }
 
@@ -47,8 +48,8 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   if (n < 1 || !(dt > 0.0) || !isfinite(n * dt))
     return ed_fail(a, ED_E_ARGUMENT, "%d steps of %g", n, dt);
   double mass = 0.0;
-  for (int i = 0; i < a->n; i++)
-    mass += a->mass[i];
+  for (int i = 0; i < a->numbering.n; i++)
+    mass += a->numbering.mass[i];
   if (mass == 0.0)
     return ed_fail(a, ED_E_ARGUMENT, "a time history needs masses");
   const double am = method == ED_GENERALISED_ALPHA ? p[0] : 0.0, af = method == ED_GENERALISED_ALPHA ? p[1] : 0.0;
@@ -78,8 +79,8 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
   run->alpha_f = af;
   run->gamma = gamma;
   run->beta = beta;
-  memset(a->committed.support_v, 0, 2 * (size_t)a->n_supports * sizeof(double)); /* and their accelerations, which lie behind */
-  memset(a->trial.support_v, 0, 2 * (size_t)a->n_supports * sizeof(double));
+  memset(a->committed.support_v, 0, 2 * (size_t)a->numbering.n_supports * sizeof(double)); /* accelerations lie behind */
+  memset(a->trial.support_v, 0, 2 * (size_t)a->numbering.n_supports * sizeof(double));
   for (int axis = 0; axis < 2; axis++)
     run->ground_now[axis] = run->ground_before[axis] = run->ground[axis][0];
   /* the first acceleration from equilibrium, where there is mass */
@@ -89,28 +90,29 @@ int ed_history_begin(ed_analysis *a, int n, double dt, const double *ground_x, c
     if (status == ED_E_STOPPED)
       return ed_fail(a, status, "%s at the start", ed_status_text(status));
     char name[2 * ED_NAME];
-    ed_name_damper(a, name, sizeof name);
+    ed_name_damper(a->model, &a->devices, name, sizeof name);
     return ed_fail(a, status, "%s: no state was found at the start", name);
   }
   ed_freeze_damping(a, 0);
   ed_damping_force(a, a->trial.v, a->trial.damping);
-  for (int i = 0; i < a->n; i++)
-    if (a->mass[i] > 0.0)
-      a->trial.a[i] = (a->external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->mass[i] -
-                      a->influence[0][i] * run->ground_now[0] - a->influence[1][i] * run->ground_now[1];
-  for (int i = 0; i < a->n; i++)
+  for (int i = 0; i < a->numbering.n; i++)
+    if (a->numbering.mass[i] > 0.0)
+      a->trial.a[i] = (a->loading.external[i] - a->trial.resisting[i] - a->trial.damping[i]) / a->numbering.mass[i] -
+                      a->numbering.influence[0][i] * run->ground_now[0] - a->numbering.influence[1][i] * run->ground_now[1];
+  for (int i = 0; i < a->numbering.n; i++)
     if (!isfinite(a->trial.a[i])) {
       char name[ED_NAME + 8];
       end_where_it_began(a);
-      return ed_fail(a, ED_E_NOT_FINITE, "the first acceleration at %s is not a finite number", ed_equation_name(a, i, name, sizeof name));
+      return ed_fail(a, ED_E_NOT_FINITE, "the first acceleration at %s is not a finite number",
+                     ed_equation_name(a->model, &a->numbering, i, name, sizeof name));
     }
-  for (int i = 0; i < a->n; i++) { /* so that the first step goes on with half the first acceleration */
+  for (int i = 0; i < a->numbering.n; i++) { /* so that the first step goes on with half the first acceleration */
     a->trial.pace[i] = a->trial.v[i];
     a->trial.pace_before[i] = a->trial.v[i] - 0.5 * dt * a->trial.a[i];
   }
-  memcpy(a->committed.pace, a->trial.pace, 2 * (size_t)a->n * sizeof(double)); /* the one lies behind the other */
-  memcpy(a->committed.a, a->trial.a, (size_t)a->n * sizeof(double));
-  memcpy(a->committed.damping, a->trial.damping, (size_t)a->n * sizeof(double));
+  memcpy(a->committed.pace, a->trial.pace, 2 * (size_t)a->numbering.n * sizeof(double)); /* the one lies behind the other */
+  memcpy(a->committed.a, a->trial.a, (size_t)a->numbering.n * sizeof(double));
+  memcpy(a->committed.damping, a->trial.damping, (size_t)a->numbering.n * sizeof(double));
   return ED_OK;
 }
 
@@ -141,23 +143,23 @@ int ed_history_attempt(ed_analysis *a, double fraction, int rung)
     step.ground_before[axis] = run->ground_before[axis] = ground_at(run, axis, head->position);
     step.ground[axis] = run->ground_now[axis] = ground_at(run, axis, head->position + fraction);
   }
-  ed_move_history_forces(a, head->position, head->position + fraction);
+  ed_move_history_forces(&a->run, head->position, head->position + fraction);
   ed_move_supports(a, head->position + fraction);
   head->position += fraction;
   head->time = (run->done + head->position) * run->dt;
-  a->duration = dt;
-  a->velocity_factor = step.velocity;
+  a->devices.duration = dt;
+  a->devices.velocity_factor = step.velocity;
   const double *v0 = a->committed.v, *a0 = a->committed.a;
   /* start from the committed displacement: its element states are known, unless supports have moved */
-  for (int i = 0; i < a->n; i++) {
+  for (int i = 0; i < a->numbering.n; i++) {
     a->trial.v[i] = (1.0 - g / b) * v0[i] + dt * (1.0 - 0.5 * g / b) * a0[i];
     a->trial.a[i] = (1.0 - 0.5 / b) * a0[i] - v0[i] / (b * dt);
   }
   if (ed_installed(a) && !ed_condenses(a, rung)) {
     /* Dampers with a power of the velocity meet a velocity that turns back, as this one, with a force that turns at once: go on as in
      * the last two steps. Velocities and accelerations would not do, stiff modes ring in them. */
-    ed_follow_pace(a, a->predicted);
-    ed_move(a, &step, 1.0, a->predicted);
+    ed_follow_pace(a, a->iteration.predicted);
+    ed_move(a, &step, 1.0, a->iteration.predicted);
     const int status = ed_update_elements(a);
     if (status != ED_OK)
       return status;

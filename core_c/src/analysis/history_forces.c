@@ -30,7 +30,7 @@ int ed_history_force(ed_analysis *a, int n, const int *node, const int *degree, 
       return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree[i], node[i]);
     if (!isfinite(coefficient[i]))
       return ed_fail(a, ED_E_NOT_FINITE, "coefficient %d of a force is not a finite number", i + 1);
-    const int place = 3 * node[i] + degree[i], equation = a->equation[place];
+    const int place = 3 * node[i] + degree[i], equation = a->numbering.equation[place];
     if (equation < 0) {
       load.fixed[load.n_fixed] = place;
       load.fixed_coefficient[load.n_fixed++] = coefficient[i];
@@ -61,47 +61,47 @@ int ed_history_set_force(ed_analysis *a, int force, double start, double end)
   ed_history_load *load = &run->force[force];
   const double jump = start - load->start;
   for (int i = 0; i < load->n_terms; i++) {
-    const double mass = a->mass[load->equation[i]];
+    const double mass = a->numbering.mass[load->equation[i]];
     if (mass > 0.0 && !isfinite(a->committed.a[load->equation[i]] + load->coefficient[i] * jump / mass))
       return ed_fail(a, ED_E_NOT_FINITE, "the acceleration by force %d of the history is not a finite number", force);
   }
   for (int i = 0; i < load->n_terms; i++) {
     const int equation = load->equation[i];
-    if (a->mass[equation] > 0.0)
-      a->trial.a[equation] = a->committed.a[equation] += load->coefficient[i] * jump / a->mass[equation];
+    if (a->numbering.mass[equation] > 0.0)
+      a->trial.a[equation] = a->committed.a[equation] += load->coefficient[i] * jump / a->numbering.mass[equation];
   }
   load->start = start;
   load->end = end;
   return ED_OK;
 }
 
-void ed_move_history_forces(ed_analysis *a, double from, double to)
+void ed_move_history_forces(ed_run *run, double from, double to)
 {
-  for (int k = 0; k < a->run.n_forces; k++) {
-    ed_history_load *load = &a->run.force[k];
+  for (int k = 0; k < run->n_forces; k++) {
+    ed_history_load *load = &run->force[k];
     load->before = load->start + from * (load->end - load->start);
     load->now = to >= 1.0 ? load->end : load->start + to * (load->end - load->start);
     load->before_without_mass = from <= 0.0 ? load->last : load->before;
   }
 }
 
-void ed_finish_history_forces(ed_analysis *a)
+void ed_finish_history_forces(ed_run *run)
 {
-  for (int k = 0; k < a->run.n_forces; k++)
-    a->run.force[k].last = a->run.force[k].start = a->run.force[k].end;
+  for (int k = 0; k < run->n_forces; k++)
+    run->force[k].last = run->force[k].start = run->force[k].end;
 }
 
-static double before(const ed_analysis *a, const ed_history_load *load, int term)
+static double before(const double *mass, const ed_history_load *load, int term)
 {
-  return a->mass[load->equation[term]] > 0.0 ? load->before : load->before_without_mass;
+  return mass[load->equation[term]] > 0.0 ? load->before : load->before_without_mass;
 }
 
-void ed_add_history_forces(const ed_analysis *a, double share_before, double *r)
+void ed_add_history_forces(const ed_run *run, const double *mass, double share_before, double *r)
 {
-  for (int k = 0; k < a->run.n_forces; k++) {
-    const ed_history_load *load = &a->run.force[k];
+  for (int k = 0; k < run->n_forces; k++) {
+    const ed_history_load *load = &run->force[k];
     for (int i = 0; i < load->n_terms; i++)
-      r[load->equation[i]] += load->coefficient[i] * ((1.0 - share_before) * load->now + share_before * before(a, load, i));
+      r[load->equation[i]] += load->coefficient[i] * ((1.0 - share_before) * load->now + share_before * before(mass, load, i));
   }
 }
 
@@ -113,7 +113,8 @@ double ed_history_force_work(ed_analysis *a)
     double work = 0.0;
     for (int i = 0; i < load->n_terms; i++) {
       const int equation = load->equation[i];
-      work += 0.5 * load->coefficient[i] * (before(a, load, i) + load->now) * (a->trial.u[equation] - a->committed.u[equation]);
+      work += 0.5 * load->coefficient[i] * (before(a->numbering.mass, load, i) + load->now) *
+              (a->trial.u[equation] - a->committed.u[equation]);
     }
     a->trial.head->given_work[k] += work;
     all += work;
@@ -131,11 +132,11 @@ double ed_history_force_value(const ed_analysis *a, int kind, int force)
   return kind == ED_GIVEN_WORK ? -a->committed.head->given_work[force] : load->origin - along(a, load);
 }
 
-double ed_history_force_on(const ed_analysis *a, int degree)
+double ed_history_force_on(const ed_run *run, int degree)
 {
   double sum = 0.0;
-  for (int k = 0; k < a->run.n_forces; k++) {
-    const ed_history_load *load = &a->run.force[k];
+  for (int k = 0; k < run->n_forces; k++) {
+    const ed_history_load *load = &run->force[k];
     for (int i = 0; i < load->n_fixed; i++)
       if (load->fixed[i] == degree)
         sum += load->fixed_coefficient[i] * load->now;
@@ -143,12 +144,12 @@ double ed_history_force_on(const ed_analysis *a, int degree)
   return sum;
 }
 
-void ed_largest_history_force(const ed_analysis *a, double *force, double *moment)
+void ed_largest_history_force(const ed_run *run, const int *rotational, double *force, double *moment)
 {
-  for (int k = 0; k < a->run.n_forces; k++) {
-    const ed_history_load *load = &a->run.force[k];
+  for (int k = 0; k < run->n_forces; k++) {
+    const ed_history_load *load = &run->force[k];
     for (int i = 0; i < load->n_terms; i++) {
-      double *largest = a->rotational[load->equation[i]] ? moment : force;
+      double *largest = rotational[load->equation[i]] ? moment : force;
       *largest = fmax(*largest, fabs(load->coefficient[i] * load->now));
     }
   }

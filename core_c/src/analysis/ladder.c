@@ -9,14 +9,14 @@
 static void record(ed_analysis *a, int rung, int level, int status)
 {
   a->statistics.fallbacks++;
-  if (a->n_events == ED_MAX_EVENTS)
+  if (a->ladder.n_events == ED_MAX_EVENTS)
     return;
-  a->events[a->n_events++] = (ed_event){.time = a->committed.head->time,
+  a->ladder.events[a->ladder.n_events++] = (ed_event){.time = a->committed.head->time,
                                         .step = a->run.done + 1,
                                         .rung = rung,
                                         .level = level,
                                         .success = status == ED_OK,
-                                        .iterations = ed_last_iterations(a)};
+                                        .iterations = ed_last_iterations(&a->iteration)};
 }
 
 /* What the committed state tells of the cause: how far yielding has spread, or a member that has turned over (returns 1). */
@@ -25,7 +25,7 @@ static int describe_state(const ed_analysis *a, char *buffer, int size)
   int sections = 0, members = 0, furthest = -1;
   double turned = 0.2; /* rad: far beyond what a frame survives */
   for (int m = 0; m < a->model->n_members; m++) {
-    const ed_element *e = &a->elements[m];
+    const ed_element *e = &a->members.element[m];
     const double *block = a->committed.elements + e->state;
     const int before = sections;
     double d[6];
@@ -33,7 +33,7 @@ static int describe_state(const ed_analysis *a, char *buffer, int size)
       sections += block[ED_BLOCK_POINTS + p * ED_POINT_SIZE + ED_POINT_ELASTIC] == 0.0;
     members += sections > before;
     for (int i = 0; i < 6; i++)
-      d[i] = ed_displacement(a, &a->committed, e->dof[i]);
+      d[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
     ed_kinematics k;
     ed_kinematics_of(e, d, &k);
     if (e->length > 0.0 && e->geometry != ED_COROTATIONAL && fabs(k.drift) / e->length > turned) {
@@ -43,7 +43,7 @@ static int describe_state(const ed_analysis *a, char *buffer, int size)
   }
   if (furthest >= 0)
     snprintf(buffer, (size_t)size, "; %s has turned by %.2g rad: the structure has collapsed",
-             a->elements[furthest].member->name, turned);
+             a->members.element[furthest].member->name, turned);
   else if (sections)
     snprintf(buffer, (size_t)size, "; before it %d sections of %d members were yielding", sections, members);
   return furthest >= 0;
@@ -55,13 +55,13 @@ static void explain(ed_analysis *a, int status)
   char degree[ED_NAME + 8], where[2 * ED_NAME] = "", path[200] = "", cause[420] = "", state[200] = "";
   const ed_element *e = NULL;
   if (status == ED_E_ELEMENT)
-    e = &a->elements[a->failed_member];
+    e = &a->members.element[a->members.failed];
   /* else one at the worst degree's node that has yielded */
   for (int m = 0; !e && m < a->model->n_members; m++)
     for (int i = 0; i < 6; i++)
-      if (a->equation[a->elements[m].dof[i]] == a->worst &&
-          (a->trial.elements[a->elements[m].state + ED_BLOCK_INELASTIC] != 0.0))
-        e = &a->elements[m];
+      if (a->numbering.equation[a->members.element[m].dof[i]] == a->iteration.worst &&
+          (a->trial.elements[a->members.element[m].state + ED_BLOCK_INELASTIC] != 0.0))
+        e = &a->members.element[m];
   if (e) {
     int section = 0;
     for (int p = 0; p < e->points; p++)
@@ -69,12 +69,12 @@ static void explain(ed_analysis *a, int status)
         section = p + 1;
     snprintf(where, sizeof where, section ? ", element %s section %d" : ", element %s", e->member->name, section);
   }
-  if (a->n_residuals == 0)
+  if (a->iteration.n_residuals == 0)
     snprintf(path, sizeof path, "none: the elements failed first");
-  for (int i = 0; i < a->n_residuals; i++) {
+  for (int i = 0; i < a->iteration.n_residuals; i++) {
     const size_t used = strlen(path);
-    if (i < 4 || i >= a->n_residuals - 4)
-      snprintf(path + used, sizeof path - used, "%s%.2g", i ? " " : "", a->residuals[i]);
+    if (i < 4 || i >= a->iteration.n_residuals - 4)
+      snprintf(path + used, sizeof path - used, "%s%.2g", i ? " " : "", a->iteration.residuals[i]);
     else if (i == 4)
       snprintf(path + used, sizeof path - used, " ...");
   }
@@ -92,22 +92,23 @@ static void explain(ed_analysis *a, int status)
   const char *abscissa = a->run.kind == ED_RUN_HISTORY ? "time" : a->run.kind == ED_RUN_STATIC ? "load factor" : "displacement";
   if (status == ED_E_DAMPER) {
     memcpy(where, ", ", 3);
-    ed_name_damper(a, where + 2, (int)sizeof where - 2);
+    ed_name_damper(a->model, &a->devices, where + 2, (int)sizeof where - 2);
   }
   ed_fail(a, status,
           "%s: step %d, %s %.6g, after %d halvings of the step; largest unbalance at %s%s; relative residuals %s%s%s%s",
-          ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->halvings,
-          ed_equation_name(a, a->worst, degree, sizeof degree), where, path, cause, state, advice);
+          ed_status_text(status), a->run.done + 1, abscissa, a->committed.head->time, a->settings.halvings,
+          ed_equation_name(a->model, &a->numbering, a->iteration.worst, degree, sizeof degree), where, path, cause, state, advice);
 }
 
 /* Rungs that make a difference. Where damping follows the current stiffness, that is nearly always what kept the step from
  * converging: it jumps as fibres yield and unload. */
 static int useful(const ed_analysis *a, int rung)
 {
-  const int jumping = a->run.kind == ED_RUN_HISTORY && a->rayleigh_kind == ED_STIFFNESS_CURRENT && a->rayleigh_stiffness != 0.0;
+  const ed_damping *damping = &a->damping;
+  const int jumping = a->run.kind == ED_RUN_HISTORY && damping->rayleigh_kind == ED_STIFFNESS_CURRENT && damping->rayleigh_stiffness != 0.0;
   switch (rung) {
     case ED_RUNG_FULL_NEWTON:
-      return !jumping && a->reuse;
+      return !jumping && a->settings.reuse;
     case ED_RUNG_FROZEN_DAMPING:
       return jumping;
     default:
@@ -137,11 +138,11 @@ static int climb(ed_analysis *a, ed_attempt attempt, double fraction, int level,
       record(a, rung, level, status);
     if (status == ED_OK)
       return accept(a);
-    if (level == a->halvings && rung == ED_RUNG_LINE_SEARCH)
+    if (level == a->settings.halvings && rung == ED_RUNG_LINE_SEARCH)
       explain(a, status); /* while the failed state is still there */
     ed_revert(a);
   }
-  if (level == a->halvings)
+  if (level == a->settings.halvings)
     return status;
   record(a, ED_RUNG_HALVE, level + 1, ED_OK);
   for (int half = 0; half < 2; half++)

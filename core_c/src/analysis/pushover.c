@@ -7,11 +7,11 @@
 /* Sum of a pattern's nodal loads over the equations. */
 static void reference_load(const ed_analysis *a, int pattern, double *load)
 {
-  memset(load, 0, (size_t)a->n * sizeof *load);
+  memset(load, 0, (size_t)a->numbering.n * sizeof *load);
   for (int i = 0; i < a->model->n_nodal_loads; i++) {
     const ed_nodal_load *nodal = &a->model->nodal_loads[i];
     for (int d = 0; nodal->pattern == pattern && d < 3; d++) {
-      const int equation = a->equation[3 * nodal->node + d];
+      const int equation = a->numbering.equation[3 * nodal->node + d];
       if (equation >= 0)
         load[equation] += nodal->force[d];
     }
@@ -21,13 +21,13 @@ static void reference_load(const ed_analysis *a, int pattern, double *load)
 /* Do the loads move the degree at all? */
 static int moves(ed_analysis *a, int pattern, int control)
 {
-  double largest = 0.0, *x = a->work;
+  double largest = 0.0, *x = a->iteration.work;
   reference_load(a, pattern, x);
-  if (ed_factor_effective(a, 1.0, 0.0, 0.0) != ED_OK || ed_solver_solve(a->solver, x, 1) != ED_OK)
+  if (ed_factor_effective(a, 1.0, 0.0, 0.0) != ED_OK || ed_solver_solve(a->factors.solver, x, 1) != ED_OK)
     return 1; /* a state at its limit: the run will tell */
-  for (int i = 0; i < a->n; i++)
-    largest = fmax(largest, fabs(x[i]) * (a->rotational[i] ? a->length : 1.0));
-  return fabs(x[control]) * (a->rotational[control] ? a->length : 1.0) > 1e-12 * largest;
+  for (int i = 0; i < a->numbering.n; i++)
+    largest = fmax(largest, fabs(x[i]) * (a->numbering.rotational[i] ? a->numbering.length : 1.0));
+  return fabs(x[control]) * (a->numbering.rotational[control] ? a->numbering.length : 1.0) > 1e-12 * largest;
 }
 
 int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double target, int steps)
@@ -42,7 +42,7 @@ int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double 
   for (int i = 0; i < model->n_member_loads; i++)
     if (model->member_loads[i].pattern == pattern)
       return ed_fail(a, ED_E_ARGUMENT, "a pushover pattern takes loads on nodes only");
-  const int control = a->equation[3 * node + degree];
+  const int control = a->numbering.equation[3 * node + degree];
   if (control < 0)
     return ed_fail(a, ED_E_ARGUMENT, "node %s: the controlled degree is fixed", model->nodes[node].name);
   int loaded = 0;
@@ -64,53 +64,53 @@ int ed_pushover_attempt(ed_analysis *a, double fraction, int rung)
 {
   const ed_run *run = &a->run;
   ed_state_head *head = a->trial.head;
-  double *load = a->predicted, *by_load = a->work;
+  double *load = a->iteration.predicted, *by_load = a->iteration.work;
   int status;
   head->position += fraction;
-  ed_slowly(a);
+  ed_slowly(&a->devices);
   const double share = (run->done + head->position) / run->steps;
   const double target = run->control_start + share * (run->control_end - run->control_start);
   head->time = target;
   reference_load(a, run->pattern, load);
-  a->n_residuals = 0;
+  a->iteration.n_residuals = 0;
   /* where a strut is about to snap a frame leaves its path slowly at first, and without the tangents that forbid it */
-  a->control.no_softening = a->n_struts > 0 && rung >= ED_RUNG_LINE_SEARCH;
-  const int iterations = a->max_iterations * (a->control.no_softening ? 16 : rung >= ED_RUNG_LINE_SEARCH ? 2 : 1);
-  if (a->control.no_softening && (status = ed_update_elements(a)) != ED_OK)
+  a->members.control.no_softening = a->members.n_struts > 0 && rung >= ED_RUNG_LINE_SEARCH;
+  const int iterations = a->settings.max_iterations * (a->members.control.no_softening ? 16 : rung >= ED_RUNG_LINE_SEARCH ? 2 : 1);
+  if (a->members.control.no_softening && (status = ed_update_elements(a)) != ED_OK)
     return status;
   /* from the safer rungs on, the step in free degrees is shortened when it overshoots */
   const double damp = rung >= ED_RUNG_LINE_SEARCH ? 0.5 : 1.0;
   for (int iteration = 0;; iteration++) {
-    for (int i = 0; i < a->n; i++)
-      a->r[i] = a->external[i] - a->trial.resisting[i];
+    for (int i = 0; i < a->numbering.n; i++)
+      a->iteration.r[i] = a->loading.external[i] - a->trial.resisting[i];
     ed_raise_force_level(a);
-    const double unbalance = ed_unbalance(a, a->r);
-    if (a->n_residuals < ED_MAX_RESIDUALS)
-      a->residuals[a->n_residuals++] = unbalance;
+    const double unbalance = ed_unbalance(a, a->iteration.r);
+    if (a->iteration.n_residuals < ED_MAX_RESIDUALS)
+      a->iteration.residuals[a->iteration.n_residuals++] = unbalance;
     if (!isfinite(unbalance) && iteration > 0)
       return ED_E_NOT_FINITE;
-    if (iteration > 0 && unbalance <= a->tolerance)
-      return ed_accept(a, unbalance);
-    if (ed_stalls(a, iteration) && unbalance <= ed_rounding(a))
-      return ed_accept(a, unbalance);
+    if (iteration > 0 && unbalance <= a->settings.tolerance)
+      return ed_accept(&a->statistics, unbalance);
+    if (ed_stalls(&a->iteration, iteration) && unbalance <= ed_rounding(a))
+      return ed_accept(&a->statistics, unbalance);
     if (iteration == iterations)
       return ED_E_NOT_CONVERGED;
     if ((status = ed_factor_effective(a, 1.0, 0.0, 0.0)) != ED_OK)
       return status;
-    memcpy(a->du, a->r, (size_t)a->n * sizeof(double));
-    memcpy(by_load, load, (size_t)a->n * sizeof(double));
-    if ((status = ed_solver_solve(a->solver, a->du, 1)) != ED_OK ||
-        (status = ed_solver_solve(a->solver, by_load, 1)) != ED_OK)
+    memcpy(a->iteration.du, a->iteration.r, (size_t)a->numbering.n * sizeof(double));
+    memcpy(by_load, load, (size_t)a->numbering.n * sizeof(double));
+    if ((status = ed_solver_solve(a->factors.solver, a->iteration.du, 1)) != ED_OK ||
+        (status = ed_solver_solve(a->factors.solver, by_load, 1)) != ED_OK)
       return status;
     a->statistics.iterations++;
     if (by_load[run->control] == 0.0)
       return ED_E_SINGULAR;
     const double missing = target - a->trial.u[run->control];
-    const double factor = (missing - a->du[run->control]) / by_load[run->control];
+    const double factor = (missing - a->iteration.du[run->control]) / by_load[run->control];
     const double share_taken = iteration > 0 ? damp : 1.0;
-    for (int i = 0; i < a->n; i++)
-      a->trial.u[i] += share_taken * (a->du[i] + factor * by_load[i]);
-    a->factors[run->pattern] += share_taken * factor;
+    for (int i = 0; i < a->numbering.n; i++)
+      a->trial.u[i] += share_taken * (a->iteration.du[i] + factor * by_load[i]);
+    a->loading.factors[run->pattern] += share_taken * factor;
     ed_set_factors(a);
     if ((status = ed_update_elements(a)) != ED_OK)
       return status;

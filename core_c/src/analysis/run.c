@@ -14,18 +14,12 @@ void ed_start_run(ed_analysis *a, int kind, int steps, double abscissa)
   a->run.steps = steps;
   a->run.every = 1;
   a->watch = ed_watch_of(&a->stop);
-  a->n_events = 0;
-  a->control.no_softening = 0;
+  a->ladder.n_events = 0;
+  a->members.control.no_softening = 0;
   a->statistics.worst_unbalance = 0.0;
   a->committed.head->position = a->trial.head->position = 0.0;
   a->committed.head->time = a->trial.head->time = abscissa;
-  a->factor_price = (ed_solver_flops(a->solver) + ed_condensation_flops(a)) / ed_iteration_flops(a);
-}
-
-void ed_slowly(ed_analysis *a)
-{
-  a->duration = 1e8;
-  a->velocity_factor = 0.0;
+  a->factors.price = (ed_solver_flops(a->factors.solver) + ed_condensation_flops(a)) / ed_iteration_flops(a);
 }
 
 void ed_run_buffers(ed_analysis *a, int every, double *abscissa, double *values, double *energy)
@@ -48,31 +42,31 @@ int ed_run_advance(ed_analysis *a, int max_steps)
   int status = run->done == 0 && run->row == 0 ? ed_sample(a, 1) : ED_OK;
   a->watch = ed_watch_of(&a->stop);
   for (int i = 0; status == ED_OK && i < max_steps && run->done < run->steps; i++) {
-    const int events = a->n_events;
+    const int events = a->ladder.n_events;
     status = ed_climb(a, attempts[run->kind]);
     if (status == ED_E_STOPPED) {
-      a->n_events = events; /* the step is done anew, if at all */
+      a->ladder.n_events = events; /* the step is done anew, if at all */
       return ed_fail(a, status, "%s in step %d", ed_status_text(status), run->done + 1);
     }
     if (status != ED_OK)
       break;
     a->committed.head->position = a->trial.head->position = 0.0;
-    ed_finish_history_forces(a);
+    ed_finish_history_forces(&a->run);
     run->done++;
     a->statistics.steps++;
     status = ed_sample(a, run->done % run->every == 0);
     if (status != ED_OK)
       break;
-    const int channel = ed_beyond_limit(a);
-    if (channel >= 0 && !ed_state_finite(a))
+    const int channel = ed_beyond_limit(&a->channels);
+    if (channel >= 0 && !ed_state_finite(&a->storage, &a->committed))
       break;
     if (channel >= 0) {
       run->limited = channel + 1;
       return ed_fail(a, ED_LIMIT, "%s: channel %d is %.6g in step %d, at %.6g; its limit is %.6g", ed_status_text(ED_LIMIT),
-                     channel, a->last[channel], run->done, a->committed.head->time, a->channels[channel].limit);
+                     channel, a->channels.last[channel], run->done, a->committed.head->time, a->channels.head[channel].limit);
     }
   }
-  if (status == ED_OK && !ed_state_finite(a)) /* after many steps as well: what is not finite stays so */
+  if (status == ED_OK && !ed_state_finite(&a->storage, &a->committed)) /* after many steps as well: what is not finite stays so */
     status = ed_fail(a, ED_E_NOT_FINITE, "%s: the state after step %d, at %.6g", ed_status_text(ED_E_NOT_FINITE), run->done,
                      a->committed.head->time);
   run->failed = status != ED_OK;
@@ -100,7 +94,7 @@ int ed_run_limit(const ed_analysis *a, double *value, double *time)
 {
   const int channel = a->run.limited - 1;
   if (channel >= 0) {
-    *value = a->last[channel];
+    *value = a->channels.last[channel];
     *time = a->committed.head->time;
   }
   return channel;
@@ -110,7 +104,7 @@ void ed_run_end(ed_analysis *a)
 {
   if (a->run.kind == ED_RUN_NONE)
     return;
-  if (a->energy)
+  if (a->settings.energy)
     ed_close_energy(a);
   free(a->run.ground[0]);
   ed_free_support_motions(&a->run);
@@ -122,16 +116,16 @@ int ed_initial_velocity(ed_analysis *a, const double *velocity)
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "initial velocities come before the run");
   double kinetic = 0.0, all = 0.0; /* put in beyond what moves already; that of all */
-  for (int i = 0; i < a->n; i++) {
+  for (int i = 0; i < a->numbering.n; i++) {
     if (!isfinite(velocity[i]))
       return ed_fail(a, ED_E_NOT_FINITE, "initial velocity %d is not a finite number", i + 1);
-    kinetic += 0.5 * a->mass[i] * (velocity[i] * velocity[i] - a->committed.v[i] * a->committed.v[i]);
-    all += a->mass[i] * velocity[i] * velocity[i];
+    kinetic += 0.5 * a->numbering.mass[i] * (velocity[i] * velocity[i] - a->committed.v[i] * a->committed.v[i]);
+    all += a->numbering.mass[i] * velocity[i] * velocity[i];
   }
   if (!isfinite(kinetic + all))
     return ed_fail(a, ED_E_NOT_FINITE, "the kinetic energy of the initial velocities is not a finite number");
-  memcpy(a->committed.v, velocity, (size_t)a->n * sizeof(double));
-  memcpy(a->trial.v, velocity, (size_t)a->n * sizeof(double));
+  memcpy(a->committed.v, velocity, (size_t)a->numbering.n * sizeof(double));
+  memcpy(a->trial.v, velocity, (size_t)a->numbering.n * sizeof(double));
   a->trial.head->energy[ED_INPUT] += kinetic;
   a->trial.head->largest_input = fmax(a->trial.head->largest_input, fabs(a->trial.head->energy[ED_INPUT]));
   *a->committed.head = *a->trial.head;

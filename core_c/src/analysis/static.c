@@ -7,8 +7,8 @@
 static void residual(ed_analysis *a, const ed_step *step, double *r)
 {
   (void)step;
-  for (int i = 0; i < a->n; i++)
-    r[i] = a->external[i] - a->trial.resisting[i];
+  for (int i = 0; i < a->numbering.n; i++)
+    r[i] = a->loading.external[i] - a->trial.resisting[i];
   ed_raise_force_level(a);
 }
 
@@ -20,9 +20,9 @@ int ed_static_begin(ed_analysis *a, int pattern, double factor, int steps)
     return ed_fail(a, ED_E_ID, "there is no load pattern %d", pattern);
   if (steps < 1 || !isfinite(factor))
     return ed_fail(a, ED_E_ARGUMENT, "%d load steps to factor %g", steps, factor);
-  ed_start_run(a, ED_RUN_STATIC, steps, a->factors_committed[pattern]);
+  ed_start_run(a, ED_RUN_STATIC, steps, a->loading.factors_committed[pattern]);
   a->run.pattern = pattern;
-  a->run.factor_start = a->factors_committed[pattern];
+  a->run.factor_start = a->loading.factors_committed[pattern];
   a->run.factor_end = factor;
   return ED_OK;
 }
@@ -33,11 +33,11 @@ int ed_static_attempt(ed_analysis *a, double fraction, int rung)
   const ed_step step = {.k = 1.0, .residual = residual};
   ed_state_head *head = a->trial.head;
   head->position += fraction;
-  ed_slowly(a);
-  a->n_residuals = 0;
+  ed_slowly(&a->devices);
+  a->iteration.n_residuals = 0;
   const double share = (run->done + head->position) / run->steps;
   const double factor = share >= 1.0 ? run->factor_end : run->factor_start + share * (run->factor_end - run->factor_start);
-  a->factors[run->pattern] = factor;
+  a->loading.factors[run->pattern] = factor;
   head->time = factor;
   ed_set_factors(a);
   /* element loads act inside the elements: their states must follow before the first residual */
@@ -45,7 +45,7 @@ int ed_static_attempt(ed_analysis *a, double fraction, int rung)
   if (status == ED_OK)
     status = ed_equilibrate(a, &step, rung);
   /* equilibrium beyond a critical load is no state that a structure can be in */
-  if (status == ED_OK && a->factored_stamp != a->tangent_stamp)
+  if (status == ED_OK && a->factors.stamp != a->matrix.stamp)
     status = ed_factor_effective(a, 1.0, 0.0, 0.0);
-  return status == ED_OK && ed_solver_negative_pivots(a->solver) > 0 ? ED_E_UNSTABLE : status;
+  return status == ED_OK && ed_solver_negative_pivots(a->factors.solver) > 0 ? ED_E_UNSTABLE : status;
 }

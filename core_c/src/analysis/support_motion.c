@@ -15,46 +15,45 @@
 static void add_pull(ed_analysis *a, int support, double *pull)
 {
   for (int m = 0; m < a->model->n_members; m++) {
-    const ed_element *e = &a->elements[m];
+    const ed_element *e = &a->members.element[m];
     int touches = 0;
     for (int i = 0; i < 6; i++)
-      touches |= a->support[e->dof[i]] == support;
+      touches |= a->numbering.support[e->dof[i]] == support;
     if (!touches)
       continue;
     double d[6], t[36];
-    for (int i = 0; i < 6; i++)
-      d[i] = a->displacement[e->dof[i]];
+    ed_gather(&a->members, m, d);
     ed_element_tangent(e, d, a->trial.elements + e->state, t);
     for (int i = 0; i < 6; i++)
       for (int j = 0; j < 6; j++)
-        if (a->equation[e->dof[i]] >= 0 && a->support[e->dof[j]] == support)
-          pull[a->equation[e->dof[i]]] -= t[6 * i + j];
+        if (a->numbering.equation[e->dof[i]] >= 0 && a->numbering.support[e->dof[j]] == support)
+          pull[a->numbering.equation[e->dof[i]]] -= t[6 * i + j];
   }
   for (int i = 0; ed_installed(a) && i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
     for (int k = 0; k < device->n_terms; k++)
-      if (a->support[device->degree[k]] == support)
-        ed_add_along_device(a, i, -ed_device_slope(a, i) * device->coefficient[k], pull);
+      if (a->numbering.support[device->degree[k]] == support)
+        ed_add_along_device(&a->numbering, device, -ed_device_slope(&a->devices, &a->trial, i) * device->coefficient[k], pull);
   }
 }
 
 static int find_shape(ed_analysis *a, int support, double *shape)
 {
-  const double factor = a->velocity_factor, duration = a->duration;
-  a->velocity_factor = 0.0;
+  const double factor = a->devices.velocity_factor, duration = a->devices.duration;
+  a->devices.velocity_factor = 0.0;
   a->run.kind = ED_RUN_STATIC; /* of dampers what they hold back slowly */
   int status = ed_first_slopes(a);
   a->run.kind = ED_RUN_HISTORY;
-  a->duration = duration;
+  a->devices.duration = duration;
   if (status != ED_OK)
     return status;
   add_pull(a, support, shape);
   status = ed_factor_effective(a, 1.0, 0.0, 0.0);
   if (status == ED_OK)
     status = ed_solve_effective(a, 1, shape);
-  a->velocity_factor = factor;
-  a->factored_stamp = -1; /* a history needs others */
-  for (int i = 0; status == ED_OK && i < a->n; i++)
+  a->devices.velocity_factor = factor;
+  a->factors.stamp = -1; /* a history needs others */
+  for (int i = 0; status == ED_OK && i < a->numbering.n; i++)
     if (!isfinite(shape[i]))
       status = ED_E_NOT_FINITE;
   return status;
@@ -68,7 +67,7 @@ int ed_history_support(ed_analysis *a, int node, int degree, const double *displ
     return ed_fail(a, ED_E_STATE, "supports are given their motion between the beginning of a history and its first step");
   if (node < 0 || node >= a->model->n_nodes || degree < 0 || degree > 2)
     return ed_fail(a, ED_E_ID, "there is no degree %d of node %d", degree, node);
-  const int support = a->support[3 * node + degree];
+  const int support = a->numbering.support[3 * node + degree];
   if (support < 0)
     return ed_fail(a, ED_E_ARGUMENT, "degree %d of node %s is not held", degree, a->model->nodes[node].name);
   for (int i = 0; i < run->n_motions; i++)
@@ -87,7 +86,7 @@ int ed_history_support(ed_analysis *a, int node, int degree, const double *displ
   if (!motions)
     return ed_fail(a, ED_E_MEMORY, "out of memory");
   run->motion = motions;
-  double *block = calloc(3 * samples + (size_t)a->n, sizeof *block);
+  double *block = calloc(3 * samples + (size_t)a->numbering.n, sizeof *block);
   if (!block)
     return ed_fail(a, ED_E_MEMORY, "out of memory");
   ed_support_motion motion = {.support = support,
@@ -128,12 +127,12 @@ void ed_move_supports(ed_analysis *a, double position)
   }
 }
 
-void ed_subtract_slow_motion(const ed_analysis *a, const double *of_supports, double *vector)
+void ed_subtract_slow_motion(const ed_run *run, int n, const double *of_supports, double *vector)
 {
-  for (int k = 0; k < a->run.n_motions; k++) {
-    const ed_support_motion *motion = &a->run.motion[k];
+  for (int k = 0; k < run->n_motions; k++) {
+    const ed_support_motion *motion = &run->motion[k];
     const double moved = of_supports[motion->support];
-    for (int i = 0; moved != 0.0 && i < a->n; i++)
+    for (int i = 0; moved != 0.0 && i < n; i++)
       vector[i] -= motion->shape[i] * moved;
   }
 }
@@ -148,7 +147,7 @@ double ed_support_work(const ed_analysis *a, double *damping)
     const int s = motion->support;
     const double moved = a->trial.support_u[s] - a->committed.support_u[s];
     double force = 0.0;
-    for (int i = 0; i < a->n; i++)
+    for (int i = 0; i < a->numbering.n; i++)
       force += 0.5 * motion->shape[i] * (a->committed.damping[i] + a->trial.damping[i]);
     work += moved * (0.5 * (a->committed.support_force[s] + a->trial.support_force[s]) - force);
     *damping -= force * moved;

@@ -87,8 +87,8 @@ static int start(ed_numerical *part, int n, const double *ground, double *output
   int status = ed_state_set(a, f->rest);
   if (status != ED_OK)
     return status;
-  a->factored_stamp = -1; /* factors of the last run would lead to other iterations, and so to other rounding */
-  a->kept.valid = 0;
+  a->factors.stamp = -1; /* factors of the last run would lead to other iterations, and so to other rounding */
+  a->factors.kept.valid = 0;
   if ((status = begin_history(f, n, ground)) != ED_OK)
     return status;
   f->force = ed_history_force(a, f->n_terms, f->node, f->degree, f->against);
@@ -157,7 +157,7 @@ ed_numerical *ed_frame_part_new(const ed_substructure_input *in)
   for (int i = 0; i < f->n_terms; i++) {
     f->node[i] = given->node[i];
     f->degree[i] = given->degree[i];
-    f->equation[i] = given->analysis->equation[3 * given->node[i] + given->degree[i]];
+    f->equation[i] = given->analysis->numbering.equation[3 * given->node[i] + given->degree[i]];
     f->coefficient[i] = given->coefficient[i];
     f->against[i] = -given->coefficient[i];
   }

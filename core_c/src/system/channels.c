@@ -17,7 +17,7 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
   if (kind == ED_LOAD_FACTOR)
     return object >= 0 && object < model->n_patterns;
   if (kind >= ED_DEFLECTION && kind <= ED_BROKEN_SHARE)
-    return object >= 0 && object < model->n_members && component == 0 && a->elements[object].kind == ED_STRUT;
+    return object >= 0 && object < model->n_members && component == 0 && a->members.element[object].kind == ED_STRUT;
   if (kind >= ED_GIVEN_FORCE && kind != ED_STRENGTH_LEFT)
     return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
   if (kind >= ED_DAMPER_FORCE && kind != ED_STRENGTH_LEFT) {
@@ -27,7 +27,7 @@ static int valid(const ed_analysis *a, int kind, int object, int component)
   }
   if (object < 0 || object >= model->n_members || component < 0)
     return 0;
-  const ed_element *e = &a->elements[object];
+  const ed_element *e = &a->members.element[object];
   const int fibres = e->kind == ED_FIBRE_BEAM;
   switch (kind) {
     case ED_END_FORCE:
@@ -58,77 +58,86 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
 {
   if (a->run.row > 0)
     return ed_fail(a, ED_E_STATE, "channels cannot be added once a run has advanced");
-  if (n < 1 || n > INT_MAX - a->n_terms)
+  if (n < 1 || n > INT_MAX - a->channels.n_terms)
     return ed_fail(a, ED_E_ARGUMENT, "a channel of %d terms", n);
   for (int i = 0; i < n; i++)
     if (!valid(a, kind[i], object[i], component[i]) || !isfinite(coefficient[i]))
-      return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->n_channels, kind[i],
+      return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->channels.n, kind[i],
                      object[i], component[i]);
-  ed_channel_head *channels = realloc(a->channels, ((size_t)a->n_channels + 1) * sizeof *channels);
-  if (channels)
-    a->channels = channels;
-  ed_term *terms = realloc(a->terms, ((size_t)a->n_terms + (size_t)n) * sizeof *terms);
+  ed_channels *channels = &a->channels;
+  ed_channel_head *head = realloc(channels->head, ((size_t)channels->n + 1) * sizeof *head);
+  if (head)
+    channels->head = head;
+  ed_term *terms = realloc(channels->terms, ((size_t)channels->n_terms + (size_t)n) * sizeof *terms);
   if (terms)
-    a->terms = terms;
-  double **extremes[] = {&a->maximum, &a->minimum, &a->time_maximum, &a->time_minimum, &a->last};
-  int ok = channels && terms;
+    channels->terms = terms;
+  double **extremes[] = {&channels->maximum, &channels->minimum, &channels->time_maximum, &channels->time_minimum, &channels->last};
+  int ok = head && terms;
   for (int i = 0; i < 5; i++) {
-    double *grown = realloc(*extremes[i], ((size_t)a->n_channels + 1) * sizeof *grown);
+    double *grown = realloc(*extremes[i], ((size_t)channels->n + 1) * sizeof *grown);
     if (grown) {
       *extremes[i] = grown;
-      grown[a->n_channels] = 0.0;
+      grown[channels->n] = 0.0;
     }
     ok = ok && grown;
   }
   if (!ok)
     return ed_fail(a, ED_E_MEMORY, "out of memory");
-  a->channels[a->n_channels] = (ed_channel_head){n, a->n_terms, keep_history ? a->n_history++ : -1, INFINITY};
+  channels->head[channels->n] = (ed_channel_head){n, channels->n_terms, keep_history ? channels->n_history++ : -1, INFINITY};
   for (int i = 0; i < n; i++)
-    a->terms[a->n_terms++] = (ed_term){coefficient[i], kind[i], object[i], component[i]};
-  return a->n_channels++;
+    channels->terms[channels->n_terms++] = (ed_term){coefficient[i], kind[i], object[i], component[i]};
+  return channels->n++;
 }
 
 int ed_channel_limit(ed_analysis *a, int channel, double limit)
 {
   if (a->run.row > 0)
     return ed_fail(a, ED_E_STATE, "limits cannot be set once a run has advanced");
-  if (channel < 0 || channel >= a->n_channels)
+  if (channel < 0 || channel >= a->channels.n)
     return ed_fail(a, ED_E_ID, "there is no channel %d", channel);
   if (!(limit > 0.0))
     return ed_fail(a, ED_E_ARGUMENT, "channel %d: the limit %g is not positive", channel, limit);
-  a->channels[channel].limit = limit;
+  a->channels.head[channel].limit = limit;
   return ED_OK;
 }
 
-int ed_beyond_limit(const ed_analysis *a)
+int ed_beyond_limit(const ed_channels *channels)
 {
   int furthest = -1;
   double most = 1.0;
-  for (int i = 0; i < a->n_channels; i++)
-    if (fabs(a->last[i]) > most * a->channels[i].limit) {
-      most = fabs(a->last[i]) / a->channels[i].limit;
+  for (int i = 0; i < channels->n; i++)
+    if (fabs(channels->last[i]) > most * channels->head[i].limit) {
+      most = fabs(channels->last[i]) / channels->head[i].limit;
       furthest = i;
     }
   return furthest;
 }
 
+void ed_channels_free(ed_channels *channels)
+{
+  void *blocks[] = {channels->head,         channels->terms,        channels->maximum, channels->minimum,
+                    channels->time_maximum, channels->time_minimum, channels->last};
+  for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
+    free(blocks[i]);
+}
+
 void ed_clear_channels(ed_analysis *a)
 {
-  a->n_channels = a->n_terms = a->n_history = 0;
+  a->channels.n = a->channels.n_terms = a->channels.n_history = 0;
 }
 
 static double node_value(const ed_analysis *a, const ed_term *term)
 {
-  const int degree = 3 * term->object + term->component, equation = a->equation[degree];
+  const int degree = 3 * term->object + term->component, equation = a->numbering.equation[degree];
   if (term->kind == ED_REACTION)
-    return a->resisting[degree] - (equation < 0 ? ed_history_force_on(a, degree) : 0.0);
+    return a->members.resisting[degree] - (equation < 0 ? ed_history_force_on(&a->run, degree) : 0.0);
   double ground = 0.0;
   if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
     ground = a->run.ground_now[term->component];
   if (equation < 0) {
     const ed_state *s = &a->committed;
     const double *of = term->kind == ED_DISPLACEMENT ? s->support_u : term->kind == ED_VELOCITY ? s->support_v : s->support_a;
-    return of[a->support[degree]] + ground;
+    return of[a->numbering.support[degree]] + ground;
   }
   switch (term->kind) {
     case ED_DISPLACEMENT:
@@ -145,15 +154,15 @@ static void face_forces(const ed_analysis *a, const ed_element *e, double *force
 {
   double d[6], arm[2][2], face[6];
   for (int i = 0; i < 6; i++)
-    d[i] = ed_displacement(a, &a->committed, e->dof[i]);
+    d[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
   ed_rigid_faces(e, d, arm, face);
   ed_face_forces(e, face, a->committed.elements + e->state, force);
 }
 
 static double element_value(const ed_analysis *a, const ed_term *term)
 {
-  const ed_element *e = &a->elements[term->object];
-  const double *block = a->committed.elements + e->state, *force = a->member_force + 6 * term->object;
+  const ed_element *e = &a->members.element[term->object];
+  const double *block = a->committed.elements + e->state, *force = a->members.force + 6 * term->object;
   const int c = term->component;
   switch (term->kind) {
     case ED_GLOBAL_FORCE:
@@ -176,7 +185,7 @@ static double element_value(const ed_analysis *a, const ed_term *term)
     case ED_PLASTIC_ROTATION:
       return ed_element_plastic_rotation(e, block, c);
     case ED_STRENGTH_LEFT:
-      return ed_spring_strength_left(e->spring, a->layers + e->layers);
+      return ed_spring_strength_left(e->spring, a->storage.layers + e->layers);
     case ED_SECTION_FORCE:
       return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_S + c % 2];
     case ED_SECTION_DEFORMATION:
@@ -186,7 +195,7 @@ static double element_value(const ed_analysis *a, const ed_term *term)
       const int p = c / section->n;
       const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
       double stress, strain;
-      ed_section_layer(e->section[p], a->layers + e->layers + e->layer_offset[p], c % section->n, point[0], point[1],
+      ed_section_layer(e->section[p], a->storage.layers + e->layers + e->layer_offset[p], c % section->n, point[0], point[1],
                        &stress, &strain);
       return term->kind == ED_FIBRE_STRESS ? stress : strain;
     }
@@ -195,26 +204,26 @@ static double element_value(const ed_analysis *a, const ed_term *term)
 
 static double strut_value(const ed_analysis *a, const ed_term *term)
 {
-  const ed_element *e = &a->elements[term->object];
+  const ed_element *e = &a->members.element[term->object];
   if (term->kind == ED_DEFLECTION)
     return ed_strut_deflection(e->strut, a->committed.elements + e->state);
-  const double *layers = a->layers + e->layers;
+  const double *layers = a->storage.layers + e->layers;
   return term->kind == ED_DAMAGE ? ed_strut_damage(e->strut, layers) : ed_strut_broken_share(e->strut, layers);
 }
 
 double ed_channel_value(const ed_analysis *a, int channel)
 {
-  const ed_channel_head *head = &a->channels[channel];
+  const ed_channel_head *head = &a->channels.head[channel];
   double value = 0.0;
   for (int i = 0; i < head->n_terms; i++) {
-    const ed_term *term = &a->terms[head->first + i];
+    const ed_term *term = &a->channels.terms[head->first + i];
     double part;
     if (term->kind <= ED_REACTION)
       part = node_value(a, term);
     else if (term->kind == ED_GROUND_ACCELERATION)
       part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
     else if (term->kind == ED_LOAD_FACTOR)
-      part = a->factors_committed[term->object];
+      part = a->loading.factors_committed[term->object];
     else if (term->kind == ED_STRENGTH_LEFT)
       part = element_value(a, term);
     else if (term->kind >= ED_DEFLECTION)
@@ -242,27 +251,27 @@ int ed_sample(ed_analysis *a, int keep_row)
   const double time = a->committed.head->time;
   const int first = a->run.done == 0;
   const size_t place = (size_t)(a->run.row - a->run.taken);
-  double *row = keep_row && a->run.values ? a->run.values + place * (size_t)a->n_history : NULL;
-  for (int i = 0; i < a->n_channels; i++) {
+  double *row = keep_row && a->run.values ? a->run.values + place * (size_t)a->channels.n_history : NULL;
+  for (int i = 0; i < a->channels.n; i++) {
     const double value = ed_channel_value(a, i);
     if (!isfinite(value))
       return not_finite(a, "channel", i);
-    a->last[i] = value;
-    if (first || value > a->maximum[i]) {
-      a->maximum[i] = value;
-      a->time_maximum[i] = time;
+    a->channels.last[i] = value;
+    if (first || value > a->channels.maximum[i]) {
+      a->channels.maximum[i] = value;
+      a->channels.time_maximum[i] = time;
     }
-    if (first || value < a->minimum[i]) {
-      a->minimum[i] = value;
-      a->time_minimum[i] = time;
+    if (first || value < a->channels.minimum[i]) {
+      a->channels.minimum[i] = value;
+      a->channels.time_minimum[i] = time;
     }
-    if (row && a->channels[i].history >= 0)
-      row[a->channels[i].history] = value;
+    if (row && a->channels.head[i].history >= 0)
+      row[a->channels.head[i].history] = value;
   }
-  const int close = keep_row && a->run.energy && a->energy;
+  const int close = keep_row && a->run.energy && a->settings.energy;
   if (close)
     ed_close_energy(a);
-  for (int i = 0; a->energy && i < ED_N_ENERGY; i++)
+  for (int i = 0; a->settings.energy && i < ED_N_ENERGY; i++)
     if (!isfinite(a->committed.head->energy[i]))
       return not_finite(a, "energy", i);
   if (!keep_row)
@@ -279,12 +288,12 @@ int ed_sample(ed_analysis *a, int keep_row)
 void ed_extremes(const ed_analysis *a, double *maximum, double *time_of_maximum, double *minimum,
                  double *time_of_minimum, double *last)
 {
-  const size_t bytes = (size_t)a->n_channels * sizeof(double);
+  const size_t bytes = (size_t)a->channels.n * sizeof(double);
   if (bytes == 0)
     return;
-  memcpy(maximum, a->maximum, bytes);
-  memcpy(time_of_maximum, a->time_maximum, bytes);
-  memcpy(minimum, a->minimum, bytes);
-  memcpy(time_of_minimum, a->time_minimum, bytes);
-  memcpy(last, a->last, bytes);
+  memcpy(maximum, a->channels.maximum, bytes);
+  memcpy(time_of_maximum, a->channels.time_maximum, bytes);
+  memcpy(minimum, a->channels.minimum, bytes);
+  memcpy(time_of_minimum, a->channels.time_minimum, bytes);
+  memcpy(last, a->channels.last, bytes);
 }

@@ -53,45 +53,47 @@ static int check_connected(ed_analysis *a)
 /* The degrees that move most in the softest motion, by inverse iteration on a slightly stiffened matrix. */
 void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
 {
-  const int n = a->n;
+  const int n = a->numbering.n;
+  const ed_numbering *numbering = &a->numbering;
   buffer[0] = '\0';
   ed_keep_factors(a);
-  a->factored_stamp = -1; /* the factors are of another matrix from here on */
+  a->factors.stamp = -1; /* the factors are of another matrix from here on */
   double largest = 0.0; /* gives degrees without any stiffness some */
   for (int i = 0; i < n; i++)
-    largest = fmax(largest, fabs(a->tangent[a->diagonal[i]]) / (a->rotational[i] ? a->length * a->length : 1.0));
+    largest = fmax(largest, fabs(a->matrix.tangent[a->matrix.diagonal[i]]) /
+                                (numbering->rotational[i] ? numbering->length * numbering->length : 1.0));
   if (largest == 0.0) /* none has any */
     largest = 1.0;
-  memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
-  ed_add_device_tangent(a, 1.0, a->effective);
+  memcpy(a->factors.effective, a->matrix.tangent, (size_t)a->matrix.nnz * sizeof(double));
+  ed_add_device_tangent(a, 1.0, a->factors.effective);
   for (int i = 0; i < n; i++) {
-    const double scale = a->rotational[i] ? a->length * a->length : 1.0;
-    a->effective[a->diagonal[i]] += 1e-9 * fabs(a->tangent[a->diagonal[i]]) + 1e-18 * largest * scale;
+    const double scale = numbering->rotational[i] ? numbering->length * numbering->length : 1.0;
+    a->factors.effective[a->matrix.diagonal[i]] += 1e-9 * fabs(a->matrix.tangent[a->matrix.diagonal[i]]) + 1e-18 * largest * scale;
   }
   int repivoted;
-  if (ed_solver_factor(a->solver, a->effective, &repivoted) != ED_OK)
+  if (ed_solver_factor(a->factors.solver, a->factors.effective, &repivoted) != ED_OK)
     return;
-  double *x = a->work;
+  double *x = a->iteration.work;
   for (int i = 0; i < n; i++)
-    x[i] = (1.0 + 0.1 * ((i * 7) % 11)) / (a->rotational[i] ? a->length : 1.0);
+    x[i] = (1.0 + 0.1 * ((i * 7) % 11)) / (numbering->rotational[i] ? numbering->length : 1.0);
   for (int iteration = 0; iteration < 6; iteration++) {
-    if (ed_solver_solve(a->solver, x, 1) != ED_OK)
+    if (ed_solver_solve(a->factors.solver, x, 1) != ED_OK)
       return;
     double norm = 0.0;
     for (int i = 0; i < n; i++)
-      norm = fmax(norm, fabs(x[i]) * (a->rotational[i] ? a->length : 1.0));
+      norm = fmax(norm, fabs(x[i]) * (numbering->rotational[i] ? numbering->length : 1.0));
     for (int i = 0; norm > 0.0 && i < n; i++)
       x[i] /= norm;
   }
   int moving = 0;
   for (int i = 0; i < n; i++) {
     char name[ED_NAME + 8];
-    if (fabs(x[i]) * (a->rotational[i] ? a->length : 1.0) < 0.5)
+    if (fabs(x[i]) * (numbering->rotational[i] ? numbering->length : 1.0) < 0.5)
       continue;
     const size_t used = strlen(buffer);
     if (moving++ < NAMED)
       snprintf(buffer + used, (size_t)size - used, "%s%s", moving > 1 ? ", " : "",
-               ed_equation_name(a, i, name, sizeof name));
+               ed_equation_name(a->model, numbering, i, name, sizeof name));
   }
   const size_t used = strlen(buffer);
   if (moving > NAMED)
@@ -104,17 +106,17 @@ int ed_check_structure(ed_analysis *a)
   if (status != ED_OK)
     return status;
   ed_assemble_tangent(a);
-  const double *matrix = a->tangent;
+  const double *matrix = a->matrix.tangent;
   if ((status = ed_first_slopes(a)) != ED_OK)
     return status;
   if (ed_installed(a)) {
-    memcpy(a->effective, a->tangent, (size_t)a->nnz * sizeof(double));
-    ed_add_device_tangent(a, 1.0, a->effective);
-    matrix = a->effective;
+    memcpy(a->factors.effective, a->matrix.tangent, (size_t)a->matrix.nnz * sizeof(double));
+    ed_add_device_tangent(a, 1.0, a->factors.effective);
+    matrix = a->factors.effective;
   }
   int repivoted;
-  const int factored = ed_solver_factor(a->solver, matrix, &repivoted);
-  if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->solver) > 1e-12))
+  const int factored = ed_solver_factor(a->factors.solver, matrix, &repivoted);
+  if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->factors.solver) > 1e-12))
     return factored;
   char names[400];
   ed_name_mechanism(a, names, sizeof names);

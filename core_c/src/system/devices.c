@@ -20,28 +20,24 @@ int ed_device_block_size(const ed_device *device)
   return LAW_STATE + ed_damper_state_size(&device->damper);
 }
 
-static double *block_of(const ed_analysis *a, const ed_state *state, int device)
+static double *block_of(const ed_devices *devices, const ed_state *state, int device)
 {
-  return state->devices + a->device_block[device];
+  return state->devices + devices->block[device];
 }
 
-static int allocate(ed_analysis *a, int n)
+static int allocate(ed_devices *devices, int n)
 {
   const size_t count = (size_t)n;
-  a->device_path = calloc(count, sizeof *a->device_path);
-  a->device_direction = calloc(count, sizeof *a->device_direction);
-  a->device_out = calloc(count, sizeof *a->device_out);
-  a->device_chord = calloc(count, sizeof *a->device_chord);
-  a->device_swings = calloc(count, sizeof *a->device_swings);
-  a->device_old = calloc(count, sizeof *a->device_old);
-  a->device_new = calloc(count, sizeof *a->device_new);
-  a->device_by_ode = calloc(count, sizeof *a->device_by_ode);
-  a->device_factored = calloc(count, sizeof *a->device_factored);
-  a->kept.device_slope = calloc(count, sizeof *a->kept.device_slope);
-  a->backed.device_slope = calloc(count, sizeof *a->backed.device_slope);
-  return a->device_path && a->device_direction && a->device_out && a->device_old && a->device_new &&
-                 a->device_by_ode && a->device_chord && a->device_swings && a->device_factored && a->kept.device_slope &&
-                 a->backed.device_slope
+  devices->path = calloc(count, sizeof *devices->path);
+  devices->path_direction = calloc(count, sizeof *devices->path_direction);
+  devices->out = calloc(count, sizeof *devices->out);
+  devices->chord = calloc(count, sizeof *devices->chord);
+  devices->swings = calloc(count, sizeof *devices->swings);
+  devices->old = calloc(count, sizeof *devices->old);
+  devices->new = calloc(count, sizeof *devices->new);
+  devices->by_ode = calloc(count, sizeof *devices->by_ode);
+  return devices->path && devices->path_direction && devices->out && devices->chord && devices->swings && devices->old &&
+                 devices->new && devices->by_ode
              ? ED_OK
              : ED_E_MEMORY;
 }
@@ -52,41 +48,44 @@ int ed_devices_allocate(ed_analysis *a)
   if (n == 0)
     return ED_OK;
   const ed_damper **by_ode = malloc((size_t)n * sizeof *by_ode);
-  int status = by_ode ? allocate(a, n) : ED_E_MEMORY;
+  int status = by_ode ? allocate(&a->devices, n) : ED_E_MEMORY;
   for (int i = 0; status == ED_OK && i < n; i++) {
     const ed_device *device = &a->model->devices[i];
-    ed_damper_start(&device->damper, block_of(a, &a->trial, i) + LAW_STATE);
-    block_of(a, &a->trial, i)[INSTALLED] = device->carries;
+    ed_damper_start(&device->damper, block_of(&a->devices, &a->trial, i) + LAW_STATE);
+    block_of(&a->devices, &a->trial, i)[INSTALLED] = device->carries;
     if (!ed_damper_has_exact_step(&device->damper)) {
-      by_ode[a->n_by_ode] = &device->damper;
-      a->device_by_ode[a->n_by_ode++] = i;
+      by_ode[a->devices.n_by_ode] = &device->damper;
+      a->devices.by_ode[a->devices.n_by_ode++] = i;
     }
   }
-  if (status == ED_OK && a->n_by_ode > 0)
-    a->ode_system = ed_ode_system_new(a->n_by_ode, by_ode, a->damper_tolerance, &status);
-  if (a->ode_system)
-    ed_ode_system_watch(a->ode_system, &a->watch);
+  if (status == ED_OK && a->devices.n_by_ode > 0)
+    a->devices.ode_system = ed_ode_system_new(a->devices.n_by_ode, by_ode, a->devices.tolerance, &status);
+  if (a->devices.ode_system)
+    ed_ode_system_watch(a->devices.ode_system, &a->watch);
   free(by_ode);
   return status;
 }
 
-void ed_devices_free(ed_analysis *a)
+void ed_devices_free(ed_devices *devices)
 {
-  ed_ode_system_free(a->ode_system);
-  void *blocks[] = {a->device_block, a->device_path, a->device_direction, a->device_out,
-                    a->device_old,   a->device_new,  a->device_by_ode,    a->device_scatter,
-                    a->device_chord, a->device_swings, a->device_factored, a->kept.device_slope,
-                    a->backed.device_slope, a->device_response, a->flexibility, a->condensed, a->condensed_pivot, a->condensed_work};
+  ed_ode_system_free(devices->ode_system);
+  void *blocks[] = {devices->block, devices->path, devices->path_direction, devices->out,   devices->old,
+                    devices->new,   devices->by_ode, devices->chord,        devices->swings};
   for (size_t i = 0; i < sizeof blocks / sizeof *blocks; i++)
     free(blocks[i]);
 }
 
-double ed_along_device(const ed_analysis *a, int i, const double *vector)
+void ed_slowly(ed_devices *devices)
 {
-  const ed_device *device = &a->model->devices[i];
+  devices->duration = 1e8;
+  devices->velocity_factor = 0.0;
+}
+
+double ed_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector)
+{
   double sum = 0.0;
   for (int k = 0; k < device->n_terms; k++) {
-    const int equation = a->equation[device->degree[k]];
+    const int equation = numbering->equation[device->degree[k]];
     if (equation >= 0)
       sum += device->coefficient[k] * vector[equation];
   }
@@ -94,44 +93,42 @@ double ed_along_device(const ed_analysis *a, int i, const double *vector)
 }
 
 /* The same of a state, with what held degrees have of it. */
-static double along(const ed_analysis *a, int i, const double *vector, const double *of_supports)
+static double along(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports)
 {
-  const ed_device *device = &a->model->devices[i];
-  double sum = ed_along_device(a, i, vector);
+  double sum = ed_along_device(numbering, device, vector);
   for (int k = 0; k < device->n_terms; k++) {
-    const int support = a->support[device->degree[k]];
+    const int support = numbering->support[device->degree[k]];
     if (support >= 0)
       sum += device->coefficient[k] * of_supports[support];
   }
   return sum;
 }
 
-void ed_add_along_device(const ed_analysis *a, int i, double factor, double *vector)
+void ed_add_along_device(const ed_numbering *numbering, const ed_device *device, double factor, double *vector)
 {
-  const ed_device *device = &a->model->devices[i];
   for (int k = 0; k < device->n_terms; k++) {
-    const int equation = a->equation[device->degree[k]];
+    const int equation = numbering->equation[device->degree[k]];
     if (equation >= 0)
       vector[equation] += factor * device->coefficient[k];
   }
 }
 
-double ed_device_force(const ed_analysis *a, const ed_state *state, int i)
+double ed_device_force(const ed_devices *devices, const ed_state *state, int i)
 {
-  return block_of(a, state, i)[FORCE];
+  return block_of(devices, state, i)[FORCE];
 }
 
-double ed_expected_device_force(const ed_analysis *a, int i)
+double ed_expected_device_force(const ed_devices *devices, const ed_state *committed, int i)
 {
-  const double *before = block_of(a, &a->committed, i);
-  return before[FORCE] + a->duration * (2.0 * before[FORCE_PACE] - before[FORCE_PACE_BEFORE]);
+  const double *before = block_of(devices, committed, i);
+  return before[FORCE] + devices->duration * (2.0 * before[FORCE_PACE] - before[FORCE_PACE_BEFORE]);
 }
 
-double ed_device_slope(const ed_analysis *a, int i)
+double ed_device_slope(const ed_devices *devices, const ed_state *trial, int i)
 {
-  const double *slope = block_of(a, &a->trial, i) + SLOPE, *chord = a->device_chord[i];
-  const double tangent = slope[0] + a->velocity_factor * slope[1];
-  return a->swinging && a->device_swings[i] ? tangent + chord[0] + a->velocity_factor * chord[1] : tangent;
+  const double *slope = block_of(devices, trial, i) + SLOPE, *chord = devices->chord[i];
+  const double tangent = slope[0] + devices->velocity_factor * slope[1];
+  return devices->swinging && devices->swings[i] ? tangent + chord[0] + devices->velocity_factor * chord[1] : tangent;
 }
 
 /* The law's path over this step, from the degrees. A static step goes slowly from rest to rest, also after a history that ended in
@@ -140,18 +137,19 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
 {
   const ed_device *device = &a->model->devices[i];
   const int slow = a->run.kind != ED_RUN_HISTORY;
-  const double *before = block_of(a, &a->committed, i);
-  double *now = block_of(a, &a->trial, i);
+  const double *before = block_of(&a->devices, &a->committed, i);
+  double *now = block_of(&a->devices, &a->trial, i);
   if (now[INSTALLED] == 0.0) {
-    ed_path_hermite(path, a->duration, 0.0, 0.0, 0.0, 0.0);
+    ed_path_hermite(path, a->devices.duration, 0.0, 0.0, 0.0, 0.0);
     return;
   }
-  const double scale = device->deformation_scale, v0 = slow ? 0.0 : along(a, i, a->committed.v, a->committed.support_v);
-  now[DEFORMATION] = along(a, i, a->trial.u, a->trial.support_u) - now[OFFSET];
-  const double velocity = slow ? 0.0 : along(a, i, a->trial.v, a->trial.support_v);
-  a->device_swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
+  const double scale = device->deformation_scale;
+  const double v0 = slow ? 0.0 : along(&a->numbering, device, a->committed.v, a->committed.support_v);
+  now[DEFORMATION] = along(&a->numbering, device, a->trial.u, a->trial.support_u) - now[OFFSET];
+  const double velocity = slow ? 0.0 : along(&a->numbering, device, a->trial.v, a->trial.support_v);
+  a->devices.swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
   now[VELOCITY] = velocity;
-  ed_path_hermite(path, a->duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
+  ed_path_hermite(path, a->devices.duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
                   scale * now[VELOCITY]);
 }
 
@@ -160,42 +158,42 @@ static double pressed(const ed_analysis *a, const ed_device *device)
 {
   if (device->weigher < 0 || a->run.kind != ED_RUN_HISTORY)
     return 1.0;
-  const double *spring = a->trial.elements + a->elements[device->weigher].state;
+  const double *spring = a->trial.elements + a->members.element[device->weigher].state;
   return fmax(-spring[ED_BLOCK_Q], 0.0) / device->weight;
 }
 
 static void take(ed_analysis *a, int i, const ed_damper_force *out)
 {
   const ed_device *device = &a->model->devices[i];
-  double *now = block_of(a, &a->trial, i);
+  double *now = block_of(&a->devices, &a->trial, i);
   if (now[INSTALLED] == 0.0) { /* in one system with others that are */
-    memcpy(now, block_of(a, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
+    memcpy(now, block_of(&a->devices, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
     return;
   }
   const double scale = device->force_scale * pressed(a, device);
   now[FORCE] = scale * out->force;
-  now[FORCE_PACE] = (now[FORCE] - block_of(a, &a->committed, i)[FORCE]) / a->duration;
-  now[FORCE_PACE_BEFORE] = block_of(a, &a->committed, i)[FORCE_PACE];
+  now[FORCE_PACE] = (now[FORCE] - block_of(&a->devices, &a->committed, i)[FORCE]) / a->devices.duration;
+  now[FORCE_PACE_BEFORE] = block_of(&a->devices, &a->committed, i)[FORCE_PACE];
   for (int k = 0; k < 2; k++) {
     now[SLOPE + k] = scale * device->deformation_scale * out->slope[k];
-    a->device_chord[i][k] = scale * device->deformation_scale * out->chord[k];
+    a->devices.chord[i][k] = scale * device->deformation_scale * out->chord[k];
   }
 }
 
 static int update_by_ode(ed_analysis *a)
 {
-  for (int k = 0; k < a->n_by_ode; k++) {
-    const int i = a->device_by_ode[k];
-    set_path(a, i, &a->device_path[k]);
-    a->device_old[k] = block_of(a, &a->committed, i) + LAW_STATE;
-    a->device_new[k] = block_of(a, &a->trial, i) + LAW_STATE;
-    memcpy(a->device_direction[k], a->direction, sizeof a->direction);
-    memset(&a->device_out[k], 0, sizeof a->device_out[k]);
+  for (int k = 0; k < a->devices.n_by_ode; k++) {
+    const int i = a->devices.by_ode[k];
+    set_path(a, i, &a->devices.path[k]);
+    a->devices.old[k] = block_of(&a->devices, &a->committed, i) + LAW_STATE;
+    a->devices.new[k] = block_of(&a->devices, &a->trial, i) + LAW_STATE;
+    memcpy(a->devices.path_direction[k], a->devices.direction, sizeof a->devices.direction);
+    memset(&a->devices.out[k], 0, sizeof a->devices.out[k]);
   }
-  const int status = ed_ode_system_step(a->ode_system, a->device_old, a->device_path,
-                                        (const ed_path(*)[2])a->device_direction, a->device_new, a->device_out);
-  for (int k = 0; status == ED_OK && k < a->n_by_ode; k++)
-    take(a, a->device_by_ode[k], &a->device_out[k]);
+  const int status = ed_ode_system_step(a->devices.ode_system, a->devices.old, a->devices.path,
+                                        (const ed_path(*)[2])a->devices.path_direction, a->devices.new, a->devices.out);
+  for (int k = 0; status == ED_OK && k < a->devices.n_by_ode; k++)
+    take(a, a->devices.by_ode[k], &a->devices.out[k]);
   return status;
 }
 
@@ -203,8 +201,8 @@ static int fail(ed_analysis *a, int device, int status)
 {
   if (status == ED_E_STOPPED)
     return status;
-  a->failed_device = device;
-  a->device_status = status;
+  a->devices.failed = device;
+  a->devices.status = status;
   return ED_E_DAMPER;
 }
 
@@ -213,47 +211,47 @@ int ed_update_devices(ed_analysis *a, int rough)
   if (!ed_installed(a))
     return ED_OK;
   a->statistics.damper_updates += a->model->n_devices;
-  ed_path_hermite_directions(a->direction, a->duration);
+  ed_path_hermite_directions(a->devices.direction, a->devices.duration);
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    if (!ed_damper_has_exact_step(&device->damper) || block_of(a, &a->trial, i)[INSTALLED] == 0.0)
+    if (!ed_damper_has_exact_step(&device->damper) || block_of(&a->devices, &a->trial, i)[INSTALLED] == 0.0)
       continue;
     ed_damper_force out = {0};
     ed_path path;
     set_path(a, i, &path);
-    const int status = ed_damper_try(&device->damper, rough, block_of(a, &a->committed, i) + LAW_STATE, &path,
-                                     a->direction, block_of(a, &a->trial, i) + LAW_STATE, &out);
+    const int status = ed_damper_try(&device->damper, rough, block_of(&a->devices, &a->committed, i) + LAW_STATE, &path,
+                                     a->devices.direction, block_of(&a->devices, &a->trial, i) + LAW_STATE, &out);
     if (status != ED_OK)
       return fail(a, i, status);
     take(a, i, &out);
   }
-  const int status = a->n_by_ode > 0 ? update_by_ode(a) : ED_OK;
-  return status == ED_OK ? ED_OK : fail(a, a->n_by_ode > 1 ? -1 : a->device_by_ode[0], status);
+  const int status = a->devices.n_by_ode > 0 ? update_by_ode(a) : ED_OK;
+  return status == ED_OK ? ED_OK : fail(a, a->devices.n_by_ode > 1 ? -1 : a->devices.by_ode[0], status);
 }
 
-void ed_name_damper(const ed_analysis *a, char *buffer, int size)
+void ed_name_damper(const ed_model *model, const ed_devices *devices, char *buffer, int size)
 {
-  const char *cause = a->device_status == ED_E_NOT_FINITE ? "a number is not finite" : "it did not converge";
-  if (a->failed_device >= 0)
-    snprintf(buffer, (size_t)size, "damper %s (%s)", a->model->devices[a->failed_device].name, cause);
+  const char *cause = devices->status == ED_E_NOT_FINITE ? "a number is not finite" : "it did not converge";
+  if (devices->failed >= 0)
+    snprintf(buffer, (size_t)size, "damper %s (%s)", model->devices[devices->failed].name, cause);
   else
-    snprintf(buffer, (size_t)size, "one of the %d dampers that SUNDIALS integrates (%s)", a->n_by_ode, cause);
+    snprintf(buffer, (size_t)size, "one of the %d dampers that SUNDIALS integrates (%s)", devices->n_by_ode, cause);
 }
 
 void ed_add_device_forces(ed_analysis *a)
 {
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    const double force = block_of(a, &a->trial, i)[FORCE];
+    const double force = block_of(&a->devices, &a->trial, i)[FORCE];
     for (int k = 0; k < device->n_terms; k++)
-      a->resisting[device->degree[k]] += device->coefficient[k] * force;
+      a->members.resisting[device->degree[k]] += device->coefficient[k] * force;
   }
 }
 
 int ed_installed(const ed_analysis *a)
 {
   for (int i = 0; i < a->model->n_devices; i++)
-    if (block_of(a, &a->trial, i)[INSTALLED] != 0.0)
+    if (block_of(&a->devices, &a->trial, i)[INSTALLED] != 0.0)
       return 1;
   return 0;
 }
@@ -262,15 +260,15 @@ int ed_first_slopes(ed_analysis *a)
 {
   if (!ed_installed(a))
     return ED_OK;
-  ed_slowly(a);
+  ed_slowly(&a->devices);
   const int status = ed_update_devices(a, 0);
   if (status != ED_OK) {
     char name[2 * ED_NAME];
-    ed_name_damper(a, name, sizeof name);
+    ed_name_damper(a->model, &a->devices, name, sizeof name);
     return ed_fail(a, status, "%s: no state was found at the start", name);
   }
   for (int i = 0; i < a->model->n_devices; i++) {
-    double *first = block_of(a, &a->committed, i), *slow = block_of(a, &a->trial, i);
+    double *first = block_of(&a->devices, &a->committed, i), *slow = block_of(&a->devices, &a->trial, i);
     memcpy(first + SLOPE, slow + SLOPE, 2 * sizeof *first);
     memcpy(slow, first, (size_t)ed_device_block_size(&a->model->devices[i]) * sizeof *slow);
   }
@@ -282,15 +280,15 @@ void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix)
 {
   if (!ed_installed(a))
     return;
-  const int *place = a->device_scatter;
+  const int *place = a->matrix.device_scatter;
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    const double slope = k * ed_device_slope(a, i);
+    const double slope = k * ed_device_slope(&a->devices, &a->trial, i);
     for (int p = 0; p < device->n_terms; p++)
       for (int q = 0; q < device->n_terms; q++)
         matrix[*place++] += slope * device->coefficient[p] * device->coefficient[q];
   }
-  matrix[a->nnz] = 0.0;
+  matrix[a->matrix.nnz] = 0.0;
 }
 
 /* Work done on the devices over the step, by the trapezoidal rule as that of all other forces. */
@@ -298,8 +296,8 @@ double ed_count_device_work(ed_analysis *a)
 {
   double sum = 0.0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    const double *before = block_of(a, &a->committed, i);
-    double *now = block_of(a, &a->trial, i);
+    const double *before = block_of(&a->devices, &a->committed, i);
+    double *now = block_of(&a->devices, &a->trial, i);
     const double work = 0.5 * (before[FORCE] + now[FORCE]) * (now[DEFORMATION] - before[DEFORMATION]);
     now[WORK] += work;
     sum += work;
@@ -312,11 +310,11 @@ int ed_install_dampers(ed_analysis *a)
   if (a->run.kind != ED_RUN_NONE)
     return ed_fail(a, ED_E_STATE, "dampers are installed before a run");
   for (int i = 0; i < a->model->n_devices; i++) {
-    double *now = block_of(a, &a->committed, i);
+    double *now = block_of(&a->devices, &a->committed, i);
     if (now[INSTALLED] != 0.0)
       continue;
     now[INSTALLED] = 1.0;
-    now[OFFSET] = along(a, i, a->committed.u, a->committed.support_u);
+    now[OFFSET] = along(&a->numbering, &a->model->devices[i], a->committed.u, a->committed.support_u);
   }
   ed_revert(a);
   return ED_OK;
@@ -329,30 +327,31 @@ int ed_start_devices(ed_analysis *a)
     return ED_OK;
   double speed = 0.0; /* now, or where the last run ended */
   for (int i = 0; i < a->model->n_devices; i++)
-    speed += fabs(ed_along_device(a, i, a->committed.v)) + fabs(block_of(a, &a->committed, i)[VELOCITY]);
+    speed += fabs(ed_along_device(&a->numbering, &a->model->devices[i], a->committed.v)) +
+             fabs(block_of(&a->devices, &a->committed, i)[VELOCITY]);
   if (speed == 0.0)
     return ED_OK;
-  a->duration = 1e-6 * a->run.dt;
-  for (int i = 0; i < a->n; i++)
-    a->trial.u[i] += a->duration * a->trial.v[i];
+  a->devices.duration = 1e-6 * a->run.dt;
+  for (int i = 0; i < a->numbering.n; i++)
+    a->trial.u[i] += a->devices.duration * a->trial.v[i];
   const int status = ed_update_devices(a, 0);
-  memcpy(a->trial.u, a->committed.u, (size_t)a->n * sizeof(double));
+  memcpy(a->trial.u, a->committed.u, (size_t)a->numbering.n * sizeof(double));
   for (int i = 0; status == ED_OK && i < a->model->n_devices; i++) {
-    double *before = block_of(a, &a->committed, i);
-    const double *after = block_of(a, &a->trial, i);
+    double *before = block_of(&a->devices, &a->committed, i);
+    const double *after = block_of(&a->devices, &a->trial, i);
     before[FORCE] = after[FORCE];
     ed_amendments_jump(&a->model->devices[i].damper, before + LAW_STATE, after + LAW_STATE);
   }
   ed_revert(a);
-  memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->n * sizeof(double)); /* of which the first step takes its share */
-  memcpy(a->committed.support_force, a->trial.support_force, (size_t)a->n_supports * sizeof(double));
+  memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->numbering.n * sizeof(double)); /* the first step takes its share */
+  memcpy(a->committed.support_force, a->trial.support_force, (size_t)a->numbering.n_supports * sizeof(double));
   return status;
 }
 
 double ed_device_value(const ed_analysis *a, int kind, int device, int component)
 {
   const ed_device *d = &a->model->devices[device];
-  const double *now = block_of(a, &a->committed, device);
+  const double *now = block_of(&a->devices, &a->committed, device);
   if (kind == ED_DAMPER_FORCE)
     return now[FORCE];
   if (kind == ED_DAMPER_WORK)

@@ -18,12 +18,12 @@ static double mean_work(int n, const double *before, const double *after, const 
 }
 
 /* Work of the loads on rigid ends; `moved` becomes what the faces have moved by. */
-static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_loads *before, double *moved)
+static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_member_loads *before, double *moved)
 {
   double now[6], then[6], arm[2][2], face_now[6], face_then[6], work = 0.0;
   for (int i = 0; i < 6; i++) {
-    now[i] = ed_displacement(a, &a->trial, e->dof[i]);
-    then[i] = ed_displacement(a, &a->committed, e->dof[i]);
+    now[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]);
+    then[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
   }
   for (int end = 0; end < 2; end++) {
     const double *d = moved + 3 * end;
@@ -46,11 +46,11 @@ static double arm_load_work(const ed_analysis *a, const ed_element *e, const ed_
 /* Work of the element loads on the member's ends and inside it. */
 static double load_work(const ed_analysis *a, int member)
 {
-  const ed_element *e = &a->elements[member];
-  const ed_loads *before = &a->loads_committed[member];
+  const ed_element *e = &a->members.element[member];
+  const ed_member_loads *before = &a->loading.member_committed[member];
   double moved[6];
   for (int i = 0; i < 6; i++)
-    moved[i] = ed_displacement(a, &a->trial, e->dof[i]) - ed_displacement(a, &a->committed, e->dof[i]);
+    moved[i] = ed_displacement(&a->numbering, &a->trial, e->dof[i]) - ed_displacement(&a->numbering, &a->committed, e->dof[i]);
   double work = e->rigid ? arm_load_work(a, e, before, moved) : 0.0;
   const double local[3] = {e->c * moved[0] + e->s * moved[1], -e->s * moved[0] + e->c * moved[1],
                            -e->s * moved[3] + e->c * moved[4]};
@@ -83,20 +83,19 @@ static double rigid_second_order(ed_analysis *a, const ed_element *e, const doub
 
 void ed_count_energy(ed_analysis *a, double dissipated)
 {
-  const int n = a->n, members = a->model->n_members;
+  const int n = a->numbering.n, members = a->model->n_members;
   ed_state_head *head = a->trial.head;
   double second_order = 0.0;
-  double input = mean_work(n, a->external_committed, a->external, a->committed.u, a->trial.u);
+  double input = mean_work(n, a->loading.external_committed, a->loading.external, a->committed.u, a->trial.u);
   for (int m = 0; m < members; m++) {
-    const ed_element *e = &a->elements[m];
+    const ed_element *e = &a->members.element[m];
     if (e->member->loaded)
       input += load_work(a, m);
     if (e->geometry != ED_P_DELTA || e->kind == ED_LINK)
       continue;
     double d[6], *now = a->trial.p_delta + 2 * m;
     const double *then = a->committed.p_delta + 2 * m;
-    for (int i = 0; i < 6; i++)
-      d[i] = a->displacement[e->dof[i]];
+    ed_gather(&a->members, m, d);
     ed_element_p_delta(e, d, a->trial.elements + e->state, &now[0], &now[1]);
     second_order += 0.5 * (now[0] + then[0]) * (now[1] - then[1]);
     if (e->rigid)
@@ -106,7 +105,7 @@ void ed_count_energy(ed_analysis *a, double dissipated)
     for (int axis = 0; axis < 2; axis++) {
       const double ground = 0.5 * (a->run.ground_now[axis] + a->run.ground_before[axis]);
       for (int i = 0; ground != 0.0 && i < n; i++)
-        input -= a->mass[i] * a->influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
+        input -= a->numbering.mass[i] * a->numbering.influence[axis][i] * ground * (a->trial.u[i] - a->committed.u[i]);
     }
     double by_supports = 0.0;
     input += ed_history_force_work(a) + ed_support_work(a, &by_supports);
@@ -117,20 +116,6 @@ void ed_count_energy(ed_analysis *a, double dissipated)
   head->energy[ED_HYSTERETIC] += dissipated;
   head->energy[ED_GEOMETRIC] += second_order;
   head->largest_input = fmax(head->largest_input, fabs(head->energy[ED_INPUT]));
-}
-
-void ed_remember_loads(ed_analysis *a)
-{
-  memcpy(a->external_committed, a->external, (size_t)a->n * sizeof(double));
-  for (int m = 0; m < a->model->n_members; m++) {
-    ed_loads *loads = &a->loads_committed[m];
-    const size_t points = (size_t)a->elements[m].points; /* far fewer than there may be */
-    memcpy(loads->section_load, a->elements[m].section_load, points * sizeof *loads->section_load);
-    memcpy(loads->end_load, a->elements[m].end_load, sizeof loads->end_load);
-    memcpy(loads->arm_force, a->elements[m].arm_force, sizeof loads->arm_force);
-    memcpy(loads->arm_moment, a->elements[m].arm_moment, sizeof loads->arm_moment);
-    memcpy(loads->free_deformation, a->elements[m].free_deformation, sizeof loads->free_deformation);
-  }
 }
 
 /* Counts from the committed state on: what is stored and moves is taken as put in. */
@@ -144,9 +129,8 @@ void ed_restart_energy(ed_analysis *a)
   ed_close_energy(a);
   for (int m = 0; m < a->model->n_members; m++) {
     double d[6];
-    const ed_element *e = &a->elements[m];
-    for (int i = 0; i < 6; i++)
-      d[i] = a->displacement[e->dof[i]];
+    const ed_element *e = &a->members.element[m];
+    ed_gather(&a->members, m, d);
     ed_element_p_delta(e, d, a->committed.elements + e->state, &a->committed.p_delta[2 * m],
                        &a->committed.p_delta[2 * m + 1]);
     if (e->rigid) {
@@ -162,19 +146,19 @@ void ed_close_energy(ed_analysis *a)
 {
   double *energy = a->committed.head->energy;
   double kinetic = 0.0, stored = 0.0;
-  for (int i = 0; i < a->n; i++)
-    kinetic += 0.5 * a->mass[i] * a->committed.v[i] * a->committed.v[i];
+  for (int i = 0; i < a->numbering.n; i++)
+    kinetic += 0.5 * a->numbering.mass[i] * a->committed.v[i] * a->committed.v[i];
   for (int m = 0; m < a->model->n_members; m++) {
-    const ed_element *e = &a->elements[m];
+    const ed_element *e = &a->members.element[m];
     if (e->kind == ED_LINK) {
       double work = 0.0;
       for (int i = 0; i < 6; i++)
         for (int j = 0; j < 6; j++)
-          work += 0.5 * ed_displacement(a, &a->committed, e->dof[i]) * e->link[6 * i + j] *
-                  ed_displacement(a, &a->committed, e->dof[j]);
+          work += 0.5 * ed_displacement(&a->numbering, &a->committed, e->dof[i]) * e->link[6 * i + j] *
+                  ed_displacement(&a->numbering, &a->committed, e->dof[j]);
       stored += work;
     } else
-      stored += ed_element_stored(e, a->committed.elements + e->state, a->layers + e->layers);
+      stored += ed_element_stored(e, a->committed.elements + e->state, a->storage.layers + e->layers);
   }
   energy[ED_KINETIC] = kinetic;
   energy[ED_STORED] = stored;

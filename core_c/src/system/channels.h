@@ -1,0 +1,30 @@
+/* Recorded quantities, and their extremes. */
+#ifndef ED_CHANNELS_H
+#define ED_CHANNELS_H
+
+#include "edcore.h"
+
+typedef struct {
+  int n_terms, first;            /* into terms */
+  int history;                   /* column, or -1 */
+  double limit;                  /* of its magnitude */
+} ed_channel_head;
+
+typedef struct {
+  double coefficient;
+  int kind, object, component;
+} ed_term;
+
+typedef struct {
+  ed_channel_head *head;         /* n */
+  ed_term *terms;                /* n_terms */
+  int n, n_terms, n_history;
+  double *maximum, *minimum, *time_maximum, *time_minimum, *last; /* n */
+} ed_channels;
+
+void ed_channels_free(ed_channels *channels);
+double ed_channel_value(const ed_analysis *a, int channel);
+int ed_sample(ed_analysis *a, int keep_row);        /* ED_OK, ED_E_NOT_FINITE */
+int ed_beyond_limit(const ed_channels *channels);   /* channel of the last sample that is furthest beyond its limit, -1: none */
+
+#endif

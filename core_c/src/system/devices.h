@@ -1,0 +1,51 @@
+/* Dampers in the frame; arrays per device of the model. */
+#ifndef ED_DEVICES_H
+#define ED_DEVICES_H
+
+#include "damper/ode_system.h"
+#include "system/model.h"
+#include "system/numbering.h"
+#include "system/state.h"
+
+typedef struct {
+  int *block;                    /* per device: offset of its block in the state */
+  ed_ode_system *ode_system;
+  int n_by_ode, *by_ode;         /* which */
+  ed_path *path, (*path_direction)[2]; /* of those by ODE */
+  ed_path direction[2];
+  ed_damper_force *out;          /* of those by ODE */
+  const double **old;            /* of those by ODE */
+  double **new;
+  double (*chord)[2];            /* what comes to dF/du and dF/dv where an iteration swings */
+  int *swings;                   /* its velocity fell or turned in the last iteration */
+  int swinging;                  /* this attempt does not settle with tangents alone */
+  double duration;               /* of the present attempt */
+  double velocity_factor;        /* dv/du of the present attempt */
+  double tolerance;              /* of SUNDIALS */
+  int failed;                    /* -1: one of those by ODE, which are solved together */
+  int status;                    /* why */
+} ed_devices;
+
+int ed_device_block_size(const ed_device *device);
+int ed_devices_allocate(ed_analysis *a);
+void ed_devices_free(ed_devices *devices);
+int ed_update_devices(ed_analysis *a, int rough); /* trial u, v -> states and forces; rough: as in ed_damper_try */
+/* Sum of coefficient * vector over the equations of a device. */
+double ed_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector);
+void ed_add_along_device(const ed_numbering *numbering, const ed_device *device, double factor, double *vector);
+double ed_device_force(const ed_devices *devices, const ed_state *state, int device);
+/* From the committed state, on as in the last step. */
+double ed_expected_device_force(const ed_devices *devices, const ed_state *committed, int device);
+/* dF/du + (dv/du of the attempt) dF/dv at the trial state. */
+double ed_device_slope(const ed_devices *devices, const ed_state *trial, int device);
+void ed_name_damper(const ed_model *model, const ed_devices *devices, char *buffer, int size); /* that failed, and why */
+void ed_add_device_forces(ed_analysis *a);        /* into the resisting forces over all degrees */
+void ed_add_device_tangent(const ed_analysis *a, double k, double *matrix);
+int ed_installed(const ed_analysis *a);           /* whether some damper acts */
+int ed_first_slopes(ed_analysis *a);              /* of the dampers that act, in a slow step from the committed state */
+int ed_start_devices(ed_analysis *a);
+double ed_count_device_work(ed_analysis *a);
+double ed_device_value(const ed_analysis *a, int kind, int device, int component);
+void ed_slowly(ed_devices *devices);              /* static steps last so long that dampers relax */
+
+#endif

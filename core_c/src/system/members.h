@@ -1,0 +1,30 @@
+/* The elements of the structure at the trial state, and the forces over all its degrees. */
+#ifndef ED_MEMBERS_H
+#define ED_MEMBERS_H
+
+#include "element/element.h"
+
+typedef struct {
+  ed_element *element;           /* n_members */
+  int n_struts;                  /* among them */
+  double *displacement;          /* over all degrees, at the trial state */
+  double *resisting;             /* over all degrees, at the trial state */
+  double *force;                 /* 6 a member, along the axes of the structure */
+  ed_element_control control;
+  int failed;                    /* member whose state was not found */
+} ed_members;
+
+int ed_members_allocate(ed_analysis *a);
+void ed_members_free(ed_members *members, int n);
+int ed_update_elements(ed_analysis *a); /* trial u, v -> states of elements and dampers, resisting forces */
+int ed_update_members(ed_analysis *a);  /* the same, dampers are there already */
+void ed_collect_forces(ed_analysis *a); /* element states -> resisting forces */
+
+/* Displacements of a member's ends, of those over all degrees. */
+static inline void ed_gather(const ed_members *members, int member, double *d)
+{
+  for (int i = 0; i < 6; i++)
+    d[i] = members->displacement[members->element[member].dof[i]];
+}
+
+#endif
