@@ -8,10 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 import scipy
-from numpy.typing import ArrayLike
 
 from edesign.assess.fragility import Fragility
-from edesign.codes.interpolation import exponents, log_log
+from edesign.codes.interpolation import exponents
 from edesign.codes.motion_sets import STATIONARY_DURATION
 from edesign.errors import InputError
 
@@ -48,10 +47,6 @@ class HazardCurve:
     def exponents(self) -> np.ndarray:
         """k of each line, (n - 1,): H = k0 im^-k, as in EN 1998-1, 2.1(4)."""
         return -exponents(self.intensity, self.rate)
-
-    def rate_of(self, intensity: ArrayLike) -> np.ndarray:
-        """Return the annual rate of exceedance of intensities."""
-        return log_log(np.asarray(intensity, dtype=float), self.intensity, self.rate)
 
 
 @dataclass(frozen=True)

@@ -203,10 +203,6 @@ class Analysis:
         lib.ed_mass(self._c, ffi.from_buffer("double[]", mass))
         return mass
 
-    def mass_matrix(self) -> scipy.sparse.csc_matrix:
-        """Mass matrix over the equations."""
-        return scipy.sparse.diags(self.masses(), format="csc")
-
     def modes(self, count: int, damper_stiffness: ArrayLike | None = None) -> Modes:
         """The lowest natural modes at the present state.
 

@@ -139,16 +139,3 @@ def damping_of_frequencies(loss_factor: float, omega: Real, omega_damped: Real) 
     Source: thesis Eq. 5.8, which takes the mode shapes for unchanged.
     """
     return 0.5 * loss_factor * (1.0 - (omega / omega_damped) ** 2)
-
-
-def scaled_stiffness(k_prototype: Real, area_ratio: float, thickness_ratio: float) -> Real:
-    """Stiffness (storage or equivalent) of a damper from that of its prototype.
-
-    Args:
-        k_prototype: N/m.
-        area_ratio: A_D / A_P of all layers together.
-        thickness_ratio: h_D / h_P.
-
-    Source: thesis Eqs. 5.18 and 5.20.
-    """
-    return k_prototype * (area_ratio / thickness_ratio)

@@ -98,23 +98,6 @@ def sloshing_frequency(length: float, depth: float, mode: int = 1) -> float:
     return math.sqrt(STANDARD_GRAVITY * kappa * math.tanh(kappa * depth))
 
 
-def shallow_sloshing_frequency(length: float, depth: float, mode: int = 1) -> float:
-    """As `sloshing_frequency` by the expansion for shallow water, within 1 % up to depth / length = 0.21 in mode 1.
-
-    Raises:
-        InputError: so deep that the expansion is zero or less (0.78 in mode 1).
-
-    Source: thesis Eq. 2.31; Lepelletier & Raichlen (1988).
-    """
-    x = _wave_number(length, depth, mode) * depth
-    if not x < math.sqrt(6.0):
-        raise InputError(
-            f"mode {mode} at depth / length = {depth / length:.3g}: the expansion for shallow water ends at "
-            f"{math.sqrt(6.0) / math.pi / (2 * mode - 1):.3g}"
-        )
-    return (2 * mode - 1) * math.pi * math.sqrt(STANDARD_GRAVITY * depth) / length * (1.0 - x**2 / 6.0)
-
-
 def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
     """Mass of liquid that takes part in a mode of sloshing over all of it, rectangular tank, small waves.
 
@@ -125,28 +108,6 @@ def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
     n = 2 * mode - 1
     x = _wave_number(length, depth, mode) * depth
     return 8.0 * math.tanh(x) / (n**2 * math.pi**2 * x)
-
-
-def equivalent_tuned_mass(
-    mass: float, damping: float, damping_ratio: float, frequency_over_own: float
-) -> tuple[float, float]:
-    """Mass (kg) and dashpot (N s/m) fixed to the structure that react to a harmonic as an attached oscillator does.
-
-    Args:
-        mass: m_a of the oscillator, kg.
-        damping: c_a = 2 zeta_a m_a omega_a, N s/m.
-        damping_ratio: zeta_a.
-        frequency_over_own: Omega, frequency of the harmonic over that of the oscillator.
-
-    Source: thesis Eqs. 2.32-2.33; Sun et al. (1995), EESD 24.
-    """
-    _positive(mass=mass)
-    square = frequency_over_own**2
-    damped = (2.0 * damping_ratio * frequency_over_own) ** 2
-    below = (1.0 - square) ** 2 + damped
-    if not below > 0.0:
-        raise InputError("an oscillator without damping at resonance has no equivalent mass")
-    return mass * (1.0 - square + damped) / below, damping * square**2 / below
 
 
 def _wave_number(length: float, depth: float, mode: int) -> float:

@@ -35,11 +35,6 @@ class ResponseSpectra:
     sa: np.ndarray
 
     @property
-    def psv(self) -> np.ndarray:
-        """Pseudo velocity omega SD, (n_z, n_T), m/s; 0 at period 0."""
-        return self.sd * _frequency(self.period)
-
-    @property
     def psa(self) -> np.ndarray:
         """Pseudo acceleration omega^2 SD, (n_z, n_T), m/s2; the peak ground acceleration at period 0."""
         return np.where(self.period > 0.0, self.sd * _frequency(self.period) ** 2, self.sa)

@@ -24,7 +24,6 @@ from edesign.codes.ec8.displacement import design_ground_displacement
 from edesign.codes.ec8.importance import (
     factor_of_probability,
     factor_of_return_period,
-    probability_of,
     return_period_of,
 )
 from edesign.errors import InputError
@@ -217,4 +216,3 @@ def test_return_periods() -> None:
     assert return_period_of(0.10) == pytest.approx(475.0, abs=0.5)
     assert return_period_of(0.10, years=10.0) == pytest.approx(95.0, abs=0.1)
     assert return_period_of(0.02) == pytest.approx(2474.9, abs=0.05)
-    assert probability_of(return_period_of(0.02)) == pytest.approx(0.02, rel=1e-14)

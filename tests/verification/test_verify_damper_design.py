@@ -92,11 +92,6 @@ def test_a_damping_beyond_the_material_is_refused() -> None:
         s.stiffness_ratio(0.12, N, 7.0)
 
 
-def test_prototype_scaling() -> None:
-    # Eq. 5.18 with k = G A / h
-    assert s.scaled_stiffness(1e6 * 0.04 / 0.012, 1.11 / 0.04, 0.07 / 0.012) == pytest.approx(1e6 * 1.11 / 0.07)
-
-
 def test_property_factors_of_asce_7() -> None:
     assert largest_property_factor(1.4, 1.1, 1.15) == pytest.approx(1.3 * 1.1 * 1.15)
     assert largest_property_factor() == 1.2

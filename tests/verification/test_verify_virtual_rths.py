@@ -24,6 +24,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy
+from linear_specimens import linear_specimen
 
 from edesign.core.compensator import DifferenceEquation, Term
 from edesign.core.damper import LawValues
@@ -36,7 +37,6 @@ from edesign.substructure.laboratory import TestedStructure as Structure  # pyte
 from edesign.substructure.rig.rigs import RigTransfer
 from edesign.substructure.stability.loop import Loop, Transfer, ideal
 from edesign.substructure.stability.margins import critical_delays, loop_stability
-from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.stability.whole import WholeStructure
 from edesign.substructure.structure.linear_building import building_of_floors
 from edesign.substructure.structure.numerical import LinearPart, modal_damping_matrix, natural_modes

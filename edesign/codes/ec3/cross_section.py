@@ -11,8 +11,6 @@ from typing import Literal
 
 GAMMA_M0 = 1.0
 """Partial factor of cross-sections. Source: EN 1993-1-1:2005, 6.1(1), recommended."""
-GAMMA_M2 = 1.25
-"""Partial factor of net sections to fracture. Source: EN 1993-1-1:2005, 6.1(1), recommended."""
 
 Shape = Literal["I", "RHS", "CHS"]
 
@@ -27,18 +25,6 @@ def axial_resistance(area: float, yield_stress: float, gamma_M0: float = GAMMA_M
     Source: EN 1993-1-1:2005, 6.2.3(2)a, Eq. 6.6, and 6.2.4(2), Eq. 6.10.
     """
     return area * yield_stress / gamma_M0
-
-
-def net_tension_resistance(net_area: float, ultimate_strength: float, gamma_M2: float = GAMMA_M2) -> float:
-    """Return N_u,Rd = 0.9 A_net f_u / gamma_M2, N, at holes for fasteners.
-
-    Args:
-        net_area: A_net, m2.
-        ultimate_strength: f_u, Pa.
-
-    Source: EN 1993-1-1:2005, 6.2.3(2)b, Eq. 6.7.
-    """
-    return 0.9 * net_area * ultimate_strength / gamma_M2
 
 
 def moment_resistance(modulus: float, yield_stress: float, gamma_M0: float = GAMMA_M0) -> float:

@@ -14,26 +14,6 @@ AMPLIFICATION = 3.0
 """alpha_cr from which on amplified first-order effects are enough. Source: EN 1993-1-1:2005, 5.2.2(5)B."""
 
 
-def storey_alpha_cr(H_Ed: float, V_Ed: float, drift: float, height: float) -> float:
-    """Return alpha_cr = (H_Ed / V_Ed) (h / delta_H,Ed) of a storey; that of a frame is the least.
-
-    Args:
-        H_Ed: horizontal force at the bottom of the storey, N.
-        V_Ed: vertical load at the bottom of the storey, N; without compression alpha_cr is infinite.
-        drift: delta_H,Ed, of the top of the storey against its bottom under H_Ed, m.
-        height: h of the storey, m.
-
-    Raises:
-        InputError: H_Ed, drift and height are not all greater than zero.
-
-    Source: EN 1993-1-1:2005, 5.2.1(4)B, Eq. 5.2.
-    """
-    for name, value in dict(H_Ed=H_Ed, drift=drift, height=height).items():
-        if not value > 0.0:
-            raise InputError(f"{name}: {value:g} is not greater than zero")
-    return H_Ed * height / (V_Ed * drift) if V_Ed > 0.0 else math.inf
-
-
 def sway_amplification(alpha_cr: float) -> float:
     """Return 1 / (1 - 1/alpha_cr), by which sway effects are multiplied; 1 from alpha_cr = 10 on.
 
@@ -63,11 +43,3 @@ def initial_sway(height: float, columns: int) -> float:
         raise InputError(f"initial sway of {columns} columns, {height:g} m high: both must be greater than zero")
     alpha_h = min(max(2.0 / math.sqrt(height), 2.0 / 3.0), 1.0)
     return PHI_0 * alpha_h * math.sqrt(0.5 * (1.0 + 1.0 / columns))
-
-
-def sway_may_be_ignored(H_Ed: float, V_Ed: float) -> bool:
-    """Return whether H_Ed >= 0.15 V_Ed, so that the initial sway counts for nothing.
-
-    Source: EN 1993-1-1:2005, 5.3.2(4)B, Eq. 5.7.
-    """
-    return abs(H_Ed) >= 0.15 * V_Ed

@@ -48,14 +48,6 @@ def end_moment_factor(psi: float) -> float:
     return float(np.interp(_ratio(psi), _RATIO, _C1))
 
 
-def end_moment_correction(psi: float) -> float:
-    """Return k_c = 1 / (1.33 - 0.33 psi) of a member under end moments M and psi M. Arguments: `end_moment_factor`.
-
-    Source: EN 1993-1-1:2005, Table 6.6.
-    """
-    return 1.0 / (1.33 - 0.33 * _ratio(psi))
-
-
 def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quarters: float) -> float:
     """Return C1 of any moment diagram, from its largest moment and those at the quarter points (any sign).
 

@@ -69,16 +69,6 @@ class DesignSpectrum:
         """
         return (np.asarray(period) > self.corners[1]) & (self._shape(period) < self.beta)
 
-    def lower_bound_note(self, period: float) -> str:
-        """Return what to say where the lower bound governs at a period (s), such as T_1; empty where it does not."""
-        if not self.lower_bound_governs(period):
-            return ""
-        bound, alone = self.gamma_I * self.a_gR * np.array([self.beta, float(self._shape(period))])
-        return (
-            f"S_d({period:.3g} s) is the lower bound beta a_g = {bound:.3g} m/s2 (beta = {self.beta:g}); "
-            f"q = {self.q:g} alone would give {alone:.3g} m/s2 (EN 1998-1, 3.2.2.5(4)P)"
-        )
-
     def _shape(self, period: ArrayLike) -> np.ndarray:
         """S_d(T) / a_g without the lower bound."""
         return self.S * four_branches(period, self.corners, start=2.0 / 3.0, plateau=self.F_0 / self.q)

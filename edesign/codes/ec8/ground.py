@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 
 from edesign.codes.names import unknown
-from edesign.errors import InputError
 
 
 @dataclass(frozen=True)
@@ -26,11 +25,6 @@ class GroundType:
     v_s30: tuple[float, float] | None = None
     n_spt: tuple[float, float] | None = None
     c_u: tuple[float, float] | None = None
-
-    @property
-    def special_study(self) -> bool:
-        """Whether the action needs a study of its own, 3.1.2(4)P: no spectrum of 3.2.2 applies."""
-        return self.name.startswith("S")
 
 
 _TABLE_3_1 = (
@@ -64,11 +58,6 @@ _TABLE_3_1 = (
 )
 
 
-def ground_types() -> tuple[GroundType, ...]:
-    """Return the rows of Table 3.1 from A to S2."""
-    return _TABLE_3_1
-
-
 def ground_type(name: str) -> GroundType:
     """Return a ground type by its name.
 
@@ -79,24 +68,3 @@ def ground_type(name: str) -> GroundType:
         if ground.name == name:
             return ground
     raise unknown("ground type", name, [ground.name for ground in _TABLE_3_1])
-
-
-def ground_type_of_velocity(v_s30: float) -> GroundType:
-    """Return the ground type A to D of a mean shear wave velocity.
-
-    E, S1 and S2 also need the profile of the ground and are never returned. A velocity that two rows share belongs
-    to the stiffer one, but A needs more than 800 m/s.
-
-    Args:
-        v_s30: mean shear wave velocity of the top 30 m, m/s (Eq. 3.1).
-
-    Raises:
-        InputError: the velocity is not greater than zero.
-
-    Source: EN 1998-1:2004, 3.1.2(2) and Table 3.1.
-    """
-    if not (v_s30 > 0.0 and math.isfinite(v_s30)):
-        raise InputError(f"v_s,30 must be greater than zero, not {v_s30:g} m/s")
-    if v_s30 > 800.0:
-        return ground_type("A")
-    return ground_type("B" if v_s30 >= 360.0 else "C" if v_s30 >= 180.0 else "D")

@@ -60,11 +60,6 @@ def return_period_of(probability: float, years: float = 50.0) -> float:
     return -_years(years) / math.log1p(-probability)
 
 
-def probability_of(return_period: float, years: float = 50.0) -> float:
-    """Return P_R = 1 - exp(-T_L / T_R), the inverse of `return_period_of`."""
-    return -math.expm1(-_years(years) / _years(return_period))
-
-
 def _power(ratio: float, k: float) -> float:
     """The factor between two actions of which one is exceeded `ratio` times as often as the other."""
     exponent = -math.log(ratio) / _exponent(k)

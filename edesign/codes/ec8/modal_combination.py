@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -15,11 +13,6 @@ LEAST_MASS = 0.90
 """Sum of the effective modal masses that is enough. Source: EN 1998-1:2004, 4.3.3.3.1(3)."""
 LARGE_MODE = 0.05
 """Effective modal mass above which each mode must be taken. Source: the same."""
-SHORT_PERIOD = 0.20
-"""Period down to which modes are taken where neither rule can be met, s.
-
-Source: EN 1998-1:2004, 4.3.3.3.1(5), Eq. 4.14.
-"""
 INDEPENDENCE = 0.9
 """Modes are independent if T_j <= 0.9 T_i. Source: EN 1998-1:2004, 4.3.3.3.2(1), Eq. 4.15."""
 
@@ -78,31 +71,6 @@ def check_modes(mass_ratio: ArrayLike, taken: int, direction: str = "") -> Crite
         )
     text = f"effective modal mass{where}: 90 %, or every mode above 5 %"
     return Criterion("4.3.3.3.1(3)", text, LEAST_MASS, total, "", passed, detail)
-
-
-def least_number_of_modes(storeys: int) -> int:
-    """Return the least number of modes k >= 3 sqrt(n) where the rules of mass cannot be met.
-
-    Args:
-        storeys: n, above the foundation or the top of a rigid basement.
-
-    Source: EN 1998-1:2004, 4.3.3.3.1(5), Eq. 4.13.
-    """
-    check_positive(storeys=storeys)
-    return math.ceil(3.0 * math.sqrt(storeys))
-
-
-def enough_without_mass(modes: int, storeys: int, last_period: float) -> bool:
-    """Return whether the modes do where the rules of mass cannot be met: k >= 3 sqrt(n) and T_k <= 0.20 s.
-
-    Args:
-        modes: k, number of modes taken.
-        storeys: n.
-        last_period: T_k of the last mode taken, s.
-
-    Source: EN 1998-1:2004, 4.3.3.3.1(5), Eqs. 4.13 and 4.14; for buildings with much torsion in their modes.
-    """
-    return modes >= least_number_of_modes(storeys) and last_period <= SHORT_PERIOD
 
 
 def close_modes(periods: ArrayLike) -> tuple[tuple[int, int], ...]:

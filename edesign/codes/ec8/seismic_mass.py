@@ -4,10 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-import numpy as np
-from numpy.typing import ArrayLike
-
-from edesign.codes.quantities import STANDARD_GRAVITY, check_not_negative
+from edesign.codes.quantities import check_not_negative
 
 _WITH_STOREYS = "ABC"
 
@@ -37,21 +34,3 @@ def psi_E(phi: float, psi_2: float) -> float:
     """
     check_not_negative(phi=phi, psi_2=psi_2)
     return phi * psi_2
-
-
-def seismic_mass(permanent: ArrayLike, variable: ArrayLike, factors: ArrayLike) -> np.ndarray:
-    """Return the masses (G + sum psi_E Q) / g, kg.
-
-    Args:
-        permanent: (...) weight of permanent loads, N.
-        variable: (n, ...) weight of each variable load, N.
-        factors: (n,) psi_E of each.
-
-    Raises:
-        InputError: a weight or a factor is negative.
-
-    Source: EN 1998-1:2004, 3.2.4(2)P, Eq. 3.17.
-    """
-    check_not_negative(permanent=permanent, variable=variable, factors=factors)
-    loads = np.tensordot(np.asarray(factors, dtype=float), np.asarray(variable, dtype=float), axes=1)
-    return np.asarray((np.asarray(permanent, dtype=float) + loads) / STANDARD_GRAVITY)

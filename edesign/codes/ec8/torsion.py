@@ -1,4 +1,4 @@
-"""Accidental torsion, EN 1998-1:2004, 4.3.2, 4.3.3.2.4 and 4.3.3.3.3."""
+"""Accidental torsion, EN 1998-1:2004, 4.3.2 and 4.3.3.3.3."""
 
 from __future__ import annotations
 
@@ -40,22 +40,3 @@ def accidental_moments(F: ArrayLike, L: ArrayLike, ratio: float = ECCENTRICITY) 
     Source: EN 1998-1:2004, 4.3.3.3.3(1), Eq. 4.17, and (2).
     """
     return np.asarray(F, dtype=float) * accidental_eccentricity(L, ratio)
-
-
-def torsional_factor(x: ArrayLike, L_e: float, plane_models: bool = False) -> np.ndarray:
-    """Return delta = 1 + 0.6 x / L_e, by which the effects in a frame are multiplied for accidental torsion.
-
-    It holds for lateral stiffness and mass symmetrically in plan.
-
-    Args:
-        x: distance of the frame from the centre of mass in plan, at right angles to the action, m.
-        L_e: distance between the two outermost elements that resist the action, measured likewise, m.
-        plane_models: two plane models stand for the building; the eccentricity counts twice, 0.6 becomes 1.2.
-
-    Raises:
-        InputError: L_e is not greater than zero.
-
-    Source: EN 1998-1:2004, 4.3.3.2.4(1), Eq. 4.12, and (2).
-    """
-    check_positive(L_e=L_e)
-    return np.asarray(1.0 + (1.2 if plane_models else 0.6) * np.abs(np.asarray(x, dtype=float)) / L_e)

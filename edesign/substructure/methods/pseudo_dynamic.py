@@ -212,20 +212,6 @@ def modes_of(poles: np.ndarray, step: float) -> tuple[np.ndarray, np.ndarray]:
     return np.abs(rates) / (2.0 * math.pi), -rates.real / np.abs(rates)
 
 
-def apparent_damping(error: ControlError, omega_step: float, amplitude: float) -> float:
-    """Return the damping ratio that errors look like in a test of a whole structure with computed feedback.
-
-    -undershoot omega dt / 2 and -2 lag / (pi amplitude): free vibration then grows by 4 lag a cycle. Where a share of
-    a mode's stiffness is in the laboratory, it is that share of it.
-
-    Args:
-        error: of the actuators; noise has no part in it.
-        omega_step: circular frequency times the step of the integration, small against 1.
-        amplitude: of the displacement, m.
-    """
-    return -0.5 * error.undershoot * omega_step - 2.0 * error.lag / (math.pi * amplitude)
-
-
 @dataclass(frozen=True)
 class _Motion:
     """What the integration goes on from: (d,) each, m, m/s, m/s2."""

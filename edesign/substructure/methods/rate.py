@@ -31,16 +31,6 @@ class RateEffect:
     slow_stiffness: complex
 
     @property
-    def storage_ratio(self) -> float:
-        """Storage stiffness of the slow test over that at real speed; NaN for a damper that stores nothing."""
-        return self.slow_stiffness.real / self.stiffness.real if self.stiffness.real else math.nan
-
-    @property
-    def loss_ratio(self) -> float:
-        """Loss stiffness, and so the energy of a cycle, of the slow test over that at real speed; NaN without loss."""
-        return self.slow_stiffness.imag / self.stiffness.imag if self.stiffness.imag else math.nan
-
-    @property
     def change(self) -> float:
         """Share of the damper's force that the slow test makes wrong: |K_slow - K| / |K|; NaN without a force."""
         size = abs(self.stiffness)

@@ -1,4 +1,4 @@
-"""Complex stiffness of a specimen: spring, dashpot and mass, complex spring, or a damper law at an amplitude."""
+"""Complex stiffness of a specimen over frequency: given values, or a damper law at an amplitude."""
 
 from __future__ import annotations
 
@@ -9,24 +9,6 @@ from edesign.core import LawValues
 from edesign.damper.harmonic import complex_stiffness
 from edesign.errors import InputError
 from edesign.substructure.stability.whole import ComplexStiffness
-
-
-def linear_specimen(stiffness: float, damping: float = 0.0, mass: float = 0.0) -> ComplexStiffness:
-    """Spring, N/m, with a dashpot, N s/m, and a mass, kg, that moves with the interface: k + i c w - m w^2."""
-
-    def value(omega: np.ndarray) -> np.ndarray:
-        return np.asarray(stiffness + 1j * damping * omega - mass * omega**2)
-
-    return value
-
-
-def complex_spring(stiffness: float, loss_factor: float) -> ComplexStiffness:
-    """k (1 + i n) at every frequency; stiffness in N/m."""
-
-    def value(omega: np.ndarray) -> np.ndarray:
-        return np.full(np.shape(omega), stiffness * (1.0 + 1j * loss_factor))
-
-    return value
 
 
 def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexStiffness:

@@ -166,7 +166,7 @@ def test_moment_diagram_factors() -> None:
     for psi in (1.0, 0.5, 0.0):
         C1 = lateral_torsional.end_moment_factor(psi)
         assert lateral_torsional.correction_of_factor(C1) == pytest.approx(
-            lateral_torsional.end_moment_correction(psi),
+            1.0 / (1.33 - 0.33 * psi),  # Table 6.6
             rel=0.02,  # two approximations of one curve
         )
     with pytest.raises(InputError, match="psi: 1.5 is not between -1 and 1"):
@@ -188,29 +188,8 @@ def test_reduction_factors_of_lateral_torsional_buckling() -> None:
         lateral_torsional.reduction_factor_general(-1.0, "a")
 
 
-def test_table_b_3() -> None:
-    f = moment_factors.moment_factor
-    assert moment_factors.linear_moment_factor(-1.0) == 0.4
-    assert f(0.0, 1.0, 0.0) == 0.95 and f(0.0, 1.0, 0.0, "point") == 0.90
-    assert f(1.0, 0.5, 0.0) == pytest.approx(0.6)
-    assert f(-1.0, 0.5, -1.0) == pytest.approx(0.1 + 0.8 * 0.5)
-    assert f(-1.0, 0.5, -1.0, "point") == pytest.approx(0.4)
-    assert f(-1.0, 0.75, 0.5) == pytest.approx(0.1 * 1.5 + 0.8 * 0.75)
-    assert f(-1.0, 0.75, 0.5, "point") == pytest.approx(0.2 * 0.5 + 0.8 * 0.75)
-    assert f(0.5, 1.0, 0.2) == pytest.approx(0.95 + 0.05 * 0.5)
-    assert f(-0.5, 1.0, 0.4) == pytest.approx(0.95 - 0.05 * 0.5 * (1 - 2 * 0.8))
-    assert f(-0.5, 1.0, -0.4, "point") == pytest.approx(0.90 - 0.10 * 0.5)
-    assert f(0.0, 0.0, 0.0) == 1.0
-    assert f(1.0, 0.4, 0.3) == f(-1.0, -0.4, -0.3) == f(0.3, 0.4, 1.0)
-
-
 def test_table_a_2() -> None:
     assert moment_factors.linear_moment_factor_a(1.0, 0.0, 1.0) == 1.0
-    assert moment_factors.loaded_moment_factor_a("uniform", 1.0, 2.0) == 1.015
-    # sine diagram of a pinned member: delta = M L2 / (pi2 E I), so that C_m = 1
-    assert moment_factors.deflection_moment_factor_a(2.0, 3.0, 5.0, 25.0 / (math.pi**2 * 6.0), 1.0, 0.3, 1.0) == (
-        pytest.approx(1.0)
-    )
 
 
 def test_annex_b_rows() -> None:
@@ -230,14 +209,9 @@ def test_imperfections() -> None:
     assert imperfections.initial_sway(6.0, 2) == pytest.approx(3.54e-3, abs=5e-6)
     assert imperfections.initial_sway(3.0, 1) == pytest.approx(1 / 200)
     assert imperfections.initial_sway(100.0, 1) == pytest.approx(1 / 300)
-    alpha_cr = imperfections.storey_alpha_cr(100e3, 2000e3, 0.02, 4.0)
-    assert alpha_cr == 10.0 and imperfections.storey_alpha_cr(1.0, 0.0, 1.0, 1.0) == math.inf
     assert imperfections.sway_amplification(10.0) == 1.0
     assert imperfections.sway_amplification(5.0) == pytest.approx(1.25)
-    assert imperfections.sway_may_be_ignored(-150.0, 1000.0) and not imperfections.sway_may_be_ignored(149.0, 1000.0)
     with pytest.raises(InputError, match="below 3"):
         imperfections.sway_amplification(2.9)
-    with pytest.raises(InputError, match="drift: 0 is not greater than zero"):
-        imperfections.storey_alpha_cr(1.0, 1.0, 0.0, 1.0)
     with pytest.raises(InputError, match="0 columns"):
         imperfections.initial_sway(3.0, 0)

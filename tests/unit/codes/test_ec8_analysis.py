@@ -20,14 +20,12 @@ from edesign.codes.ec8.modal_combination import (
     close_modes,
     cqc,
     cqc_coefficients,
-    enough_without_mass,
-    least_number_of_modes,
     needed_modes,
     srss,
 )
-from edesign.codes.ec8.second_order import amplification, drift_sensitivity, treatment
-from edesign.codes.ec8.seismic_mass import phi, psi_E, seismic_mass
-from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments, torsional_factor
+from edesign.codes.ec8.second_order import drift_sensitivity
+from edesign.codes.ec8.seismic_mass import phi, psi_E
+from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments
 from edesign.errors import InputError
 
 G = 9.80665
@@ -113,20 +111,10 @@ def test_every_mode_above_5_percent_is_the_other_rule() -> None:
     assert not check_modes(many[:4], 1).passed  # 8 % might be in one mode
 
 
-def test_number_of_modes_without_the_rule_of_mass() -> None:
-    """Eqs. 4.13 and 4.14: k >= 3 sqrt(n), T_k <= 0.20 s."""
-    assert [least_number_of_modes(n) for n in (1, 4, 9, 10)] == [3, 6, 9, 10]
-    assert enough_without_mass(10, 10, 0.20)
-    assert not enough_without_mass(9, 10, 0.15)
-    assert not enough_without_mass(12, 10, 0.21)
-
-
 def test_accidental_torsion() -> None:
     np.testing.assert_allclose(accidental_eccentricity([28.8, 21.6]), [1.44, 1.08], rtol=1e-15)
     F = lateral_forces(600.0, np.ones(3), np.array([1.0, 2.0, 3.0]))
     np.testing.assert_allclose(accidental_moments(F, 20.0), [100.0, 200.0, 300.0], rtol=1e-14)
-    assert torsional_factor(10.0, 20.0) == 1.3
-    assert torsional_factor(-10.0, 20.0, plane_models=True) == 1.6
 
 
 def test_accidental_moment_and_factor_agree_where_the_factor_comes_from() -> None:
@@ -139,20 +127,14 @@ def test_accidental_moment_and_factor_agree_where_the_factor_comes_from() -> Non
     np.testing.assert_allclose(shares * n / F, 1.0 + 0.6 * x / L_e, atol=0.3 * 2.0 / n)
 
 
-def test_seismic_mass() -> None:
-    """Table 4.2 and Eq. 3.17; thesis, section 5.2: 4.5 + 0.3 x 2 = 5.1 kN/m2 on 7.2 m x 7.2 m are 26.96 t."""
+def test_variable_loads_with_mass() -> None:
+    """Table 4.2 and Eq. 4.2."""
     factors = national_parameters().phi
     assert phi("B", factors) == 0.5
     assert phi("B", factors, correlated=True) == 0.8
     assert phi("C", factors, roof=True) == 1.0
     assert phi("E", factors) == phi("H", factors, roof=True) == phi("snow", factors) == 1.0
     assert psi_E(0.8, 0.3) == pytest.approx(0.24)
-    area = 7.2 * 7.2
-    mass = seismic_mass(4.5e3 * area, [2.0e3 * area], [psi_E(1.0, 0.3)])
-    assert mass == pytest.approx(5.1e3 * area / G, rel=1e-12)
-    assert mass == pytest.approx(26.96e3, abs=5.0)  # printed digits
-    per_floor = seismic_mass([100e3, 80e3], [[20e3, 10e3], [0.0, 30e3]], [0.15, 0.0])
-    np.testing.assert_allclose(per_floor * G, [103e3, 81.5e3], rtol=1e-14)
 
 
 def test_displacement_is_capped_by_the_elastic_one() -> None:
@@ -176,9 +158,6 @@ def test_lower_bound() -> None:
     assert alone.acceleration(2.65) == pytest.approx(by_hand, rel=1e-14)
     assert design.acceleration(2.65) == pytest.approx(0.2 * 0.36 * G, rel=1e-14)
     assert design.lower_bound_governs([0.0, 0.5, 0.97, 2.65]).tolist() == [False, False, False, True]
-    note = design.lower_bound_note(2.65)
-    assert "beta a_g = 0.706 m/s2" in note and "would give 0.267 m/s2" in note
-    assert design.lower_bound_note(0.97) == ""
 
 
 @pytest.mark.parametrize("T", [0.5, 1.5, 3.0])
@@ -195,23 +174,8 @@ def test_theta_of_one_degree_of_freedom(T: float) -> None:
 def test_second_order() -> None:
     """Storey by hand: 20 MN x 30 mm / (2 MN x 3 m) = 0.1."""
     assert drift_sensitivity(20e6, -0.03, 2e6, 3.0) == pytest.approx(0.1)
-    assert [treatment(theta) for theta in (0.1, 0.15, 0.2, 0.25, 0.3, 0.31)] == [
-        "none",
-        "amplify",
-        "amplify",
-        "analyse",
-        "analyse",
-        "refuse",
-    ]
-    np.testing.assert_allclose(amplification([0.05, 0.1, 0.125, 0.2]), [1.0, 1.0, 8.0 / 7.0, 1.25], rtol=1e-15)
-    with pytest.raises(InputError, match=r"theta = 0\.25 is above 0\.2"):
-        amplification([0.1, 0.25])
-    with pytest.raises(InputError, match=r"theta = 0\.53 is above 0\.3: the structure is too flexible"):
-        amplification([0.1, 0.53])
     with pytest.raises(InputError, match="V_tot must be greater than zero"):
         drift_sensitivity(20e6, 0.03, [1.0, 0.0], 3.0)
-    with pytest.raises(InputError, match="theta must be at least zero, not nan"):
-        amplification([math.nan])
 
 
 def test_drift() -> None:

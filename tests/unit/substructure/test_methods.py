@@ -30,7 +30,7 @@ from edesign.substructure.methods import (
 )
 from edesign.substructure.methods.effective_force import added_damping, force_ratios, force_transfer
 from edesign.substructure.methods.method_tests import run_method
-from edesign.substructure.methods.pseudo_dynamic import apparent_damping, modes_of, step_poles
+from edesign.substructure.methods.pseudo_dynamic import modes_of, step_poles
 from edesign.substructure.methods.rate import motion_frequency, rate_effect
 from edesign.substructure.methods.shaking_table import table_transfer
 from edesign.substructure.methods.state_space import fixed_base, respond
@@ -124,12 +124,11 @@ def test_undershoot_grows_in_the_history_as_in_the_poles():
 
 
 def test_damping_of_an_undershoot():
-    """-0.00250; the closed form is the first term in undershoot and omega dt, the next is of 5 % here."""
+    """-undershoot omega dt / 2, the first term in both: -0.00250; the next is of 5 % here."""
     part, stiffness = laboratory("structure", 1.0)
     poles = step_poles(part, 0.05, stiffness, undershoot=0.1, physical="structure")
     _, damping = modes_of(poles, 0.05)
     assert damping[0] == pytest.approx(-0.00250, abs=1e-5)
-    assert apparent_damping(ControlError(undershoot=0.1), 0.05, 1.0) == pytest.approx(-0.0025, rel=1e-12)
 
 
 @pytest.mark.parametrize("share", [0.02, 0.1])
@@ -163,8 +162,7 @@ def test_lag_against_the_motion_grows_by_four_lags_a_cycle(ratio):
     grown = (record.target[peaks[1]] - record.target[peaks[0]]) / lag
     assert grown == pytest.approx(4.0, rel=1e-2)
     start = record.target[peaks[0]]
-    zeta = apparent_damping(ControlError(lag=lag), omega_step, start)
-    assert zeta == pytest.approx(-2.0 * lag / (math.pi * start), rel=1e-12)
+    zeta = -2.0 * lag / (math.pi * start)  # damping ratio that the lag looks like
     assert record.target[peaks[1]] / start == pytest.approx(1.0 - TURN * zeta, rel=1e-3)
 
 
@@ -348,10 +346,8 @@ def test_sentence_says_the_numbers_of_the_law():
     text = effect.sentence(0.05)
     for words in ("not valid", "6.85 mm", "2 Hz", "6.05 and 1.88 kN/mm", "5.31 and 0.38 kN/mm", "26.4 % wrong"):
         assert words in text
-    assert effect.storage_ratio == pytest.approx(5.31 / 6.05)
-    assert effect.loss_ratio == pytest.approx(0.38 / 1.88)
     nothing = RateEffect(1.0, 1.0, 1.0, 0j, 0j)
-    assert math.isnan(nothing.change) and math.isnan(nothing.loss_ratio) and math.isnan(nothing.storage_ratio)
+    assert math.isnan(nothing.change)
 
 
 def test_frequency_of_a_sine():

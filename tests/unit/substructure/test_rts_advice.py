@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from linear_specimens import linear_specimen
 from unit.substructure.test_expected_errors import ELASTOMER
 
 from edesign.archive.reader import open_archive
@@ -23,7 +24,6 @@ from edesign.substructure.advice.unstable_runs import with_unstable_loops
 from edesign.substructure.rig.rigs import second_order
 from edesign.substructure.run import run_tests
 from edesign.substructure.stability.loop import phase_delay
-from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.virtual_tests import TestResults as Results
 from edesign.substructure.virtual_tests import VirtualLaboratory
 

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 import scipy.linalg
 import scipy.signal
+from linear_specimens import complex_spring, linear_specimen
 from unit.substructure.delayed_oscillator import critical_delay, delayed_root, effective_damping
 
 from edesign.errors import InputError
@@ -16,11 +17,7 @@ from edesign.substructure.stability import whole as whole_structure
 from edesign.substructure.stability.expected import DisturbedLoops
 from edesign.substructure.stability.loop import Loop, pure_delay
 from edesign.substructure.stability.margins import critical_delays, loop_stability
-from edesign.substructure.stability.specimens import (
-    complex_spring,
-    linear_specimen,
-    tabulated_specimen,
-)
+from edesign.substructure.stability.specimens import tabulated_specimen
 from edesign.substructure.stability.whole import WholeStructure
 
 TURN = 2.0 * np.pi
