@@ -124,19 +124,19 @@ def member_constants(
     plastic = section_class < 3
     W_y, W_z = (s.W_pl_y, s.W_pl_z) if plastic else (s.W_el_y, s.W_el_z)
     M_y_Rd = cross_section.moment_resistance(W_y, fy, gamma_M0)
-    clear = s.h - 2.0 * s.tf
-    webs = {"I": s.tw, "RHS": 2.0 * s.tw, "CHS": 0.0}[s.kind]
-    M_y_shear = cross_section.moment_of_shear_area(clear, webs, fy, gamma_M0) if plastic and webs else M_y_Rd
+    M_y_shear = M_y_Rd
+    if plastic and s.webs:
+        M_y_shear = cross_section.moment_of_shear_area(s.h_w, s.webs * s.tw, fy, gamma_M0)
     of = _buckling(s, fy, stability, modulus, shear_modulus)
     chi_LT, lambda_0 = _lateral_torsional(s, fy, stability, W_y, modulus, shear_modulus)
     return MemberConstants(
         N_Rd=cross_section.axial_resistance(s.A, fy, gamma_M0),
         V_y_Rd=cross_section.shear_resistance(s.A_vy, fy, gamma_M0),
-        V_z_Rd=cross_section.shear_resistance(s.A_vz, fy, gamma_M0),
+        V_z_Rd=shear_resistance_z(s, fy, gamma_M0, gamma_M1),
         M_y_Rd=M_y_Rd,
         M_z_Rd=cross_section.moment_resistance(W_z, fy, gamma_M0),
         M_y_shear=M_y_shear,
-        N_web=cross_section.axial_resistance(clear * s.tw, fy, gamma_M0) if s.kind == "I" else 0.0,
+        N_web=cross_section.axial_resistance(s.h_w * s.tw, fy, gamma_M0) if s.kind == "I" else 0.0,
         a_y=cross_section.web_share(s.A, 2.0 * s.b * s.tf) if s.kind != "CHS" else 0.0,
         a_z=cross_section.web_share(s.A, 2.0 * (s.b if s.kind == "I" else s.h) * s.tf) if s.kind != "CHS" else 0.0,
         N_b_y_Rd=buckling.buckling_resistance(s.A, fy, of.chi_y, gamma_M1),
@@ -167,6 +167,23 @@ def member_constants(
         twists=stability.twists and s.kind == "I" and stability.L_LT > 0.0,
         annex_a=annex_a,
     )
+
+
+def shear_resistance_z(section: SteelSection, yield_stress: float, gamma_M0: float, gamma_M1: float) -> float:
+    """Return V_z,Rd, N: of the whole shear area in yielding, or of slender webs in buckling if that is less.
+
+    Args:
+        section: by `steel_section`.
+        yield_stress: f_y, Pa.
+        gamma_M0, gamma_M1: partial factors.
+
+    Source: EN 1993-1-1:2005, 6.2.6(2) and (6); EN 1993-1-5:2006, 5.2.
+    """
+    plastic = cross_section.shear_resistance(section.A_vz, yield_stress, gamma_M0)
+    if not section.webs:
+        return plastic
+    web = cross_section.shear_buckling_resistance(section.h_w, section.tw, yield_stress, gamma_M1)
+    return min(plastic, section.webs * web)
 
 
 class _Buckling(NamedTuple):

@@ -61,6 +61,16 @@ class SteelSection:
     W_pl_z: float
 
     @property
+    def webs(self) -> int:
+        """How many plane webs carry shear along z."""
+        return {"I": 1, "RHS": 2, "CHS": 0}[self.kind]
+
+    @property
+    def h_w(self) -> float:
+        """Height between the flanges, m."""
+        return self.h - 2.0 * self.tf
+
+    @property
     def i_y(self) -> float:
         return math.sqrt(self.I_y / self.A)
 

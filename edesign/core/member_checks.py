@@ -72,7 +72,7 @@ class MemberConstants:
 
     Attributes:
         N_Rd: A f_y / gamma_M0.
-        V_y_Rd, V_z_Rd: plastic shear resistances.
+        V_y_Rd, V_z_Rd: shear resistances, of yielding or of the buckling of webs.
         M_y_Rd, M_z_Rd: W_pl f_y / gamma_M0, of class 3 W_el f_y / gamma_M0.
         M_y_shear: the part of M_y_Rd that the shear area carries (Eq. 6.30); all of it is on the safe side.
         N_web: h_w t_w f_y / gamma_M0 of an I section (Eq. 6.34), otherwise 0.

@@ -9,6 +9,8 @@ from __future__ import annotations
 import math
 from typing import Literal
 
+from edesign.codes.ec3.classes import epsilon
+
 GAMMA_M0 = 1.0
 """Partial factor of cross-sections. Source: EN 1993-1-1:2005, 6.1(1), recommended."""
 
@@ -51,12 +53,55 @@ def shear_resistance(shear_area: float, yield_stress: float, gamma_M0: float = G
     return shear_area * yield_stress / (math.sqrt(3.0) * gamma_M0)
 
 
-def shear_buckling_must_be_checked(web_height: float, web_thickness: float, epsilon: float, eta: float = 1.0) -> bool:
-    """Return whether h_w / t_w > 72 epsilon / eta, so that EN 1993-1-5, section 5, is needed for the web.
+def web_is_slender(web_height: float, web_thickness: float, yield_stress: float) -> bool:
+    """Return whether h_w / t_w > 72 epsilon / eta with eta = 1, so that shear may buckle the web.
 
-    Source: EN 1993-1-1:2005, 6.2.6(6), Eq. 6.22; eta = 1 is on the safe side in the shear area only.
+    Args:
+        web_height, web_thickness: h_w, between the flanges, and t_w, m.
+        yield_stress: f_y, Pa.
+
+    Source: EN 1993-1-1:2005, 6.2.6(6), Eq. 6.22.
     """
-    return web_height / web_thickness > 72.0 * epsilon / eta
+    return web_height / web_thickness > 72.0 * epsilon(yield_stress)
+
+
+def web_slenderness(web_height: float, web_thickness: float, yield_stress: float) -> float:
+    """Return lambda_w = h_w / (86.4 t_w epsilon) of a web with stiffeners at the supports alone.
+
+    Args:
+        web_height, web_thickness, yield_stress: as of `web_is_slender`.
+
+    Source: EN 1993-1-5:2006, 5.3(3)a, Eq. 5.5.
+    """
+    return web_height / (86.4 * web_thickness * epsilon(yield_stress))
+
+
+def shear_buckling_factor(slenderness: float) -> float:
+    """Return chi_w = 0.83 / lambda_w <= 1 of a web with end posts that are not rigid, eta = 1.
+
+    Args:
+        slenderness: lambda_w.
+
+    Source: EN 1993-1-5:2006, 5.3(1), Table 5.1.
+    """
+    return min(0.83 / slenderness, 1.0)
+
+
+def shear_buckling_resistance(web_height: float, web_thickness: float, yield_stress: float, gamma_M1: float) -> float:
+    """Return V_bw,Rd = chi_w f_y h_w t_w / (sqrt(3) gamma_M1), N; infinite where the web is not slender.
+
+    What the flanges add (5.4) is left out, which is on the safe side.
+
+    Args:
+        web_height, web_thickness, yield_stress: as of `web_is_slender`.
+        gamma_M1: partial factor of stability.
+
+    Source: EN 1993-1-5:2006, 5.2(1), Eq. 5.2.
+    """
+    if not web_is_slender(web_height, web_thickness, yield_stress):
+        return math.inf
+    chi = shear_buckling_factor(web_slenderness(web_height, web_thickness, yield_stress))
+    return chi * shear_resistance(web_height * web_thickness, yield_stress, gamma_M1)
 
 
 def shear_reduction(V_Ed: float, V_pl_Rd: float) -> float:

@@ -46,9 +46,9 @@ def _axial(w: Calculation, station: int) -> None:
 def _shear(along: int) -> Callable[[Calculation, int], None]:
     def write(w: Calculation, station: int) -> None:
         w.steel()
-        V_Ed, V_Rd = w.largest(along), w.V_pl_Rd(along)
+        V_Ed, V_Rd = w.largest(along), w.V_Rd(along)
         axis = "y" if along == V_Y else "z"
-        w.use(V_Ed / V_Rd, f"V_{axis},Ed / V_pl,{axis},Rd", "6.2.6(1), Eq. 6.17")
+        w.use(V_Ed / V_Rd, f"V_{axis},Ed / {w.shear_symbol(along)}", "6.2.6(1), Eq. 6.17")
 
     return write
 
@@ -77,8 +77,8 @@ def _reduction(w: Calculation, along: int, station: int) -> float:
     if rho > 0.0:
         axis = "y" if along == V_Y else "z"
         w.force(along, station)
-        w.V_pl_Rd(along)
-        w.add(f"rho_{axis}", rho, "1", f"(2 V_{axis},Ed / V_pl,{axis},Rd - 1)^2 <= 1", "6.2.8(3)")
+        w.V_Rd(along)
+        w.add(f"rho_{axis}", rho, "1", f"(2 V_{axis},Ed / {w.shear_symbol(along)} - 1)^2 <= 1", "6.2.8(3)")
     return rho
 
 
@@ -105,7 +105,7 @@ def _section(w: Calculation, station: int) -> None:
     c = w.member.constants
     if rho_y > 0.0 or rho_z > 0.0:
         value = cross_section.axial_resistance_with_shear(N_Rd, rho_y, c.V_y_Rd, rho_z, c.V_z_Rd)
-        expression = "N_pl,Rd - sqrt(3) (rho_y V_pl,y,Rd + rho_z V_pl,z,Rd)"
+        expression = f"N_pl,Rd - sqrt(3) (rho_y V_pl,y,Rd + rho_z {w.shear_symbol(V_Z)})"
         N_Rd = w.add("N_V,Rd", value, "N", expression, "6.2.10(3), Eq. 6.45")
     if rho_z > 0.0:
         M_y_Rd, _ = _with_shear(w, "y", M_y_Rd, rho_z)
@@ -194,10 +194,10 @@ def _beam_shear(w: Calculation, station: int) -> None:
     at = int(along.argmax())
     V_G = w.add("V_Ed,G", along[at], "N", f"of the non-seismic actions at x = {w.forces.stations[at]:.3g} L")
     V_M = w.add("V_Ed,M", w.member.V_M, "N", "(M_pl,A + M_pl,B) / L of its hinges", "EN 1998-1, Eq. 6.5")
-    V_Rd = w.V_pl_Rd(V_Z)
+    V_Rd = w.V_Rd(V_Z)
     w.use(
         (V_G + V_M) / V_Rd / SHEAR_LIMIT,
-        f"(V_Ed,G + V_Ed,M) / V_pl,z,Rd / {SHEAR_LIMIT}",
+        f"(V_Ed,G + V_Ed,M) / {w.shear_symbol(V_Z)} / {SHEAR_LIMIT}",
         "EN 1998-1, 6.6.2(2), Eq. 6.4",
     )
 
@@ -206,9 +206,9 @@ def _column_shear(w: Calculation, station: int) -> None:
     w.steel()
     c, size = w.member.constants, w.forces.size
     of = V_Y if size[:, V_Y].max() / c.V_y_Rd > size[:, V_Z].max() / c.V_z_Rd else V_Z
-    V_Ed, V_Rd = w.largest(of), w.V_pl_Rd(of)
+    V_Ed, V_Rd = w.largest(of), w.V_Rd(of)
     axis = "y" if of == V_Y else "z"
-    expression = f"V_{axis},Ed / V_pl,{axis},Rd / {SHEAR_LIMIT}"
+    expression = f"V_{axis},Ed / {w.shear_symbol(of)} / {SHEAR_LIMIT}"
     w.use(V_Ed / V_Rd / SHEAR_LIMIT, expression, "EN 1998-1, 6.6.3(4), Eq. 6.7")
 
 

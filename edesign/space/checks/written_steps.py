@@ -17,6 +17,7 @@ from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.space.checks.buckling_moments import quarter_moments
 
 N, V_Y, V_Z, _, M_Y, M_Z = range(6)
+_TABLE_5_1 = "EN 1993-1-5, 5.3(1), Table 5.1"
 _SYMBOL = {N: "N_Ed", V_Y: "V_y,Ed", V_Z: "V_z,Ed", M_Y: "M_y,Ed", M_Z: "M_z,Ed"}
 
 
@@ -167,11 +168,32 @@ class Calculation:
         value = cross_section.axial_resistance(self.section.A, self.member.fy, self.member.gamma_M0)
         return self.add("N_pl,Rd", value, "N", "A f_y / gamma_M0", "6.2.4(2), Eq. 6.10")
 
-    def V_pl_Rd(self, along: int) -> float:
+    def V_Rd(self, along: int) -> float:
         axis = "y" if along == V_Y else "z"
         area = self.add(f"A_v,{axis}", self.section.A_vy if along == V_Y else self.section.A_vz, "m2", "", "6.2.6(3)")
         value = cross_section.shear_resistance(area, self.member.fy, self.member.gamma_M0)
-        return self.add(f"V_pl,{axis},Rd", value, "N", f"A_v,{axis} f_y / (sqrt(3) gamma_M0)", "6.2.6(2), Eq. 6.18")
+        self.add(f"V_pl,{axis},Rd", value, "N", f"A_v,{axis} f_y / (sqrt(3) gamma_M0)", "6.2.6(2), Eq. 6.18")
+        return self._V_b_Rd(value) if self.shear_symbol(along) == "V_b,z,Rd" else value
+
+    def shear_symbol(self, along: int) -> str:
+        """V_pl,Rd, or V_b,Rd of webs that shear may buckle."""
+        s = self.section
+        if along == V_Y:
+            return "V_pl,y,Rd"
+        slender = s.webs > 0 and cross_section.web_is_slender(s.h_w, s.tw, self.member.fy)
+        return "V_b,z,Rd" if slender else "V_pl,z,Rd"
+
+    def _V_b_Rd(self, plastic: float) -> float:
+        s, member = self.section, self.member
+        self.add("gamma_M1", member.gamma_M1, "1", "", "6.1(1)")
+        h_w, t_w = self.add("h_w", s.h_w, "m"), self.add("t_w", s.tw, "m")
+        slenderness = cross_section.web_slenderness(h_w, t_w, member.fy)
+        self.add("lambda_w", slenderness, "1", "h_w / (86.4 t_w epsilon)", "EN 1993-1-5, 5.3(3), Eq. 5.5")
+        self.add("chi_w", cross_section.shear_buckling_factor(slenderness), "1", "0.83 / lambda_w <= 1", _TABLE_5_1)
+        value = min(s.webs * cross_section.shear_buckling_resistance(h_w, t_w, member.fy, member.gamma_M1), plastic)
+        of = f"{s.webs} " if s.webs > 1 else ""
+        expression = f"{of}chi_w f_y h_w t_w / (sqrt(3) gamma_M1) <= V_pl,z,Rd"
+        return self.add("V_b,z,Rd", value, "N", expression, "EN 1993-1-5, 5.2(1), Eqs. 5.1, 5.2")
 
     @property
     def theory(self) -> str:

@@ -9,6 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from edesign.building.section_class import section_class
+from edesign.building.steel_member import Stability, member_constants
 from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import classes, cross_section, imperfections, lateral_torsional, materials, moment_factors
 from edesign.codes.ec3.interaction import annex_b_factors
@@ -79,8 +80,35 @@ def test_shear_and_bending() -> None:
     rest = cross_section.moment_resistance_with_shear(s.W_pl_y * fy, 1.0, web)
     lever = s.h / 2 - s.tf - 0.2234 * s.r  # of the fillets' centroid
     assert rest == pytest.approx(flanges + (4 - math.pi) * s.r**2 * lever * fy, rel=1e-5)
-    assert cross_section.shear_buckling_must_be_checked(1.0, 0.01, 1.0)
-    assert not cross_section.shear_buckling_must_be_checked(0.7, 0.01, 1.0)
+
+
+def test_slenderness_of_a_web_is_that_of_a_long_plate_in_shear() -> None:
+    """lambda_w^2 = (f_y / sqrt 3) / tau_cr, tau_cr = 5.34 pi2 E / (12 (1 - nu2)) (t / h)2 (Timoshenko & Gere, 9.7)."""
+    h, t, fy = 1.2, 0.01, 355e6
+    critical = 5.34 * math.pi**2 * materials.E / (12.0 * (1.0 - 0.3**2)) * (t / h) ** 2
+    expected = math.sqrt(fy / math.sqrt(3.0) / critical)
+    assert cross_section.web_slenderness(h, t, fy) == pytest.approx(expected, rel=1e-3)  # 86.4 has three digits
+
+
+def test_shear_buckling_begins_where_the_code_asks_for_it() -> None:
+    """At h_w / t_w = 72 epsilon the web buckles with 0.996 of its yielding, and with less beyond."""
+    h = 72.0 * 0.01
+    assert cross_section.shear_buckling_resistance(0.9999 * h, 0.01, 235e6, 1.0) == math.inf
+    just, far = (cross_section.shear_buckling_resistance(x * h, 0.01, 235e6, 1.1) for x in (1.0001, 2.0))
+    assert just == pytest.approx(0.83 / (72.0 / 86.4) * h * 0.01 * 235e6 / math.sqrt(3.0) / 1.1, rel=2e-4)
+    assert far == pytest.approx(just, rel=2e-4)  # chi_w falls as h_w grows: the tension field beyond is left out
+
+
+@pytest.mark.parametrize(("name", "fy", "share"), [("HEA900", 460e6, 0.803), ("UB762x267x134", 355e6, 0.859)])
+def test_slender_webs_of_rolled_sections(name: str, fy: float, share: float) -> None:
+    """V_b,Rd / V_pl,Rd by hand: 0.83 x 86.4 t2 epsilon / A_vz."""
+    s = steel_section(name)
+    expected = 0.83 * 86.4 * s.tw**2 * math.sqrt(235e6 / fy) / s.A_vz
+    assert expected == pytest.approx(share, abs=5e-4)
+    plastic = cross_section.shear_resistance(s.A_vz, fy)
+    stability = Stability(5.0, 5.0, 5.0)
+    assert member_constants(s, fy, stability, 1).V_z_Rd == pytest.approx(expected * plastic, rel=1e-12)
+    assert member_constants(s, 235e6, stability, 1).V_z_Rd == cross_section.shear_resistance(s.A_vz, 235e6)
 
 
 def _plastic_rectangles(h: float, b: float, tw: float, tf: float, n: float) -> float:

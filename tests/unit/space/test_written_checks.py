@@ -38,6 +38,7 @@ MEMBERS = {
     ),
     "I, class 3": SteelMember(steel_section("HEA300"), 355e6, Stability(6.0, 6.0, 6.0), 3),
     "I, held all along": SteelMember(steel_section("IPE330"), 275e6, Stability(7.2, 0.0, 0.0, twists=False), 1),
+    "I, slender web": SteelMember(steel_section("HEA900"), 460e6, Stability(6.0, 6.0, 6.0), 1, V_M=900e3, gamma_M1=1.1),
     "I, torsion governs": SteelMember(steel_section("HEB200"), 275e6, Stability(3.0, 1.0, 12.0), 1),
     "square, class 3": SteelMember(steel_section("SHS250x6.3"), 275e6, Stability(5.0, 4.0, 4.0), 3),
     "square": SteelMember(steel_section("SHS180x10"), 275e6, Stability(8.0, 8.0, 8.0, C_my=1.0, C_mz=1.0), 1),
