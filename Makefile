@@ -37,7 +37,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs docs-keys bench memcheck wheel coverage clean distclean
+.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs docs-keys law-parameters bench memcheck wheel coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -59,6 +59,7 @@ help:
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make docs-keys write the reference of all keys, docs/reference/keys, out of the models"
+	@echo "make law-parameters  write the parameters of damper laws for the core, out of edesign/damper/laws.py"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 
@@ -203,6 +204,9 @@ memcheck: $(STAMPS)/build
 format: $(STAMPS)/test
 	@$(BIN)/ruff format .
 	@$(BIN)/ruff check --fix .
+
+law-parameters: setup
+	@$(PY) -m tools.law_parameters
 
 docs-keys: setup
 	@$(PY) -m tools.docs_keys

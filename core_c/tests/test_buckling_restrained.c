@@ -132,8 +132,8 @@ int main(void)
   refuses(10, 0.5, "beta1 = 0.5");
   refuses(11, 0.01, "strains ascend");
   refuses(11, 0.0101, "omega2 = 1.45 is not allowed: from the point before");
-  refuses(8, 2.0, "strain1 = 2 is not allowed: less than 1 (100 %)");
+  refuses(8, 2.0, "strain1 = 2 is not allowed: greater than 0 and less than 1");
   refuses(12, 1.0, "omega2 = 1 is not allowed: at least omega1 = ");
-  check_refused(ED_LAW_BUCKLING_RESTRAINED, N - 1, BRACE, "strain, omega and beta");
+  check_refused(ED_LAW_BUCKLING_RESTRAINED, N - 1, BRACE, "R_y, then strain, omega, beta of each of 1 to 16");
   return checks_end("buckling-restrained brace");
 }

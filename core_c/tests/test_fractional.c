@@ -141,8 +141,8 @@ static void check_parameters(void)
   static const int laws[] = {ED_LAW_FRACTIONAL_KELVIN, ED_LAW_FRACTIONAL_MAXWELL};
   for (int i = 0; i < 2; i++) {
     check_refused(laws[i], 3, (const double[]){0.0, 1.0, 0.5}, "0 = 0 is not allowed");
-    check_refused(laws[i], 3, (const double[]){1.0, 1.0, 0.0}, " = 0 is not allowed: it must be above");
-    check_refused(laws[i], 3, (const double[]){1.0, 1.0, 1.0}, " = 1 is not allowed: it must be above 0 and below 1");
+    check_refused(laws[i], 3, (const double[]){1.0, 1.0, 0.0}, " = 0 is not allowed: greater than 0 and less than 1");
+    check_refused(laws[i], 3, (const double[]){1.0, 1.0, 1.0}, " = 1 is not allowed: greater than 0 and less than 1");
   }
   check_refused(ED_LAW_FRACTIONAL_KELVIN, 3, (const double[]){1.0, -1.0, 0.5}, "c = -1 is not allowed");
   check_refused(ED_LAW_FRACTIONAL_MAXWELL, 3, (const double[]){1.0, -1.0, 0.5}, "lambda = -1 is not allowed");

@@ -183,7 +183,7 @@ static void check_parameters(void)
   check_refused(ED_LAW_KELVIN_VOIGT, 2, (const double[]){-1.0, 1.0}, "k = -1 is not allowed");
   check_refused(ED_LAW_KELVIN_VOIGT, 2, (const double[]){1.0, -2.0}, "c = -2 is not allowed");
   check_refused(ED_LAW_ZENER, 3, (const double[]){1.0, 0.0, 1.0}, "k1 = 0 is not allowed");
-  check_refused(ED_LAW_GENERALISED_MAXWELL, 4, (const double[]){1.0, 1.0, 1.0, 1.0}, "number of parameters = 4");
+  check_refused(ED_LAW_GENERALISED_MAXWELL, 4, (const double[]){1.0, 1.0, 1.0, 1.0}, "number of parameters = 4 is not allowed: k0, then k, c of each of 1 to 16 branches");
   check_refused(ED_LAW_GENERALISED_MAXWELL, 5, (const double[]){1.0, 1.0, 1.0, 1.0, -3.0}, "c2 = -3 is not allowed");
   check_refused(ED_LAW_VISCOUS, 1, (const double[]){0.0}, "c = 0 is not allowed");
   check_refused(ED_LAW_MAXWELL, 2, (const double[]){1.0, 1e-310}, "relaxation rate = inf");

@@ -66,16 +66,8 @@ static void find_way(const double *p, way *w)
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
   const double *p = damper->parameter;
-  if (!(p[F0] > 0.0))
-    return ed_refuse_parameter(message, "f0", p[F0], "greater than 0");
   if (p[K1] == 0.0 && p[K2] == 0.0 && p[K3] == 0.0)
     return ed_refuse_parameter(message, "k1", p[K1], "k1, k2, k3 must not all be 0");
-  if (!(p[KAPPA] > 0.0))
-    return ed_refuse_parameter(message, "kappa", p[KAPPA], "greater than 0");
-  if (!(p[SHAPE] >= 1.0))
-    return ed_refuse_parameter(message, "n", p[SHAPE], "at least 1");
-  if (!(p[C] >= 0.0))
-    return ed_refuse_parameter(message, "c", p[C], "at least 0");
   damper->derived = malloc(sizeof(way));
   if (!damper->derived)
     return ED_E_MEMORY;
@@ -151,7 +143,5 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
 }
 
 const ed_law ed_asymptote = {.name = "asymptote",
-                             .least_parameters = N_PARAMETERS,
-                             .most_parameters = N_PARAMETERS,
                              .prepare = prepare,
                              .step = step};

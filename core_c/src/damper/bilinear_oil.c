@@ -5,19 +5,7 @@
 
 #include <math.h>
 
-enum { C, RELIEF, RATIO, PARAMETERS };
-
-static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
-{
-  const double *p = damper->parameter;
-  if (!(p[C] > 0.0))
-    return ed_refuse_parameter(message, "c", p[C], "greater than 0");
-  if (!(p[RELIEF] > 0.0))
-    return ed_refuse_parameter(message, "F_r", p[RELIEF], "greater than 0");
-  if (!(p[RATIO] >= 0.0 && p[RATIO] <= 1.0))
-    return ed_refuse_parameter(message, "p", p[RATIO], "at least 0 and at most 1");
-  return ED_OK;
-}
+enum { C, RELIEF, RATIO };
 
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
@@ -32,7 +20,4 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
 }
 
 const ed_law ed_bilinear_oil = {.name = "bilinear_oil",
-                                .least_parameters = PARAMETERS,
-                                .most_parameters = PARAMETERS,
-                                .prepare = prepare,
                                 .step = step};

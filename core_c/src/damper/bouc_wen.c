@@ -4,26 +4,13 @@
 #include "damper/laws.h"
 #include "edcore.h"
 
-#include <stddef.h>
+enum { FY, Y, ALPHA, A, BETA, GAMMA, N };
 
-enum { FY, Y, ALPHA, A, BETA, GAMMA, N, PARAMETERS };
-
-const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, const char **allowed)
+int ed_bouc_wen_check(const ed_bouc_wen_shape *shape, char message[ED_DAMPER_MESSAGE])
 {
-  *allowed = "above zero";
-  if (!((*value = shape->Y) > 0.0))
-    return "Y";
-  if (!((*value = shape->A) > 0.0))
-    return "A";
-  if (!((*value = shape->gamma) > 0.0))
-    return "gamma";
-  *allowed = "at least -gamma: below it z grows without bound";
-  if (!((*value = shape->beta) + shape->gamma >= 0.0))
-    return "beta";
-  *allowed = "1 to 100";
-  if (!((*value = shape->n) >= 1.0 && *value <= 100.0))
-    return "n";
-  return NULL;
+  if (shape->beta + shape->gamma >= 0.0)
+    return ED_OK;
+  return ed_refuse_parameter(message, "beta", shape->beta, "at least -gamma: below it z grows without bound");
 }
 
 static ed_bouc_wen_shape shape_of(const ed_damper *damper)
@@ -34,20 +21,10 @@ static ed_bouc_wen_shape shape_of(const ed_damper *damper)
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double *p = damper->parameter;
   const ed_bouc_wen_shape shape = shape_of(damper);
-  const char *allowed;
-  double value;
-  const char *refused = ed_bouc_wen_refused(&shape, &value, &allowed);
-  if (refused)
-    return ed_refuse_parameter(message, refused, value, allowed);
-  if (!(p[FY] > 0.0))
-    return ed_refuse_parameter(message, "Fy", p[FY], "above zero");
-  if (!(p[ALPHA] >= 0.0 && p[ALPHA] < 1.0))
-    return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and below 1");
   damper->n_ode = 1;
   damper->diagonal_ode = 1;
-  return ED_OK;
+  return ed_bouc_wen_check(&shape, message);
 }
 
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
@@ -91,8 +68,6 @@ static void rate(const ed_damper *damper, double u, double v, const double *y, c
 }
 
 const ed_law ed_bouc_wen = {.name = "bouc_wen",
-                            .least_parameters = PARAMETERS,
-                            .most_parameters = PARAMETERS,
                             .rate_independent = 1,
                             .takes_brace = 1,
                             .prepare = prepare,

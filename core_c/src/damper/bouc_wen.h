@@ -3,6 +3,7 @@
 #ifndef ED_BOUC_WEN_H
 #define ED_BOUC_WEN_H
 
+#include "damper/law.h"
 #include "damper/path.h"
 
 #include <math.h>
@@ -26,8 +27,8 @@ static inline double ed_way(double v)
   return v > 0.0 ? 1.0 : v < 0.0 ? -1.0 : 0.0;
 }
 
-/* NULL, or which parameter of the five is impossible. */
-const char *ed_bouc_wen_refused(const ed_bouc_wen_shape *shape, double *value, const char **allowed);
+/* Whether beta and gamma go together: ED_OK, ED_E_ARGUMENT. */
+int ed_bouc_wen_check(const ed_bouc_wen_shape *shape, char message[ED_DAMPER_MESSAGE]);
 
 /* Moves z along a path, exactly to rounding whatever its length (bouc_wen_path.c). slope: derivatives of z at its end to the two
  * unknowns; zero where no direction moves the path. ED_OK; ED_E_ARGUMENT: z lies where no motion leads; ED_E_NOT_CONVERGED. */

@@ -4,18 +4,6 @@
 #include "damper/spectrum.h"
 #include "edcore.h"
 
-static int check(const ed_damper *damper, const char *const *name, int order, char message[ED_DAMPER_MESSAGE])
-{
-  for (int i = 0; i < damper->n_parameters; i++) {
-    const double value = damper->parameter[i];
-    if (!(value > 0.0))
-      return ed_refuse_parameter(message, name[i], value, "it must be above zero");
-    if (i == order && !(value < 1.0))
-      return ed_refuse_parameter(message, name[i], value, "it must be above 0 and below 1");
-  }
-  return ED_OK;
-}
-
 static void scale(ed_prony *series, double factor)
 {
   series->spring *= factor;
@@ -27,9 +15,6 @@ static void scale(ed_prony *series, double factor)
 /* F = k0 (u + c D^alpha u): beside the spring a relaxation modulus k0 c t^-alpha / Gamma(1 - alpha). */
 static int kelvin(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const char *const name[] = {"k0", "c", "alpha"};
-  if (check(damper, name, 2, message))
-    return ED_E_ARGUMENT;
   const double *p = damper->parameter;
   ed_prony series;
   ed_spectrum_of_power(&series, p[2]);
@@ -41,9 +26,6 @@ static int kelvin(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 /* F + a D^alpha F = k0 (u + b D^alpha u): relaxation modulus k0 (1 + (b/a - 1) E_alpha(-t^alpha / a)). */
 static int zener(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const char *const name[] = {"k0", "a", "b", "alpha"};
-  if (check(damper, name, 3, message))
-    return ED_E_ARGUMENT;
   const double *p = damper->parameter;
   if (!(p[2] > p[1]))
     return ed_refuse_parameter(message, "b", p[2], "it must be above a, or the device would give more energy than it took");
@@ -57,9 +39,6 @@ static int zener(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 /* F + lambda D^nu F = c0 v: relaxation modulus c0/lambda t^(nu - 1) E_nu,nu(-t^nu / lambda) = -c0 d/dt E_nu(-t^nu / lambda). */
 static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const char *const name[] = {"c0", "lambda", "nu"};
-  if (check(damper, name, 2, message))
-    return ED_E_ARGUMENT;
   const double *p = damper->parameter;
   ed_prony series;
   ed_spectrum_of_mittag_leffler(&series, p[2], p[1], 1);
@@ -67,10 +46,10 @@ static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   return ed_prony_prepare(damper, &series, message);
 }
 
-#define LAW(law, parameters, prepares) \
-  {.name = law, .least_parameters = parameters, .most_parameters = parameters, .prepare = prepares, .step = ed_prony_step, \
+#define LAW(law, prepares) \
+  {.name = law, .prepare = prepares, .step = ed_prony_step, \
    .rate = ed_prony_rate}
 
-const ed_law ed_fractional_kelvin = LAW("fractional_kelvin", 3, kelvin);
-const ed_law ed_fractional_zener = LAW("fractional_zener", 4, zener);
-const ed_law ed_fractional_maxwell = LAW("fractional_maxwell", 3, maxwell);
+const ed_law ed_fractional_kelvin = LAW("fractional_kelvin", kelvin);
+const ed_law ed_fractional_zener = LAW("fractional_zener", zener);
+const ed_law ed_fractional_maxwell = LAW("fractional_maxwell", maxwell);

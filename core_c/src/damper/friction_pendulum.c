@@ -10,19 +10,13 @@
 
 #include <math.h>
 
-enum { W, R, F_SLOW, F_FAST, RATE, Y, PARAMETERS };
+enum { W, R, F_SLOW, F_FAST, RATE, Y };
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const char *const name[] = {"W", "R", "f_slow", "f_fast", "a", "Y"};
   const double *p = damper->parameter;
-  for (int i = 0; i < PARAMETERS; i++)
-    if (i != RATE && !(p[i] > 0.0))
-      return ed_refuse_parameter(message, name[i], p[i], "greater than 0");
   if (!(p[F_FAST] >= p[F_SLOW]))
     return ed_refuse_parameter(message, "f_fast", p[F_FAST], "at least f_slow");
-  if (!(p[RATE] >= 0.0))
-    return ed_refuse_parameter(message, "a", p[RATE], "at least 0");
   damper->n_memory = 1;
   damper->rate_independent = p[RATE] == 0.0 || p[F_FAST] == p[F_SLOW];
   return ED_OK;
@@ -59,8 +53,6 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
 }
 
 const ed_law ed_friction_pendulum = {.name = "friction_pendulum",
-                                     .least_parameters = PARAMETERS,
-                                     .most_parameters = PARAMETERS,
                                      .rate_independent = 1,
                                      .prepare = prepare,
                                      .step = step};

@@ -5,17 +5,11 @@
 
 #include <math.h>
 
-enum { K, GAP, D, SIDE, PARAMETERS };
+enum { K, GAP, D, SIDE };
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
   const double *p = damper->parameter;
-  if (!(p[K] > 0.0))
-    return ed_refuse_parameter(message, "k", p[K], "greater than 0");
-  if (!(p[GAP] >= 0.0))
-    return ed_refuse_parameter(message, "gap", p[GAP], "at least 0");
-  if (!(p[D] >= 0.0))
-    return ed_refuse_parameter(message, "d", p[D], "at least 0");
   if (p[SIDE] != 0.0 && p[SIDE] != 1.0 && p[SIDE] != -1.0)
     return ed_refuse_parameter(message, "side", p[SIDE], "1, -1, or 0 for both sides");
   damper->rate_independent = p[D] == 0.0;
@@ -37,8 +31,6 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
 }
 
 const ed_law ed_gap = {.name = "gap",
-                       .least_parameters = PARAMETERS,
-                       .most_parameters = PARAMETERS,
                        .rate_independent = 1,
                        .prepare = prepare,
                        .step = step};

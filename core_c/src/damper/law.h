@@ -59,7 +59,6 @@ struct ed_damper {
 
 struct ed_law {
   const char *name;
-  int least_parameters, most_parameters;
   int rate_independent;  /* the force depends on the order of deformations alone, not on their speed */
   int softens;           /* the force may fall while the deformation grows */
   int takes_brace;       /* `rate` itself puts brace > 0 in series */
@@ -67,8 +66,8 @@ struct ed_law {
   int step_takes_brace;  /* so does the exact step; else brace.c puts it there */
   /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
   void (*with_brace)(ed_damper *damper);
-  /* Checks the parameters; sets n_ode, n_memory, diagonal_ode and `derived`. On ED_E_ARGUMENT `message` says parameter, value
-   * seen, what is allowed. Also ED_E_MEMORY. */
+  /* Checks how parameters go together, each of which is within its bounds (law_parameters.h); sets n_ode, n_memory, diagonal_ode
+   * and `derived`. On ED_E_ARGUMENT `message` says parameter, value seen, what is allowed. Also ED_E_MEMORY. NULL: nothing to do. */
   int (*prepare)(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);
   void (*start)(const ed_damper *damper, double *state);
   /* Exact step along the path from `committed`; NULL where the law has none. Returns ED_OK, ED_E_NOT_FINITE, ED_E_NOT_CONVERGED.

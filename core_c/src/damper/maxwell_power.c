@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { C, ALPHA, K, PARAMETERS };
+enum { C, ALPHA, K };
 
 /* For alpha > 1 the derivative of the dashpot's velocity to the force is infinite at rest. Below this share of c it is held: the
  * force itself is not touched, and a sensitivity that passes through rest fades there all the same. */
@@ -22,13 +22,7 @@ static const double AT_REST = 1e-16;
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double *p = damper->parameter;
-  if (!(p[C] > 0.0))
-    return ed_refuse_parameter(message, "c", p[C], "above zero");
-  if (!(p[ALPHA] > 0.0 && p[ALPHA] <= 2.0))
-    return ed_refuse_parameter(message, "alpha", p[ALPHA], "above 0 and at most 2");
-  if (!(p[K] > 0.0))
-    return ed_refuse_parameter(message, "k", p[K], "above zero");
+  (void)message;
   damper->n_ode = 1;
   damper->diagonal_ode = 1;
   return ED_OK;
@@ -336,8 +330,6 @@ static void rate(const ed_damper *damper, double u, double v, const double *y, c
 }
 
 const ed_law ed_maxwell_power = {.name = "maxwell_power",
-                                 .least_parameters = PARAMETERS,
-                                 .most_parameters = PARAMETERS,
                                  .takes_brace = 1,
                                  .step_takes_brace = 1,
                                  .prepare = prepare,

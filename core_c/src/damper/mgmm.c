@@ -27,14 +27,7 @@ static const double REST = 1e-7;
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const char *const names[] = {"k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref"};
-  static const char positive[] = {1, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1};
   const double *p = damper->parameter;
-  for (int i = 0; i < 11; i++)
-    if (!(p[i] >= 0.0) || (positive[i] && p[i] == 0.0))
-      return ed_refuse_parameter(message, names[i], p[i], positive[i] ? "greater than 0" : "at least 0");
-  if (p[4] > 2.0)
-    return ed_refuse_parameter(message, "alpha", p[4], "at most 2");
   if (p[11] != 0.0 && p[11] != 1.0)
     return ed_refuse_parameter(message, "consistent", p[11], "0 or 1");
   const double tau = p[1] / p[0];
@@ -290,5 +283,5 @@ static double relaxation_time(const ed_damper *damper)
   return ed_mgmm_constants_of(damper)->tau;
 }
 
-const ed_law ed_mgmm = {.name = "mgmm", .least_parameters = 12, .most_parameters = 12, .prepare = prepare, .start = start,
+const ed_law ed_mgmm = {.name = "mgmm", .prepare = prepare, .start = start,
                         .step = step, .rate = rate, .remember = remember, .events = events, .relaxation_time = relaxation_time};

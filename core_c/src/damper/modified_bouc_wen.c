@@ -14,7 +14,7 @@
 
 #include <string.h>
 
-enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D, PARAMETERS };
+enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D };
 
 /* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is held. */
 static const double NO_FORCE = 1e-16;
@@ -29,31 +29,13 @@ static ed_bouc_wen_shape shape_of(const ed_damper *damper)
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  static const struct {
-    int parameter, zero_too;
-    const char *name;
-  } bounds[] = {{K1, 1, "k1"}, {K2, 0, "k2"}, {U_REF, 0, "u_ref"}, {C, 1, "C"}, {ALPHA_D, 0, "alpha_d"}};
   const double *p = damper->parameter;
-  for (int i = 0; i < (int)(sizeof bounds / sizeof *bounds); i++) {
-    const double value = p[bounds[i].parameter];
-    if (!(value > 0.0) && !(value == 0.0 && bounds[i].zero_too))
-      return ed_refuse_parameter(message, bounds[i].name, value, bounds[i].zero_too ? "at least zero" : "above zero");
-  }
   const ed_bouc_wen_shape shape = shape_of(damper);
-  const char *allowed;
-  double value;
-  const char *refused = ed_bouc_wen_refused(&shape, &value, &allowed);
-  if (refused)
-    return ed_refuse_parameter(message, refused, value, allowed);
-  if (!(p[ALPHA] >= 0.0 && p[ALPHA] < 1.0))
-    return ed_refuse_parameter(message, "alpha", p[ALPHA], "at least 0 and below 1");
-  if (p[ALPHA_D] > 2.0)
-    return ed_refuse_parameter(message, "alpha_d", p[ALPHA_D], "at most 2");
   damper->n_ode = damper->brace > 0.0 ? 2 : 1;
   damper->n_memory = 2;
   damper->rate_independent = p[C] == 0.0;
   damper->without_step = damper->brace > 0.0 && p[C] > 0.0;
-  return ED_OK;
+  return ed_bouc_wen_check(&shape, message);
 }
 
 /* Stiffness at the end of a path and its derivatives; `memory` is moved there. */
@@ -212,8 +194,6 @@ static int events(const ed_damper *damper, const ed_path *path, const double *me
 }
 
 const ed_law ed_modified_bouc_wen = {.name = "modified_bouc_wen",
-                                     .least_parameters = PARAMETERS,
-                                     .most_parameters = PARAMETERS,
                                      .softens = 1,
                                      .takes_brace = 1,
                                      .prepare = prepare,

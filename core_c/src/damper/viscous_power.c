@@ -5,27 +5,6 @@
 
 #include <math.h>
 
-static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
-{
-  const double c = damper->parameter[0], alpha = damper->parameter[1];
-  if (!(c > 0.0))
-    return ed_refuse_parameter(message, "c", c, "it must be above zero");
-  if (!(alpha > 0.0 && alpha <= 2.0))
-    return ed_refuse_parameter(message, "alpha", alpha, "it must be above 0 and at most 2");
-  return ED_OK;
-}
-
-static int prepare_asymmetric(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
-{
-  const double *p = damper->parameter;
-  for (int i = 0; i < 2; i++)
-    if (!(p[i] > 0.0))
-      return ed_refuse_parameter(message, i == 0 ? "c_plus" : "c_minus", p[i], "it must be above zero");
-  if (!(p[2] > 0.0 && p[2] <= 2.0))
-    return ed_refuse_parameter(message, "alpha", p[2], "it must be above 0 and at most 2");
-  return ED_OK;
-}
-
 static int follow(double c, double alpha, double v, double h, const ed_path direction[2], ed_damper_force *out)
 {
   double secant, slope;
@@ -62,9 +41,6 @@ static void with_brace(ed_damper *damper)
 }
 
 const ed_law ed_viscous_power = {
-    .name = "viscous_power", .least_parameters = 2, .most_parameters = 2, .with_brace = with_brace, .prepare = prepare, .step = step};
+    .name = "viscous_power", .with_brace = with_brace, .step = step};
 const ed_law ed_asymmetric_viscous = {.name = "asymmetric_viscous",
-                                      .least_parameters = 3,
-                                      .most_parameters = 3,
-                                      .prepare = prepare_asymmetric,
                                       .step = step_asymmetric};

@@ -16,11 +16,15 @@ PAGES = Path(__file__).parents[3] / "docs" / "reference" / "laws"
 @pytest.mark.parametrize("name", LAWS)
 def test_page_has_all_parameters(name: str) -> None:
     law, text = LAWS[name], (PAGES / f"{name}.md").read_text(encoding="utf-8")
-    table = re.findall(r"^\| `(\w+)` \| (.+?) \| (.+?) \| (.+?) \| .+ \|$", text, re.M)
-    rows = {name: tuple(cells) for name, *cells in table}
-    for parameter in law.with_branches(1 if law.branch else 0):
+    table = re.findall(r"^\| `(\w+)` \| (.+?) \| (.+?) \| (.+?) \| (.+) \|$", text, re.M)
+    rows = {name: tuple(cell.replace("`", "") for cell in cells) for name, *cells in table}
+    parameters = law.with_branches(1 if law.branch else 0)
+    assert list(rows)[: len(parameters)] == [parameter.name for parameter in parameters]
+    for parameter in parameters:
         default = "-" if parameter.default is None else f"{parameter.default:g}"
-        assert rows[parameter.name] == (practical_unit(parameter) or "-", parameter.allowed, default)
+        assert rows[parameter.name][:3] == (practical_unit(parameter) or "-", parameter.allowed, default)
+        if parameter in law.parameters:  # of branches a page says more
+            assert rows[parameter.name][3] == parameter.meaning
     assert law.source in " ".join(text.split())  # which a line may break
     for part in ("Temperature:", "Integration:"):
         assert f"\n{part}" in text
