@@ -33,7 +33,7 @@ from edesign.project.frame.sections import PlateSection, RectangleSection, Secti
 from edesign.project.project import Project
 
 if TYPE_CHECKING:
-    from edesign.building.frame import FrameModel
+    from edesign.building.frame_model import FrameModel
 
 AxisData = tuple[float, Curve]  # second moment of area, m4, and buckling curve
 

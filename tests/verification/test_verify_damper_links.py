@@ -9,7 +9,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from edesign.building.frame import FrameModel, build_frame
+from edesign.building.frame import build_frame
+from edesign.building.frame_model import FrameModel
 from edesign.building.profiles import profile_names
 from edesign.core import Analysis, Channel, CoreDamper, Elastic, Model
 from edesign.damper.laws import law

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.building.isolation import base_loads
 from edesign.building.loads import floor_loads
 from edesign.project.notation.units import STANDARD_GRAVITY

@@ -7,7 +7,7 @@ from functools import cached_property
 from pydantic import TypeAdapter
 
 from edesign.archive.reader import Archive
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.project.dampers.dampers import Dampers, Device
 from edesign.project.project import Project
 from edesign.project.reading.yaml_nodes import parse

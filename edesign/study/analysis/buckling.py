@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from edesign.archive.dataset import Group
 from edesign.building.devices import Device
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.building.struts import Bar, Kind, Strut, frame_bars
 from edesign.codes.ec3.buckling import NO_BUCKLING
 from edesign.project.project import Project

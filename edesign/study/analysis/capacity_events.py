@@ -9,15 +9,16 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.members import ELASTIC_ROTATION
-from edesign.building.frame import FrameModel, Member
+from edesign.building.frame_model import FrameModel, Member
 from edesign.codes.capacity_curve import DESCENT
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.core import Response
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.project import Project
 from edesign.study.analysis.collapse import collapse_reason
-from edesign.study.results import quantities as q
+from edesign.study.results.members import plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
+from edesign.study.results.storeys import line_drift_storeys, line_drifts
 
 MOST_STEPS = 10_000
 """Beyond it yielding is not followed: of each step six numbers of each member end are kept while the push runs, which
@@ -64,8 +65,8 @@ class EventChannels:
     """
 
     def __init__(self, project: Project, frame: FrameModel, steps: int) -> None:
-        self._storeys = q.line_drift_storeys(frame)
-        self._drifts = q.line_drifts(frame)
+        self._storeys = line_drift_storeys(frame)
+        self._drifts = line_drifts(frame)
         self._followed = Quantity("event_drift", ("drift",), self._drifts.shape, self._drifts.cells, "1", "", True, ())
         follows = steps <= MOST_STEPS
         self._yielding = [found for kind in KINDS if follows and (found := _yielding(project, frame, kind))]
@@ -174,7 +175,7 @@ def _yielding(project: Project, frame: FrameModel, kind: str) -> _Yielding | Non
                     strains.append(cell)
             else:
                 strains += [_hinge_yield(member, end), ()]
-            rotations.append(q.plastic_rotation(member, end))
+            rotations.append(plastic_rotation(member, end))
     if not members:
         return None
     shape = (len(members), 2)

@@ -24,7 +24,7 @@ def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]
 
     Args:
         response: of the history.
-        drifts: on all column lines, as `quantities.line_drifts` gives them.
+        drifts: on all column lines, as `line_drifts` gives them.
         storeys: of these drifts, from 1.
     """
     if response.status not in ("limit", "failed"):

@@ -10,7 +10,8 @@ import scipy
 
 from edesign.archive.dataset import Group
 from edesign.building.footings import DIRECTIONS
-from edesign.building.frame import FrameModel, build_frame
+from edesign.building.frame import build_frame
+from edesign.building.frame_model import FrameModel
 from edesign.core import Modes, damped_eigenvalue
 from edesign.errors import AnalysisError
 from edesign.project.notation import names

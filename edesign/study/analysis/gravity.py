@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.building.loads import beam_loads, gravity_load, horizontal_load
 from edesign.building.named_section import cross_section
 from edesign.core import Response
@@ -16,10 +16,15 @@ from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.structure import make_structure
 from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import store_warnings
-from edesign.study.results import quantities as q
 from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.coordinates import bending_members, coordinates
+from edesign.study.results.dampers import damper_quantities
+from edesign.study.results.floors import base_displacement, floor_displacements
+from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.springs import spring_quantities
+from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
+from edesign.study.results.supports import base_shear, isolator_axial_forces
 
 
 def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
@@ -31,22 +36,22 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     structure = make_structure(project, dampers=spec.dampers)
     frame = structure.frame
     group = Group()
-    q.coordinates(group, frame)
+    coordinates(group, frame)
     coordinate(group, "node", list(frame.nodes), "", "name of the node")
     coordinate(group, "support", list(frame.supports), "", "name of the supported node")
-    drifts = q.line_drifts(frame)
+    drifts = line_drifts(frame)
     recorded = [
-        q.floor_displacements(frame, history=False),
-        q.storey_drifts(frame, history=False),
-        q.storey_shears(frame, history=False),
-        q.base_shear(frame, history=False),
-        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
-        *q.axial_forces(frame),
-        *(q.dampers(frame, history=False) if any(device.carries for device in frame.devices) else ()),
-        *q.base_displacement(frame, history=False),
-        *q.isolator_axial_forces(frame, keep=("final",)),
-        *q.leaning_column(frame),
-        *q.plastic_rotations(frame),
+        floor_displacements(frame, history=False),
+        storey_drifts(frame, history=False),
+        storey_shears(frame, history=False),
+        base_shear(frame, history=False),
+        *member_forces(frame, bending_members(frame), "member", history=False),
+        *axial_forces(frame),
+        *(damper_quantities(frame, history=False) if any(device.carries for device in frame.devices) else ()),
+        *base_displacement(frame, history=False),
+        *isolator_axial_forces(frame, keep=("final",)),
+        *leaning_column_forces(frame),
+        *plastic_rotations(frame),
         *brace_quantities(project, frame, group),
         *spring_quantities(frame, group),
         *_node_displacements(frame),
@@ -61,7 +66,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
     if response.status == "completed" and reason:
         response, doubts = replace(response, status="failed", reason=reason), None
     store(group, recorded, response, "step")
-    q.store_drift_extremes(group, frame, drifts, response)
+    store_drift_extremes(group, frame, drifts, response)
     warnings = buckling_warnings(group, project, frame)
     store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
     store_run(group, response)

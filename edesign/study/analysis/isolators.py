@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.building.isolation import IsolatedFeet, isolator_under
 from edesign.project.dampers.isolation import Isolation
 from edesign.project.frame.frame import Frame

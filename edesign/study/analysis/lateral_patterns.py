@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.errors import AnalysisError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
 from edesign.project.analysis.pushover import GivenPattern, Pattern, pattern_name

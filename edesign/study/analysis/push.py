@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import Response
 from edesign.project.analysis.analyses import PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.pushover import pattern_name
@@ -19,11 +19,16 @@ from edesign.study.analysis.dampers import core_strain_warnings
 from edesign.study.analysis.structure import make_frame, make_structure
 from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import AnalysisWarning, store_warnings
-from edesign.study.results import quantities as q
 from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.coordinates import bending_members, coordinates
+from edesign.study.results.dampers import damper_quantities
+from edesign.study.results.floors import floor_displacements
+from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
 from edesign.study.results.springs import spring_quantities
+from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
+from edesign.study.results.supports import base_shear, support_reactions
 
 Progress = Callable[[int, int], None]
 Stop = Callable[[], bool]
@@ -88,25 +93,25 @@ def push(
     structure.apply_gravity()
     structure.install_dampers()
     group = Group()
-    q.coordinates(group, frame)
+    coordinates(group, frame)
     load_factor = Quantity(
         "lateral_load", (), (), (((1.0, "load_factor", lateral, 0),),), "N", "sum of the lateral loads", True, ("max",)
     )
-    drifts, shear = q.line_drifts(frame), q.base_shear(frame, history=True)
+    drifts, shear = line_drifts(frame), base_shear(frame, history=True)
     recorded = [
         load_factor,
-        q.floor_displacements(frame, history=True),
-        q.storey_drifts(frame, history=True),
-        q.storey_shears(frame, history=True),
+        floor_displacements(frame, history=True),
+        storey_drifts(frame, history=True),
+        storey_shears(frame, history=True),
         shear,
-        *q.member_forces(frame, q.bending_members(frame), "member", history=False),
-        *q.axial_forces(frame),
-        *q.leaning_column(frame),
-        *q.plastic_rotations(frame),
+        *member_forces(frame, bending_members(frame), "member", history=False),
+        *axial_forces(frame),
+        *leaning_column_forces(frame),
+        *plastic_rotations(frame),
         *brace_quantities(project, frame, group),
         *spring_quantities(frame, group),
-        *q.dampers(frame, history=False),
-        *(q.support_reactions(frame, group) if "supports" in project.outputs.histories else []),
+        *damper_quantities(frame, history=False),
+        *(support_reactions(frame, group) if "supports" in project.outputs.histories else []),
         *requested_quantities(project, frame, group),
     ]
     names = rotation_names(frame, drifts, recorded)
@@ -125,7 +130,7 @@ def push(
     response, doubts = judged(response, project, names, "displacement")
     coordinate(group, "step", np.arange(response.time.size), "1", "step, 0 is under gravity alone")
     store(group, recorded, response, "step")
-    q.store_drift_extremes(group, frame, drifts, response)
+    store_drift_extremes(group, frame, drifts, response)
     warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
     warnings += core_strain_warnings(group, frame.devices)
     store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])

@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.building.devices import Device, DeviceLaw
-from edesign.building.frame import FrameModel, build_frame
+from edesign.building.frame import build_frame
+from edesign.building.frame_model import FrameModel
 from edesign.building.isolation import goes_with_weight, isolator_under
 from edesign.core import Analysis, Channel, CoreError, Modes, Response
 from edesign.damper.harmonic import complex_stiffness, secant_stiffness

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import SupportMotion
 from edesign.ground_motion.delayed import delayed_by
 from edesign.project.analysis.analyses import HistoryAnalysis

@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import Response
 from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
 from edesign.study.check.warnings import AnalysisWarning
-from edesign.study.results import quantities as q
 from edesign.study.results.recording import Quantity
+from edesign.study.results.storeys import line_drift_storeys
 
 AT = {
     "time": "at {:.6g} s",
@@ -32,10 +32,10 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
 
     Args:
         frame: the model.
-        drifts: on its column lines, as `quantities.line_drifts` gives them.
+        drifts: on its column lines, as `line_drifts` gives them.
         others: quantities of an analysis; those in rad over columns or beams and their ends count.
     """
-    storeys = q.line_drift_storeys(frame)
+    storeys = line_drift_storeys(frame)
     found = {key: f"the drift of storey {storeys[i]}" for i, key in drifts.keys.items()}
     kinds = {"column": frame.of_kind("column"), "beam": frame.of_kind("beam")}
     for quantity in others:

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import ENERGIES, Channel, Response
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.project import Project
@@ -19,11 +19,28 @@ from edesign.study.analysis.footings import footing_quantities
 from edesign.study.analysis.residual import DEFINITION, residual
 from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import store_warnings
-from edesign.study.results import quantities as q
 from edesign.study.results.braces import brace_quantities, fracture_warnings
+from edesign.study.results.coordinates import bending_members, coordinates
+from edesign.study.results.dampers import damper_quantities
+from edesign.study.results.floors import (
+    base_acceleration,
+    base_displacement,
+    floor_accelerations,
+    floor_displacements,
+    floor_relative_accelerations,
+)
+from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import SINGLE, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
 from edesign.study.results.springs import spring_quantities
+from edesign.study.results.storeys import (
+    line_drift_storeys,
+    line_drifts,
+    store_drift_extremes,
+    storey_drifts,
+    storey_shears,
+)
+from edesign.study.results.supports import base_shear, isolator_axial_forces, support_reactions
 
 
 class HistoryResults:
@@ -54,30 +71,30 @@ class HistoryResults:
         keep_drift: bool = False,
     ) -> None:
         self._project, self._frame, self._group = project, frame, Group()
-        q.coordinates(self._group, frame)
+        coordinates(self._group, frame)
         self._wanted = project.outputs.histories if histories is None else histories
         floors, storeys = "floors" in self._wanted, "storeys" in self._wanted
         self.energies = "energy" in self._wanted
-        self._displacements = replace(q.floor_displacements(frame, floors), tail=True)
-        self._drift = replace(q.storey_drifts(frame, storeys), tail=True)
-        self._drifts = q.line_drifts(frame)
-        self._base = q.base_displacement(frame, floors)
+        self._displacements = replace(floor_displacements(frame, floors), tail=True)
+        self._drift = replace(storey_drifts(frame, storeys), tail=True)
+        self._drifts = line_drifts(frame)
+        self._base = base_displacement(frame, floors)
         self._others = [
-            q.floor_accelerations(frame, floors),
-            q.floor_relative_accelerations(frame),
-            q.storey_shears(frame, storeys),
-            q.base_shear(frame, storeys),
-            *q.member_forces(frame, q.bending_members(frame), "member", history=False),
-            *q.axial_forces(frame),
-            *q.leaning_column(frame),
-            *q.plastic_rotations(frame),
+            floor_accelerations(frame, floors),
+            floor_relative_accelerations(frame),
+            storey_shears(frame, storeys),
+            base_shear(frame, storeys),
+            *member_forces(frame, bending_members(frame), "member", history=False),
+            *axial_forces(frame),
+            *leaning_column_forces(frame),
+            *plastic_rotations(frame),
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),
             *footing_quantities(frame, self._group),
-            *q.dampers(frame, "dampers" in self._wanted),
-            *q.base_acceleration(frame, floors),
-            *q.isolator_axial_forces(frame),
-            *(q.support_reactions(frame, self._group) if "supports" in self._wanted else []),
+            *damper_quantities(frame, "dampers" in self._wanted),
+            *base_acceleration(frame, floors),
+            *isolator_axial_forces(frame),
+            *(support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
         ]
         self._names = rotation_names(frame, self._drifts, self._others)
@@ -102,7 +119,7 @@ class HistoryResults:
         group, frame = self._group, self._frame
         group.attributes["fundamental_period_s"] = period
         response, doubts = judged(response, self._project, self._names)
-        reason = "" if doubts is None else collapse_reason(response, self._drifts, q.line_drift_storeys(frame))
+        reason = "" if doubts is None else collapse_reason(response, self._drifts, line_drift_storeys(frame))
         if reason:
             response = replace(response, status="failed", reason=reason)
             group.attributes["collapsed"] = True
@@ -110,7 +127,7 @@ class HistoryResults:
         samples = acceleration[::every][: response.time.size]
         group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
         store(group, [self._displacements, self._drift, *self._base, *self._others], response, "time", SINGLE)
-        q.store_drift_extremes(group, frame, self._drifts, response)
+        store_drift_extremes(group, frame, self._drifts, response)
         warnings = buckling_warnings(group, self._project, frame)
         if "damper_strain_max" in group.variables:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel, Member
+from edesign.building.frame_model import FrameModel, Member
 from edesign.errors import InputError
 from edesign.project.actions.beam_loads import breaks_of_members, points_of_member
 from edesign.project.analysis.outputs import FibreOutput
 from edesign.project.notation.selections import NumberSelection
 from edesign.project.project import Project
 from edesign.study.results.braces import recorded_braces
-from edesign.study.results.quantities import member_forces, plastic_rotation
+from edesign.study.results.members import member_forces, plastic_rotation
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
 

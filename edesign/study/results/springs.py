@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.building.hinges import END_NAMES, EndSpring, SpringKind
 from edesign.codes.ec3.joints import classified
 from edesign.study.results.recording import Quantity, Terms, coordinate

@@ -8,11 +8,13 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import Response
-from edesign.study.results import quantities as q
+from edesign.study.results.coordinates import coordinates
+from edesign.study.results.floors import floor_accelerations, floor_displacements, floor_relative_accelerations
 from edesign.study.results.history import store_residuals
 from edesign.study.results.recording import SINGLE, Quantity, Terms, coordinate, store, store_run
+from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts
 
 ACROSS = 0
 
@@ -81,7 +83,7 @@ class LinearBuilding:
         response = _response(time, told, failed)
         group = Group(attributes={"fundamental_period_s": self.period})
         if self.frame is not None:
-            q.coordinates(group, self.frame)
+            coordinates(group, self.frame)
             group.attributes["height"] = self.frame.frame.height
         else:
             count = floors.shape[1]
@@ -91,7 +93,7 @@ class LinearBuilding:
         group.add("ground_acceleration", ("time",), ground, "m/s^2", "ground acceleration as applied")
         store(group, [quantity for quantity, _ in told], response, "time", SINGLE)
         if self.frame is not None and self.line_drifts is not None:
-            q.store_drift_extremes(group, self.frame, self.line_drifts, response)
+            store_drift_extremes(group, self.frame, self.line_drifts, response)
         if not failed and time.size > 1:
             ratios = drifts if self.frame is not None else None
             store_residuals(group, floors, ratios, float(time[1] - time[0]), min(self.period, float(time[-1])))
@@ -110,10 +112,10 @@ class LinearBuilding:
 def building_of_frame(frame: FrameModel, rows: np.ndarray, period: float) -> LinearBuilding:
     """Return what is told of a frame: the quantities of its histories; arguments as the attributes."""
     return LinearBuilding(
-        q.floor_displacements(frame, history=True),
-        (q.floor_accelerations(frame, history=True), q.floor_relative_accelerations(frame)),
-        q.storey_drifts(frame, history=True),
-        q.line_drifts(frame),
+        floor_displacements(frame, history=True),
+        (floor_accelerations(frame, history=True), floor_relative_accelerations(frame)),
+        storey_drifts(frame, history=True),
+        line_drifts(frame),
         rows,
         frame,
         period,

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.building.devices import Device
-from edesign.building.frame import FrameModel
+from edesign.building.frame_model import FrameModel
 from edesign.core import Channel, LawValues, Response
 from edesign.core.frame_part import FrameNumericalPart
 from edesign.core.response import EnergyBalance

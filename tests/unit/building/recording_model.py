@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from edesign.building.frame import FrameModel, build_frame
+from edesign.building.frame import build_frame
+from edesign.building.frame_model import FrameModel
 from edesign.building.profiles import profile_names
 from edesign.project import Project, parse_project
 

@@ -1,0 +1,68 @@
+"""Forces, deformations, strains and work of dampers."""
+
+from __future__ import annotations
+
+from edesign.building.frame_model import FrameModel
+from edesign.study.results.recording import Quantity, Terms
+
+
+def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Force, deformation and work of the dampers; with layers also their shear strain."""
+    numbers = [device.number for device in frame.devices]
+    if not numbers:
+        return []
+    shape = (len(numbers),)
+    forces = tuple(((1.0, "damper_force", n, 0),) for n in numbers)
+    own = tuple(((1.0, "damper_deformation", n, 1),) for n in numbers)
+    label = "force of the damper, positive with its deformation"
+    found = [Quantity("damper_force", ("damper",), shape, forces, "N", label, history)]
+    label = "deformation of the damper without its brace"
+    found.append(Quantity("damper_deformation", ("damper",), shape, own, "m", label, history))
+    thicknesses = [device.layer_thickness for device in frame.devices]
+    if any(thicknesses):
+        cells = tuple(
+            ((1.0 / thickness, "damper_deformation", n, 1),) if thickness else ()
+            for n, thickness in zip(numbers, thicknesses, strict=True)
+        )
+        label = "shear strain of the damper's layers"
+        found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
+    found += _restrained_braces(frame)
+    work = tuple(((1.0, "damper_work", n, 0),) for n in numbers)
+    label = "work done on the damper and its brace"
+    found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",)))
+    storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
+    for device in frame.devices:
+        if device.storey:
+            top = {frame.nodes[name] for name in frame.level_nodes(device.storey)}
+            across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
+            storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
+    label = "horizontal force of the storey's dampers, positive as the storey's shear"
+    found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
+    return found
+
+
+def _restrained_braces(frame: FrameModel) -> list[Quantity]:
+    """Strain of the core and ductilities of the dampers that are buckling-restrained braces; of others 0."""
+    if not any(device.restrained for device in frame.devices):
+        return []
+    strains: list[Terms] = []
+    ductilities: list[Terms] = []
+    cumulated: list[Terms] = []
+    for device in frame.devices:
+        brace, n = device.restrained, device.number
+        if brace is None:
+            for cells in (strains, ductilities, cumulated):
+                cells.append(())
+            continue
+        by_force, by_deformation = brace.strain_of_core
+        strains.append(((by_force, "damper_force", n, 0), (by_deformation, "damper_deformation", n, 1)))
+        ductilities.append(((1.0 / brace.yield_deformation, "damper_deformation", n, 1),))
+        cumulated.append(((1.0 / brace.yield_deformation, "damper_deformation", n, 2),))
+    shape = (len(strains),)
+    label = "strain of the steel core of a buckling-restrained brace, in its yielding length"
+    found = [Quantity("core_strain", ("damper",), shape, tuple(strains), "1", label, keep=("max", "min"))]
+    label = "deformation of a buckling-restrained brace / its yield deformation"
+    found.append(Quantity("core_ductility", ("damper",), shape, tuple(ductilities), "1", label, keep=("max", "min")))
+    label = "sum of the plastic deformations of a buckling-restrained brace either way / its yield deformation"
+    found.append(Quantity("cumulative_ductility", ("damper",), shape, tuple(cumulated), "1", label, keep=("final",)))
+    return found

@@ -1,0 +1,59 @@
+"""Motions of floors, and of an isolated base.
+
+Horizontal displacements are relative to the ground and include those under gravity. Displacement and acceleration of a
+floor are means over its nodes (with a diaphragm all are the same).
+"""
+
+from __future__ import annotations
+
+from edesign.building.frame_model import FrameModel
+from edesign.study.results.recording import Quantity, Terms
+
+
+def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
+    """Horizontal displacement of each floor."""
+    cells = _floor_means(frame, "displacement")
+    name = "horizontal displacement of the floor relative to the ground, mean over its nodes"
+    return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
+
+
+def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
+    """Total horizontal acceleration of each floor."""
+    cells = _floor_means(frame, "total_acceleration")
+    name = "total horizontal acceleration of the floor, mean over its nodes"
+    return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
+
+
+def floor_relative_accelerations(frame: FrameModel) -> Quantity:
+    """Horizontal acceleration of each floor relative to the ground, as some programs report it."""
+    cells = _floor_means(frame, "acceleration")
+    name = "horizontal acceleration of the floor relative to the ground, mean over its nodes"
+    keep = ("max", "min")
+    return Quantity("floor_relative_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, keep=keep)
+
+
+def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Horizontal displacement of an isolated base; nothing of a frame on its supports."""
+    name = "horizontal displacement of the isolated base relative to the ground"
+    terms = _of_base(frame, "displacement")
+    return [Quantity("base_displacement", (), (), terms, "m", name, history, tail=True)] if terms else []
+
+
+def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Total horizontal acceleration of an isolated base; nothing of a frame on its supports."""
+    name, keep = "total horizontal acceleration of the isolated base", ("max", "min")
+    terms = _of_base(frame, "total_acceleration")
+    return [Quantity("base_acceleration", (), (), terms, "m/s^2", name, history, keep)] if terms else []
+
+
+def _of_base(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
+    """A horizontal quantity of the base that all feet share; none of a frame on its supports."""
+    if frame.isolated is None:
+        return ()
+    return (((1.0, kind, frame.nodes[frame.isolated.isolators[0].foot], 0),),)
+
+
+def _floor_means(frame: FrameModel, kind: str) -> tuple[Terms, ...]:
+    """For each floor the mean over its nodes of a horizontal quantity."""
+    floors = [frame.floor_nodes(floor) for floor in range(1, frame.frame.n_storeys + 1)]
+    return tuple(tuple((1.0 / len(there), kind, frame.nodes[name], 0) for name in there) for there in floors)

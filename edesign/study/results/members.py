@@ -1,0 +1,95 @@
+"""Forces and plastic rotations of members, and forces of the leaning column."""
+
+from __future__ import annotations
+
+from edesign.building.frame_model import FrameModel, Member
+from edesign.study.results.recording import Quantity, Terms
+
+END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the end
+    ("axial_force", "N", 0, "force on the member's end along its axis, from start to end"),
+    ("shear_force", "N", 1, "force on the member's end across its axis, to the left of it"),
+    ("bending_moment", "N*m", 2, "moment on the member's end, anticlockwise"),
+)
+
+
+def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
+    """Forces on both ends of members, in the axes of the member.
+
+    Args:
+        frame: the model.
+        members: columns, beams or braces.
+        dim: the dimension whose coordinate lists them.
+        history: whether histories are kept, instead of extremes.
+    """
+    return [
+        Quantity(
+            f"member_{name}",
+            (dim, "end"),
+            (len(members), 2),
+            tuple(((1.0, "end_force", m.at_end(end), at + 3 * end),) for m in members for end in (0, 1)),
+            unit,
+            label,
+            history,
+            () if history else ("max", "min"),
+        )
+        for name, unit, at, label in END_COMPONENTS
+    ]
+
+
+def axial_forces(frame: FrameModel) -> list[Quantity]:
+    """Axial forces of columns and of braces, positive in tension."""
+    found = []
+    for kind in ("column", "brace"):
+        members = frame.of_kind(kind)
+        cells = tuple(((1.0, "axial_force", member.element, 0),) for member in members)
+        if members:
+            name = f"axial force of the {kind}, positive in tension"
+            found.append(Quantity(f"{kind}_axial_force", (kind,), (len(cells),), cells, "N", name))
+    return found
+
+
+def leaning_column_forces(frame: FrameModel) -> list[Quantity]:
+    """Axial force of the struts of the leaning column, and how it pulls at the floors; none without one."""
+    if frame.leaning is None:
+        return []
+    elements = frame.leaning.elements
+    parts = (
+        ("axial_force", "axial_force", 0, "axial force of the leaning column in the storey, positive in tension"),
+        (
+            "shear",
+            "global_force",
+            3,
+            "horizontal force on the upper end of the leaning column in the storey: minus what the frame's columns and "
+            "braces take for it",
+        ),
+    )
+    return [
+        Quantity(
+            f"leaning_column_{name}",
+            ("storey",),
+            (len(elements),),
+            tuple(((1.0, kind, element, at),) for element in elements),
+            "N",
+            label,
+        )
+        for name, kind, at, label in parts
+    ]
+
+
+def plastic_rotations(frame: FrameModel) -> list[Quantity]:
+    """Plastic rotations of the ends of columns and beams; members that stay elastic have none."""
+    found = []
+    for kind in ("column", "beam"):
+        members = frame.of_kind(kind)
+        cells = tuple(plastic_rotation(member, end) for member in members for end in (0, 1))
+        if members:
+            name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
+            shape = (len(members), 2)
+            found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
+    return found
+
+
+def plastic_rotation(member: Member, end: int) -> Terms:
+    """Plastic rotation of the start (0) or end (1) of a member: of its fibres, hinges and joints."""
+    fibres: Terms = ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
+    return fibres + tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)
