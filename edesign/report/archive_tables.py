@@ -25,7 +25,7 @@ from edesign.report.response.damper_results import (
 from edesign.report.response.ground_tables import ground_tables
 from edesign.report.response.restrained_braces import restrained_tables
 from edesign.report.summary import all_results, entry, find, input_warnings, results
-from edesign.report.tables.table import Table, number, seconds, whole
+from edesign.report.tables.table import Table, formatted, number, seconds, whole
 from edesign.study.check.warnings import warning_lines, warnings_of
 
 PROFILE_COLUMNS = (
@@ -181,8 +181,8 @@ def periods_table(name: str, group: Group, most: int | None = None) -> Table:
         cells = ["-", "-"]
         if ratio is not None:
             total += float(ratio.values[mode])
-            cells = [f"{100 * float(ratio.values[mode]):.2f}", f"{100 * total:.2f}"]
-        table.rows.append([str(mode + 1), f"{value:.4f}", f"{1 / value:.4f}", *cells])
+            cells = [formatted(100 * float(ratio.values[mode]), ".2f"), formatted(100 * total, ".2f")]
+        table.rows.append([whole(mode + 1), formatted(value, ".4f"), formatted(1 / value, ".4f"), *cells])
     if len(table.rows) < period.values.size:
         table.notes.append(f"the first {len(table.rows)} of {period.values.size} modes")
     table.notes += amplitude_notes(group)
@@ -201,7 +201,7 @@ def profile_table(name: str, group: Group) -> Table:
     for storey in range(len(columns[0][2]), 0, -1):
         table.rows.append(
             [
-                str(storey),
+                whole(storey),
                 *(number(float(values[storey - 1]), scale=unit, negligible=ROUNDING) for _, unit, values in columns),
             ]
         )
@@ -215,7 +215,7 @@ def fallbacks_table(name: str, group: Group) -> Table:
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
     for event in listed[:EVENTS_SHOWN]:
-        table.rows.append([str(event["step"]), number(event["time"]), str(event["rung"]), str(event["detail"])])
+        table.rows.append([whole(event["step"]), number(event["time"]), str(event["rung"]), str(event["detail"])])
     if len(listed) > EVENTS_SHOWN:
         table.notes.append(f"and {len(listed) - EVENTS_SHOWN} more, in the archive")
     return table

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number
 
 STATISTIC_TITLES = {"mean": "Mean", "maximum": "Maximum", "median": "Median", "84%": "84 % percentile (counted)"}
 MAIN = (
@@ -192,7 +192,7 @@ def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> li
 def _difference(base: float | None, value: float | None) -> str:
     if value is None or base is None or abs(base) < ROUNDING:
         return "-"
-    return f"{100.0 * (value / base - 1.0):+.1f}"
+    return formatted(100.0 * (value / base - 1.0), "+.1f")
 
 
 def _first(ordered: Sequence[HistorySet], at: int) -> int:

@@ -91,7 +91,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
         errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]
         cells = [whole(sums[0]), whole(sums[1]), seconds(sums[2]), number(max(errors, default=None), 2)]
-        table.rows.append([title, str(len(found)), *counts, *cells])
+        table.rows.append([title, whole(len(found)), *counts, *cells])
         told = {name: item for name, item in endings.items() if item["reason"] and item["status"] not in EXPECTED}
         table.notes += [f"{name}: {item['status']}: {item['reason']}" for name, item in told.items()]
         table.notes += [f"{title}: {line}" if len(found) > 1 else line for line in warning_lines(found)]

@@ -18,7 +18,7 @@ from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted, whole
 from edesign.report.tables.text import wrapped
 
 REMARKS = "Remarks on the criteria"
@@ -89,7 +89,7 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
             (by_drift, p.by_drift, p.drift_counts, p.worst_drift),
             (by_members, p.by_members, p.member_counts, p.worst_members),
         ):
-            counts = [*(str(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
+            counts = [*(whole(count) for count in number.values()), f"{p.count}/{p.count + len(p.missing)}"]
             table.rows.append([p.variant or "-", p.level or "-", level or "-", *counts, _usage(worst)])
     governs = "Governs: the history with the largest demand over capacity (D/C) of Collapse Prevention, met up to 1."
     transient = "Drift: Table C1-3, transient 0.7, 2.5, 5 %, permanent"

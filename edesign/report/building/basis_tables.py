@@ -7,7 +7,7 @@ import numpy as np
 from edesign.codes.criterion import ROUNDING
 from edesign.codes.ec8.strong_column import LEAST_RATIO
 from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES
 
@@ -34,7 +34,13 @@ def floors_table(results: BuildingResults) -> Table:
         cells = [number(float(load), 4, 1e3, negligible=0.5) for load in loads[:, k]]
         place = [number(finite(value), 4) for value in (x, y, gyration)]
         table.rows.append(
-            [str(k) if k else "base", f"{level:.2f}", *cells, number(float(mass[k]), 4, 1e3, negligible=0.5), *place]
+            [
+                whole(k) if k else "base",
+                formatted(level, ".2f"),
+                *cells,
+                number(float(mass[k]), 4, 1e3, negligible=0.5),
+                *place,
+            ]
         )
     totals = [number(float(load.sum()), 5, 1e3) for load in loads]
     table.rows.append(["all", "", *totals, number(float(mass.sum()), 5, 1e3), "", "", ""])
@@ -66,7 +72,7 @@ def overstrength_table(results: BuildingResults) -> Table:
             largest = number(finite(float(ratio[here].max())), 3)
             cells[k] += [number(finite(float(ratio[least])), 3), str(member[least]), largest]
     title = "Overstrength of the dissipative members: resistance over effect in the seismic design situation"
-    table = Table(title, ("storey", *columns), [[str(k), *cells[k]] for k in storeys], formulas=())
+    table = Table(title, ("storey", *columns), [[whole(k), *cells[k]] for k in storeys], formulas=())
     table.notes.append("the least ratio of a direction is its Omega (EN 1998-1, 6.6.3(1)P, 6.7.4(1))")
     return table
 
@@ -104,6 +110,6 @@ def joints_table(results: BuildingResults) -> Table:
                 n = int(here[np.where(exempt[here] > 0, np.inf, ratio[here]).argmin()])
                 met = "exempt" if exempt[n] else "met" if ratio[n] >= limit * (1.0 - ROUNDING) else "NOT MET"
                 cells = [number(float(of[n]), 4, 1e3) for of in (M_Rc, M_Rb)]
-                table.rows.append([str(k), along, str(node[n]), *cells, number(float(ratio[n]), 3), met])
+                table.rows.append([whole(k), along, str(node[n]), *cells, number(float(ratio[n]), 3), met])
     table.notes.append(f"at least {limit} (EN 1998-1, 4.4.2.3(4)); joints at the roof are exempt")
     return table

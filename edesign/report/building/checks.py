@@ -13,7 +13,7 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults, finite
 from edesign.report.building.tables import Worst, worst_of_groups
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number
 from edesign.space.checks.written_checks import written_check
 from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
 
@@ -155,7 +155,7 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
     names, clauses = results.values("members", "check"), results.values("members", "clause")
     for check, clause, use, row, place in zip(names, clauses, *columns, strict=True):
         if row:
-            cells = [str(check), number(finite(use), 3), str(int(row)), f"{place:.3g}", str(clause)]
+            cells = [str(check), number(finite(use), 3), str(int(row)), formatted(place, ".3g"), str(clause)]
             table.rows.append(cells)
     check = governing(results, member)
     return [table, effects_table(results, member, check), written_table(written(results, member, check))]

@@ -10,7 +10,7 @@ from edesign.archive.csv_files import write_csv_file
 from edesign.building.profiles import profile_names
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted
 
 _HEADERS = ("h", "b", "t_w", "t_f", "r", "A", "I_y", "I_z", "W_pl", "mass")
 _UNITS = ("mm", "mm", "mm", "mm", "mm", "cm2", "cm4", "cm4", "cm3", "kg/m")
@@ -75,4 +75,4 @@ def _values(name: str) -> tuple[float, ...]:
 
 def _shown(value: float, header: str) -> str:
     digits = _SHOWN_DIGITS.get(header, 4)
-    return f"{value:.0f}" if value >= 10**digits else f"{value:.{digits}g}"
+    return formatted(value, ".0f") if value >= 10**digits else formatted(value, f".{digits}g")

@@ -16,7 +16,7 @@ from edesign.report.building.check_table import check_words
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 from edesign.space.structure.frame import AXES
 
 MODES_SHOWN = 12
@@ -122,7 +122,7 @@ def modes_table(results: BuildingResults) -> Table:
     for k in range(min(MODES_SHOWN, period.size)):
         table.rows.append(
             [
-                str(k + 1),
+                whole(k + 1),
                 number(period[k]),
                 *(number(ratio[k], 3, 0.01, negligible=1e-5) for ratio in ratios),
                 *(f"{number(of[k], 3)}{'*' if lower[k] else ''}" for of, lower in zip(S_d, bound, strict=True)),
@@ -173,7 +173,7 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
     table = Table(f"Storeys, direction {axis}", ("storey", *(header for header, *_ in columns)), formulas=())
     found = [(results.values(name, variable), digits, unit) for _, variable, digits, unit in columns]
     for k in reversed(range(found[0][0].size)):
-        table.rows.append([str(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
+        table.rows.append([whole(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
     table.notes.append("theta_q: with q d_e; factor: on the effects of the action, for second order")
     if (limit := results.group(name).attributes.get("limit")) is not None:
         table.notes.append(f"limit of nu d_r/h: {number(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))")

@@ -12,7 +12,7 @@ from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.effect_tables import effect_name, effect_tables
 from edesign.report.calibration.units import error_text, percent, plus_minus, practical, value_text
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted
 
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
 """Of a law, in words."""
@@ -90,10 +90,16 @@ def starts_table(calibration: Calibration) -> Table:
     )
     started = [(series.name, series.start) for series in calibration.series if series.start is not None]
     for name, start in started:
-        softened = [f"{1e3 * value:.3g}" if value else "-" for value in start.before]
-        from_then = f"{start.judged_from:.3g}" + ("" if start.dies_away else " (matters longer)")
+        softened = [formatted(1e3 * value, ".3g") if value else "-" for value in start.before]
+        from_then = formatted(start.judged_from, ".3g") + ("" if start.dies_away else " (matters longer)")
         table.rows.append(
-            [name, f"{1e3 * start.displacement:.3g}", f"{1e3 * start.velocity:.3g}", from_then, *softened]
+            [
+                name,
+                formatted(1e3 * start.displacement, ".3g"),
+                formatted(1e3 * start.velocity, ".3g"),
+                from_then,
+                *softened,
+            ]
         )
     if started:
         table.notes.append(
@@ -117,7 +123,7 @@ def law_parameters_table(calibration: Calibration) -> Table:
     stages = {stage: calibration.parameters[stage] for stage in STAGES}
     for name in stages["declared"]:
         shown = {stage: practical(found[name], found) for stage, found in stages.items() if name in found}
-        row = [name, shown["declared"].unit or "-", f"{shown['declared'].value:.4g}"]
+        row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
         for stage in ("refit", "corrected"):
             one = shown.get(stage)
             row += ["-", "-"] if one is None else [value_text(one), error_text(one)]

@@ -12,7 +12,7 @@ from edesign.calibrate.result import Estimate, Series
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.project.notation.units import Kind, parse_quantity
-from edesign.report.tables.table import number
+from edesign.report.tables.table import NumberText, formatted, number
 
 UNKNOWN = "not determined"
 _AS_THEY_ARE = ("", "degC", "K", "1/K")
@@ -112,9 +112,9 @@ def _with_places(value: float, error: float) -> str:
     if not math.isfinite(value):
         return UNKNOWN
     if not math.isfinite(error) or error <= 0.0 or abs(value) >= _LARGEST:
-        return f"{value:.4g}"
+        return formatted(value, ".4g")
     places = 1 - math.floor(math.log10(error))
     if places > _MOST_PLACES:
-        return f"{value:.6g}"
+        return formatted(value, ".6g")
     found = f"{round(value, places):.{max(places, 0)}f}"
-    return found.removeprefix("-") if float(found) == 0.0 else found
+    return NumberText(found.removeprefix("-") if float(found) == 0.0 else found, value)

@@ -10,7 +10,7 @@ from edesign.assess.incremental import FRACTILES, Stripes, fractile_curves
 from edesign.assess.limit_fragility import LimitFragility
 from edesign.report.assessment.measure_columns import measure_title
 from edesign.report.capacity.incremental_results import UNITS, IncrementalResults, read_incremental
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.table import Table, formatted, number, whole
 from edesign.report.tables.text import wrapped
 
 OUTSIDE = 0.2
@@ -46,7 +46,11 @@ def exceedance_table(results: IncrementalResults) -> Table:
     table = Table(f"{results.name}: exceedance of limits", columns, left=2)
     for one in results.life_cycle:
         for limit, found in one.exceedances.items():
-            cells = [f"{found.rate:.2e}", number(found.return_period, 3), number(100.0 * found.probability(years), 3)]
+            cells = [
+                formatted(found.rate, ".2e"),
+                number(found.return_period, 3),
+                number(100.0 * found.probability(years), 3),
+            ]
             table.rows.append([one.variant, limit, *cells])
             outside = {"below the first": found.below, "beyond the last": found.beyond}
             for where, share in outside.items():

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from edesign.report.comparison.cells import ComparedCell, ComparedChange, ComparedTable, Comparison
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number
 
 WORDS = {
     "mean": "mean",
@@ -43,7 +43,7 @@ def block_tables(comparison: Comparison, bars: bool = False) -> list[Table]:
 
 def printed(value: float) -> str:
     """Return a reference value as it is written in its file."""
-    return f"{value:.10g}"
+    return formatted(value, ".10g")
 
 
 def found(cell: ComparedCell) -> str:
@@ -159,7 +159,7 @@ def _change_block(table: ComparedTable, level: str) -> Table:
 
 def change_cells(change: ComparedChange) -> list[str]:
     """Return the printed change and the one found, in per cent."""
-    return [f"{100.0 * change.reference:.10g}", per_cent(change.found)]
+    return [formatted(100.0 * change.reference, ".10g"), per_cent(change.found)]
 
 
 def _variable_block(table: ComparedTable, cells: list[ComparedCell], bars: bool) -> Table:

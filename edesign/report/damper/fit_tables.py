@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from edesign.damper.fitting import Comparison, CrossValidation, Fit
 from edesign.damper.fitting.fit import FOLLOWS, mean_nrms
 from edesign.damper.fitting.write import practical, practical_errors, tested
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 
 DIGITS = 4
 ERROR_KINDS = {
@@ -68,10 +68,10 @@ def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[s
     columns = [what, "NRMS [%]", "rms error / peak [%]", "R2", *(["held out: NRMS [%]"] if held_out else [])]
     table = Table(f"{fit.law.name}: errors", columns)
     for name, value in fit.nrms.items():
-        row = [name, _percent(value), _percent(fit.peak_error[name]), f"{fit.determination[name]:.4f}"]
+        row = [name, _percent(value), _percent(fit.peak_error[name]), formatted(fit.determination[name], ".4f")]
         table.rows.append([*row, *([_percent(held_out.nrms[name])] if held_out else [])])
     mean = ["mean", _percent(mean_nrms(fit.nrms)), _percent(mean_nrms(fit.peak_error))]
-    mean.append(f"{mean_nrms(fit.determination):.4f}")
+    mean.append(formatted(mean_nrms(fit.determination), ".4f"))
     table.rows.append([*mean, *([_percent(held_out.mean)] if held_out else [])])
     for name, value in validated.items():
         table.rows.append([f"{name} (validate)", _percent(value), "", "", *([""] if held_out else [])])
@@ -90,8 +90,10 @@ def comparison_table(comparison: Comparison) -> Table:
         out = item.held_out
         cells = [_percent(out.mean), f"{_percent(out.worst[1])}"] if out else ["-", "-"]
         fit = item.fit
-        row = [fit.law.name, str(item.parameters), _percent(mean_nrms(fit.nrms)), *cells]
-        table.rows.append([*row, f"{item.aic:.1f}", f"{item.bic:.1f}", f"{fit.same_minimum} of {len(fit.starts)}"])
+        row = [fit.law.name, whole(item.parameters), _percent(mean_nrms(fit.nrms)), *cells]
+        table.rows.append(
+            [*row, formatted(item.aic, ".1f"), formatted(item.bic, ".1f"), f"{fit.same_minimum} of {len(fit.starts)}"]
+        )
     best = comparison.nearest
     how = "predicts held-out tests nearly as well as the best" if best.held_out else "has the least BIC"
     if comparison.sufficient is None:
@@ -121,7 +123,7 @@ def tables_of(
 
 def _bare(text: str | float) -> str:
     """Without its unit."""
-    return f"{text:.3g}" if isinstance(text, float) else text.split(" ")[0]
+    return formatted(text, ".3g") if isinstance(text, float) else text.split(" ")[0]
 
 
 def _percent(value: float) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import PARAMETER_SETS, practical_unit
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted
 
 
 def laws_table() -> Table:
@@ -22,7 +22,7 @@ def law_table(law: Law) -> Table:
             parameter.name,
             practical_unit(parameter) or "-",
             parameter.allowed,
-            "-" if parameter.default is None else f"{parameter.default:g}",
+            "-" if parameter.default is None else formatted(parameter.default, "g"),
             parameter.meaning,
         ]
         for parameter in law.with_branches(1 if law.branch else 0)

@@ -8,7 +8,7 @@ from dataclasses import asdict
 from typing import Any
 
 from edesign.damper.properties import CycleProperties, Properties
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 
 _COLUMNS = ("strain [%]", "f [Hz]", "G' [MPa]", "G_eq [MPa]", "G'' [MPa]", "n [-]")
 
@@ -33,7 +33,7 @@ def cycles_table(title: str, each: CycleProperties) -> Table:
     """Return the properties of each full cycle of a test."""
     columns = ("block", "cycle", "start [s]", *_COLUMNS)
     rows = [
-        [f"{each.block[i]}", f"{each.cycle[i]}", f"{each.start[i]:.3f}", *_cells(_row(each, i))]
+        [whole(each.block[i]), whole(each.cycle[i]), formatted(each.start[i], ".3f"), *_cells(_row(each, i))]
         for i in range(each.block.size)
     ]
     return Table(title, columns, rows, left=0)

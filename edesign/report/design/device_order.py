@@ -8,7 +8,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.devices import DeviceDemand, device_demand
 from edesign.assess.sets import HistorySet
 from edesign.report.design.viscous_tables import kilonewtons
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 _VALUES = {  # header, name, unit shown in SI
     "viscous": (("force [kN]", "force", 1e3), ("stroke [mm]", "stroke", 1e-3), ("velocity [m/s]", "velocity", 1.0)),
@@ -44,7 +44,7 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
     bounded = [_sizes(group, factors[demand.variant])[1] for demand in found]
     table.columns = ["", "storey", "number", *headers, *spread]
     for i, storey in enumerate(group.coords["storey"].values):
-        counted = [str(storey), str(int(group.variables["device_count"].values[i]))]
+        counted = [whole(storey), whole(group.variables["device_count"].values[i])]
         if "estimated_device_force" in group.variables:
             table.rows.append(["estimate", *counted, *nominal[i], *_estimated(group, i, values)])
         for demand, sizes in zip(found, bounded, strict=True):

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.design.storeys import put_storeys
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 
 def hysteretic_storeys_table(group: Group) -> Table:
@@ -43,7 +43,7 @@ def hysteretic_damping_table(group: Group) -> Table:
         return table
     columns = [group.variables[key].values for key in ("bare_period", "elastic_period", "period")]
     for mode, periods in enumerate(zip(*columns, strict=True), start=1):
-        table.rows.append([str(mode), *(number(float(period)) for period in periods)])
+        table.rows.append([whole(mode), *(number(float(period)) for period in periods)])
     about = group.attributes
     table.notes.append(
         f"added equivalent damping of the first mode: {_percent(about['damping_at_amplitude'])} at the amplitude, "

@@ -9,7 +9,7 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
 from edesign.report.response.histories import names_of
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.table import Table, formatted, number, whole
 
 _MOST_ROWS = 12  # of the layouts on the front, the cheapest first
 
@@ -50,7 +50,7 @@ def _layout(group: Group) -> Table:
     table = Table(_title(group), ("storey", *(f"bay {bay}" for bay in bays)), left=1 + len(bays))
     at = group.variables["placement"].values
     for row in reversed(range(len(storeys))):
-        table.rows.append([str(storeys[row]), *("" if option < 0 else names[option] for option in at[row])])
+        table.rows.append([whole(storeys[row]), *("" if option < 0 else names[option] for option in at[row])])
     table.notes.append(
         f"cost {float(about['cost']):.6g}; dampers: {about['dampers']}; worst ratio of demand to limit "
         f"{float(about['demand']):.3f}; -: empty"
@@ -71,14 +71,16 @@ def _order(group: Group) -> Table:
     values = {key: group.variables[f"item_{key}"].values for key in ("law", "places", "number", "cost")}
     for i, name in enumerate(names_of(group, "item")):
         places, count, cost = int(values["places"][i]), int(values["number"][i]), float(values["cost"][i])
-        table.rows.append([name, str(values["law"][i]), str(places), str(places * count), f"{cost:.6g}"])
-        table.rows[-1].append(f"{places * count * cost:.6g}")
+        table.rows.append([name, str(values["law"][i]), whole(places), whole(places * count), formatted(cost, ".6g")])
+        table.rows[-1].append(formatted(places * count * cost, ".6g"))
     at = group.variables["placement"].values > 0
     shared = {"place": int(at.sum()), "storey": int(at.any(axis=1).sum()), "bay": int(at.any(axis=0).sum())}
     for key, count in shared.items():
         cost = float(group.attributes[f"cost_of_{key}"])
         if cost:
-            table.rows.append([f"each {key}", "", str(count), "", f"{cost:.6g}", f"{count * cost:.6g}"])
+            table.rows.append(
+                [f"each {key}", "", whole(count), "", formatted(cost, ".6g"), formatted(count * cost, ".6g")]
+            )
     return table
 
 
@@ -131,9 +133,12 @@ def _front(group: Group) -> Table:
             count = sum(size for size, option in zip(sizes, options, strict=True) if option == item)
             parts += [f"{count} {name}"] if count else []
         mark = "*" if i + 1 == chosen else ""
-        cells = [f"{i + 1}{mark}", f"{float(values['layout_cost'].values[i]):.6g}"]
+        cells = [f"{i + 1}{mark}", formatted(float(values["layout_cost"].values[i]), ".6g")]
         cells += [whole(float(values["layout_dampers"].values[i])), " + ".join(parts) or "none"]
-        cells += [f"{float(values['layout_demand'].values[i]):.3f}", "yes" if values["layout_met"].values[i] else "no"]
+        cells += [
+            formatted(float(values["layout_demand"].values[i]), ".3f"),
+            "yes" if values["layout_met"].values[i] else "no",
+        ]
         table.rows.append(cells)
     of = group.coords["layout"].values.size
     table.notes.append(f"layout: in the order of analysis, of {of}; *: chosen")

@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.drawing.style import AFTER, BEFORE, new_figure, some_of
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -28,7 +28,7 @@ def put_storeys(table: Table, group: Group, columns: Iterable[tuple[str, str, fl
     table.columns = ("storey", *(header for header, _, _ in shown))
     for i, storey in enumerate(group.coords["storey"].values):
         cells = [number(float(group.variables[key].values[i]), scale=scale) for _, key, scale in shown]
-        table.rows.append([str(storey), *cells])
+        table.rows.append([whole(storey), *cells])
 
 
 def heights_axes(group: Group) -> tuple[Figure, Axes, Axes | None]:

@@ -20,7 +20,7 @@ from edesign.report.design.hysteretic_tables import (
 from edesign.report.design.placement_tables import placement_tables
 from edesign.report.design.storeys import put_storeys
 from edesign.report.design.viscous_tables import viscous_damping_table, viscous_round_sizes, viscous_storeys_table
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 EMPTY: Mapping[str, float] = MappingProxyType({})
 
@@ -160,7 +160,7 @@ def damping_table(group: Group) -> Table:
         for i, assembly in enumerate(group.coords["assembly"].values):
             cells = [number(float(group.variables[key].values[i, mode]), scale=0.01) for _, key in _DAMPINGS]
             times = [number(float(bare[mode])), str(assembly).replace("_", " "), number(float(period[i, mode]))]
-            table.rows.append([str(mode + 1), *times, *cells])
+            table.rows.append([whole(mode + 1), *times, *cells])
     table.notes.append("added damping: by energies of the modes with dampers, frequencies, complex eigenvalues")
     return table
 

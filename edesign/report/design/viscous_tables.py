@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.report.design.storeys import put_storeys
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 
 def viscous_storeys_table(group: Group) -> Table:
@@ -41,7 +41,7 @@ def viscous_damping_table(group: Group) -> Table:
     columns = [group.variables[key].values for key in ("bare_period", "period", "damping_complex")]
     for mode, (bare, period, damping) in enumerate(zip(*columns, strict=True), start=1):
         cells = [number(float(bare)), number(float(period)), number(float(damping), scale=0.01)]
-        table.rows.append([str(mode), *cells])
+        table.rows.append([whole(mode), *cells])
     formula, law = (float(str(group.attributes[key])) for key in ("damping_fema356", "law_damping_strain_energy"))
     table.notes.append(
         f"first mode by FEMA 356, Eq. 9-32 (rigid braces): {100.0 * formula:.4g} %; by the law's own steady vibration: "

@@ -13,7 +13,7 @@ from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number
 from edesign.study.results.kinds import RECORDS
 
 MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the header in SI
@@ -86,7 +86,7 @@ def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str
     factors = facts["factors"]
     title = f"{name}: the best" if name else "The best"
     table = Table(f"{title} {len(factors)} of {facts['compared']}", ("record", "factor"))
-    table.rows = [[recording, f"{factor:.3f}"] for recording, factor in factors.items()]
+    table.rows = [[recording, formatted(factor, ".3f")] for recording, factor in factors.items()]
     table.notes += choice_lines(facts)
     table.notes += unusual_scales(factors, set(stand_ins))
     return table
@@ -176,7 +176,7 @@ def misfit_table(groups: Mapping[str, Group]) -> Table:
         cells = [_pair(before[key], after[key], 0.01) for key in ("rms", "largest")]
         changes = [shape[key] for key in ("arias_ratio", "duration_ratio", "husid_difference", "correlation")]
         row = [name, str(about["match_method"]), *cells, number(after["at_period"], DIGITS)]
-        table.rows.append([*row, *(f"{value:.2f}" for value in changes)])
+        table.rows.append([*row, *(formatted(value, ".2f") for value in changes)])
         table.notes += [f"{name}: {note}" for note in about["match_notes"]]
     return table
 
@@ -216,4 +216,4 @@ def _pair(before: float, after: float, unit: float) -> str:
 def _with_unit(value: float | None, unit: str) -> str:
     if value is None:
         return "-"
-    return f"{value:.0f}" if not unit and value == int(value) else f"{number(value, 4)} {unit}".strip()
+    return formatted(value, ".0f") if not unit and value == int(value) else f"{number(value, 4)} {unit}".strip()

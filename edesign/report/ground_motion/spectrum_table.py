@@ -16,7 +16,7 @@ from edesign.ground_motion.sources import Found
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.drawing.style import check_figure_name, save
 from edesign.report.ground_motion.spectra_figure import spectra_figure
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted
 
 DRAWN = 400  # periods of a figure
 Column = tuple[str, np.ndarray]  # header with its unit, values in it
@@ -52,7 +52,7 @@ def spectrum_columns(
 
 def spectrum_table(title: str, columns: list[Column]) -> Table:
     """Return the columns as a table for people."""
-    rows = [[f"{value:.4g}" for value in row] for row in zip(*(values for _, values in columns), strict=True)]
+    rows = [[formatted(value, ".4g") for value in row] for row in zip(*(values for _, values in columns), strict=True)]
     return Table(title, [header for header, _ in columns], rows, left=0)
 
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 COLUMNS = (
     ("strain [%]", "damper_strain", 0.01),
@@ -50,7 +50,7 @@ def each_damper_table(name: str, group: Group) -> Table:
     storeys = group.variables["damper_storey"].values
     for i, damper in enumerate(group.coords["damper"].values):
         cells = [number(float(values[i]), scale=unit) for _, unit, values in columns]
-        table.rows.append([str(damper), str(storeys[i] or "-"), *cells, number(float(work.values[i]), scale=1e3)])
+        table.rows.append([str(damper), whole(storeys[i] or None), *cells, number(float(work.values[i]), scale=1e3)])
     return table
 
 

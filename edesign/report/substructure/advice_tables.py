@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 from edesign.report.tables.text import wrapped
 from edesign.substructure.advice.advice import Advice, TestAdvice
 from edesign.substructure.advice.expectation import EFFECTIVE_AMPLITUDE, MOVES_SPECIMEN, ExpectedTest, Linearisation
@@ -163,7 +163,7 @@ def damping_table(test: TestAdvice) -> Table:
         modes = one.stability.modes if one.stability is not None else ()
         for mode in [mode for mode in modes if mode.share >= MOVES_SPECIMEN][:MODES_SHOWN]:
             values = (mode.damping, mode.loop_damping, mode.damping_error, mode.simple_damping_error)
-            table.rows.append([one.compensator, str(mode.number), *(_percent(value) for value in values)])
+            table.rows.append([one.compensator, whole(mode.number), *(_percent(value) for value in values)])
     table.notes += wrapped(
         "structure: damping ratio without the delays of the loop; p: k_E/k; tau: delay of rig, compensator and force "
         "at the mode"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 from edesign.report.tables.text import wrapped
 from edesign.substructure.compensation.alpha_fit import CUTOFF, filtered
 from edesign.substructure.rig.identify import IdentifiedRig
@@ -46,7 +46,7 @@ def _orders(found: IdentifiedRig) -> Table:
 
 def _order_row(fit: RigFit, criterion: float) -> list[str]:
     shares = [number(100.0 * fit.left, 3), number(100.0 * fit.independent, 3)]
-    return [str(fit.order), number(fit.low_frequency_delay.value, 4, 1e-3), *shares, f"{criterion:.0f}"]
+    return [whole(fit.order), number(fit.low_frequency_delay.value, 4, 1e-3), *shares, formatted(criterion, ".0f")]
 
 
 def _alphas(found: IdentifiedRig) -> Table:

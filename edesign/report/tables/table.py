@@ -1,16 +1,35 @@
-"""A table as data: what it says, not how it looks."""
+"""A table as data: what it says, not how it looks. Cells that show numbers keep them."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+
+import numpy as np
 
 SCIENTIFIC = 1e7  # from here on a number is no measure of a building, only a sign that something went wrong
 
 
+class NumberText(str):
+    """The text of a number, rounded for people, that keeps the number itself for files and programs.
+
+    Args:
+        text: as shown.
+        value: the number in the unit that is shown; the only other truth about it is the text, which is made from it.
+    """
+
+    value: float
+
+    def __new__(cls, text: str, value: float = math.nan) -> NumberText:
+        made = super().__new__(cls, text)
+        made.value = value
+        return made
+
+
 @dataclass
 class Table:
-    """Cells of text under headers that carry the units.
+    """Cells of text under headers that carry the units; cells of numbers are `NumberText`.
 
     Attributes:
         title: one line above.
@@ -56,18 +75,33 @@ def number(value: float | None, digits: int = 4, scale: float = 1.0, negligible:
     if value is None:
         return "-"
     if abs(value) < negligible:
-        return "0"
+        return NumberText("0", 0.0)
     shown = value / scale
     if abs(shown) >= SCIENTIFIC:
-        return f"{shown:.{digits - 1}e}"
-    return f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
+        return NumberText(f"{shown:.{digits - 1}e}", float(shown))
+    text = f"{shown:.0f}" if abs(shown) >= 10**digits else f"{shown:#.{digits}g}".rstrip(".")
+    return NumberText(text, float(shown))
+
+
+def formatted(value: float | None, form: str) -> str:
+    """Return a number in a form of Python's, "-" for None.
+
+    Args:
+        value: in the unit shown; whole numbers stay whole.
+        form: `.2f`, `.4g`, `d`.
+    """
+    if value is None:
+        return "-"
+    return NumberText(format(value, form), int(value) if isinstance(value, (int, np.integer)) else float(value))
 
 
 def whole(value: float | None) -> str:
     """Return a count, "-" for None."""
-    return "-" if value is None else f"{value:.0f}"
+    if value is None:
+        return "-"
+    return NumberText(f"{value:.0f}", int(value) if float(value).is_integer() else float(value))
 
 
 def seconds(value: float | None) -> str:
     """Return a time in s to the millisecond, so that a column of them can be compared; "-" for None."""
-    return "-" if value is None else f"{value:.3f}"
+    return formatted(value, ".3f")

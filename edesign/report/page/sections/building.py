@@ -44,7 +44,7 @@ from edesign.report.page.project_facts import hazard_rows
 from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted
 from edesign.space.structure.frame import AXES
 
 Parts = Callable[[Source, BuildingResults], Iterable[Part]]
@@ -84,7 +84,7 @@ def _verdict(source: Source, results: BuildingResults) -> Iterable[Part]:
     tiles = [
         Headline("met" if met else "not met", "Checks and rules", f"{len(broken)} not met", _state(met)),
         Headline(
-            f"{worst.utilisation:.3f}",
+            formatted(worst.utilisation, ".3f"),
             "Largest utilisation",
             f"{worst.member}, {worst.section}: {check_words(worst.name)}",
             _state(worst.utilisation <= 1.0),

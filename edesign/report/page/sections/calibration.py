@@ -36,7 +36,7 @@ from edesign.report.calibration.units import percent, scale_of
 from edesign.report.calibration.view import View
 from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
 from edesign.report.page.source import picture_of
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 
 _VERDICTS = {
     "none": ("None", "no effect is missing", "good"),
@@ -157,7 +157,7 @@ def channels_table(found: Calibration) -> Table:
     table = Table("Largest absolute values", columns, left=2)
     for one in found.series:
         scale, unit = scale_of(one)
-        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), str(one.time.size)]
+        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]
         largest = float(np.max(np.abs(one.measured)))
         table.rows.append([*row, number(largest, 3, scale), number(one.noise, 2, scale), unit])
     return table
@@ -169,9 +169,9 @@ def tests_table(found: Calibration) -> Table:
     table = Table("Largest absolute values", (*columns, "temperature [degC]", "noise of the force [kN]"), left=2)
     for one in found.series:
         largest = [float(np.max(np.abs(values))) for values in (one.displacement, one.velocity, one.measured)]
-        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), str(one.time.size)]
+        row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]
         row += [number(value, 3, scale) for value, scale in zip(largest, (1e-3, 1e-3, 1e3), strict=True)]
-        table.rows.append([*row, f"{float(np.mean(one.temperature)):.1f}", number(one.noise, 3, 1e3)])
+        table.rows.append([*row, formatted(float(np.mean(one.temperature)), ".1f"), number(one.noise, 3, 1e3)])
     return table
 
 

@@ -16,7 +16,7 @@ from edesign.report.page.sections.incremental import incremental_summary, increm
 from edesign.report.page.sections.verdicts import verdict_tiles
 from edesign.report.page.sections.warnings import warning_table
 from edesign.report.page.source import Source
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
 TILES = (  # label, measure, unit, unit in SI
@@ -86,7 +86,7 @@ def _governs(histories: HistorySet, drift: Statistics) -> tuple[str, str]:
         return "-", "-"
     group = histories.histories[drift.governing]
     place = located_measure(group, "interstorey_drift")
-    storey = "-" if place is None or place.storey is None else str(place.storey)
+    storey = "-" if place is None or place.storey is None else whole(place.storey)
     return storey, record_label(str(group.attributes.get("record") or drift.governing))
 
 
