@@ -19,6 +19,7 @@ from edesign.cli.check import check
 from edesign.cli.compare import compare
 from edesign.cli.design import design
 from edesign.cli.effects import effects
+from edesign.cli.export import export
 from edesign.cli.extract import extract
 from edesign.cli.fit import fit
 from edesign.cli.inspect import inspect
@@ -65,7 +66,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-_PROJECTS = (new, check, run, design, show, compare, report, extract)
+_PROJECTS = (new, check, run, design, show, compare, report, export, extract)
 _PARTS = (
     *(inspect, spectrum, match, records, sections, laws, effects, quantities, schema),
     *(test, characterise, fit, calibrate),

@@ -172,6 +172,7 @@ def statistics_table(entries: list[dict[str, Any]]) -> Table:
 def periods_table(name: str, group: Group, most: int | None = None) -> Table:
     """Return periods and effective modal masses of a modal analysis: of the first modes, or of all."""
     table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
+    table.each = ("Periods", name)
     period = group.variables.get("period")
     if period is None:
         return table
@@ -196,6 +197,7 @@ def profile_table(name: str, group: Group) -> Table:
     table = Table(
         f"{name}: storeys (largest absolute values)", ("storey", *(header for header, _, _ in columns)), left=0
     )
+    table.each = ("Storeys (largest absolute values)", name)
     if not columns:
         return table
     for storey in range(len(columns[0][2]), 0, -1):
@@ -211,7 +213,7 @@ def profile_table(name: str, group: Group) -> Table:
 def fallbacks_table(name: str, group: Group) -> Table:
     """Return what the solver had to do when a step did not converge; long lists are cut."""
     abscissa = ABSCISSAE.get(str(group.attributes.get("kind")), "time [s]")
-    table = Table(f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0)
+    table = Table(f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0, each=("Fallbacks", name))
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
     for event in listed[:EVENTS_SHOWN]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.assess.criteria import Verdict
-from edesign.assess.requirement import shown
 from edesign.project.criteria.criteria import Criterion, PerformanceCriterion
+from edesign.report.assessment.verdict_tables import measured
 from edesign.report.drawing.captions import record_label
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import Table, formatted, said_of
 
 FEMA = {"drift": "FEMA 356, Table C1-3", "members": "FEMA 356, Table 5-6", "both": "FEMA 356, Tables C1-3 and 5-6"}
 
@@ -26,8 +26,8 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
     for verdict in verdicts:
         cells = [verdict.name, verdict.requirement, sources.get(verdict.name, "") or "-"]
         cells += [verdict.variant or "-", verdict.level or "-", _demand(verdict)]
-        ratio = "-" if verdict.ratio is None else f"{verdict.ratio:.2f}"
-        cells += [shown(verdict.limit, verdict.unit), ratio, verdict.answer, _governs(verdict)]
+        ratio = "-" if verdict.ratio is None else formatted(verdict.ratio, ".2f")
+        cells += [measured(verdict.limit, verdict.unit), ratio, verdict.answer, _governs(verdict)]
         table.rows.append(cells)
     if table.rows:
         table.notes.append(
@@ -54,10 +54,10 @@ def _demand(verdict: Verdict) -> str:
     """The value with the statistic that it is."""
     if verdict.value is None:
         return "-"
-    value = shown(verdict.value, verdict.unit)
+    value = measured(verdict.value, verdict.unit)
     if verdict.count == 1 and not verdict.missing:
         return value
-    return f"{value} ({verdict.statistic} of {verdict.count})"
+    return said_of(value, f" ({verdict.statistic} of {verdict.count})")
 
 
 def _governs(verdict: Verdict) -> str:

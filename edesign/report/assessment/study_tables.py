@@ -86,7 +86,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
         by_entry[_entry_of(name, group, stripes)][name] = group
     for title, found in by_entry.items():
         endings = {name: ending(group) for name, group in found.items()}
-        counts = [str(sum(item["status"] == end for item in endings.values())) for end in ends]
+        counts = [whole(sum(item["status"] == end for item in endings.values())) for end in ends]
         cost = [statistics(group) for group in found.values()]
         sums = [_sum(cost, key) for key in ("steps", "fallbacks", "cpu_s")]
         errors = [float(item["energy_error"]) for item in cost if item["energy_error"] is not None]

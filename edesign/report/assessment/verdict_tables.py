@@ -8,7 +8,7 @@ from math import isinf
 from edesign.assess.criteria import Verdict
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
 from edesign.assess.performance import Usage, set_performance
-from edesign.assess.requirement import shown
+from edesign.assess.requirement import UNITS, shown
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import CODES
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
@@ -18,7 +18,7 @@ from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
-from edesign.report.tables.table import Table, formatted, whole
+from edesign.report.tables.table import NumberText, Table, formatted, whole
 from edesign.report.tables.text import wrapped
 
 REMARKS = "Remarks on the criteria"
@@ -48,8 +48,7 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
     )
     for verdict in verdicts:
         about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
-        value = "-" if verdict.value is None else shown(verdict.value, verdict.unit)
-        limit = shown(verdict.limit, verdict.unit)
+        value, limit = (measured(found, verdict.unit) for found in (verdict.value, verdict.limit))
         answers.rows.append([*about, verdict.answer, value, limit, ratio_text(verdict)])
         if verdict.governing_history:
             of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
@@ -69,12 +68,12 @@ def ratio_text(verdict: Verdict) -> str:
     """Return demand over capacity with two decimals; from 10 on how far it is beyond means nothing."""
     if verdict.ratio is None:
         return "-"
-    return beyond_or(verdict.ratio, f"{verdict.ratio:.2f}")
+    return beyond_or(verdict.ratio, formatted(verdict.ratio, ".2f"))
 
 
 def beyond_or(ratio: float, text: str) -> str:
     """Return the text of demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay."""
-    return text if ratio < BEYOND or isinf(ratio) else f"> {BEYOND}"
+    return text if ratio < BEYOND or isinf(ratio) else NumberText(f"> {BEYOND}", ratio)
 
 
 def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
@@ -129,7 +128,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         for verdict in verdicts:
             if not verdict.name.startswith(f"objective {letter},"):
                 continue
-            value = "-" if verdict.value is None else beyond_or(verdict.value, shown(verdict.value, verdict.unit))
+            value = "-" if verdict.value is None else beyond_or(verdict.value, measured(verdict.value, verdict.unit))
             level = objective_level(letter, project.hazard)
             table.rows.append(
                 [
@@ -156,6 +155,14 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         table.notes.append("Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level.")
     table.notes += few_notes(verdicts)
     return table
+
+
+def measured(value: float | None, unit: str) -> str:
+    """Return a value of a verdict, in SI, with the unit people read; a number still."""
+    if value is None:
+        return "-"
+    label, size = UNITS[unit]
+    return NumberText(shown(value, unit), value / size, label)
 
 
 def _governs(verdict: Verdict) -> str:

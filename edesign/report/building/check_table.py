@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number, whole
 
 
 def group_checks_table(results: BuildingResults) -> Table:
@@ -37,8 +37,8 @@ def group_checks_table(results: BuildingResults) -> Table:
             shown = "inf" if math.isinf(ratio) else number(finite(ratio), 3)
             about = [str(group), str(results.values("members", "section")[member]), check_words(str(name)), str(clause)]
             verdict = "met" if ratio <= 1.0 else "not met"
-            place = [str(results.values("members", "member")[member]), str(int(combinations[member, check]))]
-            table.rows.append([*about, shown, verdict, *place, f"{float(stations[member, check]):.3g}"])
+            place = [str(results.values("members", "member")[member]), whole(combinations[member, check])]
+            table.rows.append([*about, shown, verdict, *place, formatted(float(stations[member, check]), ".3g")])
     if table.rows:
         table.notes.append(
             "Combinations are numbered in the table of combinations; x / L is the place along the member."

@@ -13,7 +13,7 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults, finite
 from edesign.report.building.tables import Worst, worst_of_groups
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.tables.table import NumberText, Table, formatted, marked, number, whole
 from edesign.space.checks.written_checks import written_check
 from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
 
@@ -98,6 +98,7 @@ def written_table(found: WrittenCheck) -> Table:
         f"{found.length:.4g} m: {found.check}"
     )
     table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1, 3))
+    table.each = ("Checks written out", f"{found.group}: {found.member}, {found.check}")
     for step in found.steps:
         table.rows.append([step.symbol, step.expression, step.clause, _shown(step)])
     if not found.number:
@@ -151,11 +152,11 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
     """
     member = member_number(results, name)
     columns = [results.values("members", of)[member] for of in ("utilisation", "combination", "station")]
-    table = Table(f"{name}: checks", ("check", "use", "combination", "x / L", "clause"))
+    table = Table(f"{name}: checks", ("check", "use", "combination", "x / L", "clause"), each=("Checks", name))
     names, clauses = results.values("members", "check"), results.values("members", "clause")
     for check, clause, use, row, place in zip(names, clauses, *columns, strict=True):
         if row:
-            cells = [str(check), number(finite(use), 3), str(int(row)), formatted(place, ".3g"), str(clause)]
+            cells = [str(check), number(finite(use), 3), whole(row), formatted(place, ".3g"), str(clause)]
             table.rows.append(cells)
     check = governing(results, member)
     return [table, effects_table(results, member, check), written_table(written(results, member, check))]
@@ -172,6 +173,7 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     units = [("kN*m" if of.startswith(("M", "T")) else "kN") for of in forces]
     columns = [f"{of} [{unit}]" for of, unit in zip(forces, units, strict=True)]
     table = Table(f"{name}: internal forces of each action at x = {place:.3g} L", ("action", *columns))
+    table.each = ("Internal forces of each action where a check governs", str(name))
     table.formulas = tuple(range(len(columns) + 1))
     every = np.concatenate([results.values("forces", name)[:, member, station] for name in ("static", "seismic")])
     moments = np.array([unit != "kN" for unit in units])
@@ -183,9 +185,13 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     ):
         for action, of in zip(names, values[:, member, station], strict=True):
             cells = [number(float(value), 4, 1e3, small) for value, small in zip(of, least, strict=True)]
-            table.rows.append([str(action), *(f"{sign}{cell}" if cell != "0" else cell for cell in cells)])
+            table.rows.append([str(action), *(_signed(sign, cell) for cell in cells)])
     table.notes.append("E with accidental torsion and second order; N positive in tension")
     return table
+
+
+def _signed(sign: str, cell: str) -> str:
+    return NumberText(f"{sign}{cell}", cell.value) if isinstance(cell, NumberText) and cell != "0" else cell
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
@@ -261,4 +267,4 @@ def _shown(step: Step) -> str:
     if isinstance(step.value, str):
         return step.value
     unit, scale = UNITS.get(step.unit, (step.unit, 1.0))
-    return f"{number(finite(step.value), 4, scale)} {unit}".strip()
+    return marked(number(finite(step.value), 4, scale), "", unit)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.archive.dataset import Group
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, marked, number
 from edesign.space.checks.foundations import COMPONENTS
 
 
@@ -14,6 +14,7 @@ def reaction_table(of: Group) -> Table:
     static, seismic = of.variables["static"].values, of.variables["seismic"].values
     cases = [str(case) for case in of.coords["case"].values]
     table = Table("Supports: F_z on the frame by action, upwards, kN", ("support", *cases, "E_x", "E_y"))
+    table.units = ("", *("kN" for _ in table.columns[1:]))
     for k, support in enumerate(of.coords["support"].values):
         table.rows.append([str(support), *map(_force, (*static[:, k, 2], *seismic[:, k, 2]))])
     return table
@@ -28,9 +29,10 @@ def foundation_table(of: Group) -> Table:
     table = Table(
         "Foundations: design actions, kN and kNm",
         ("support", "f_x", "f_y", "F_z,d", "to", "F_x,d", "F_y,d", "M_x,d", "M_y,d"),
+        units=("", "", "", "kN", "kN", "kN", "kN", "kNm", "kNm"),
     )
     for k, support in enumerate(of.coords["support"].values):
-        factors = [f"{number(factor[axis, k], 3)}{'*' if of_foot[axis, k] else ''}" for axis in range(len(factor))]
+        factors = [marked(number(factor[axis, k], 3), "*" * bool(of_foot[axis, k])) for axis in (0, 1)]
         actions = map(_force, (least[k, 2], largest[k, 2], *size[k, [0, 1, 3, 4]]))
         table.rows.append([str(support), *factors, *actions])
     table.notes.append(

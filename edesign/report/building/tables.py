@@ -16,7 +16,7 @@ from edesign.report.building.check_table import check_words
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
 from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, number, whole
+from edesign.report.tables.table import Table, marked, number, whole
 from edesign.space.structure.frame import AXES
 
 MODES_SHOWN = 12
@@ -118,6 +118,7 @@ def modes_table(results: BuildingResults) -> Table:
     table = Table(
         "Natural modes", ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x", "S_d y [m/s2]")
     )
+    table.units = ("",) * 5 + ("m/s2", "m/s2")
     table.formulas = ()
     for k in range(min(MODES_SHOWN, period.size)):
         table.rows.append(
@@ -125,7 +126,7 @@ def modes_table(results: BuildingResults) -> Table:
                 whole(k + 1),
                 number(period[k]),
                 *(number(ratio[k], 3, 0.01, negligible=1e-5) for ratio in ratios),
-                *(f"{number(of[k], 3)}{'*' if lower[k] else ''}" for of, lower in zip(S_d, bound, strict=True)),
+                *(marked(number(of[k], 3), "*" * bool(lower[k])) for of, lower in zip(S_d, bound, strict=True)),
             ]
         )
     if period.size > MODES_SHOWN:
@@ -206,8 +207,8 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
     clauses: dict[str, str] = {}
     for worst in worst_of_groups(results):
         use = "inf" if math.isinf(worst.utilisation) else number(finite(worst.utilisation), 3)
-        cells = [worst.group, worst.section, str(worst.count), use]
-        table.rows.append([*cells, say(worst.name), worst.member, str(worst.combination)])
+        cells = [worst.group, worst.section, whole(worst.count), use]
+        table.rows.append([*cells, say(worst.name), worst.member, whole(worst.combination)])
         clauses.setdefault(say(worst.name), worst.clause)
     table.notes.append("use: effect over resistance; combination: its number among those below")
     if any(row[3] == "inf" for row in table.rows):

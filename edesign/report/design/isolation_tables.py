@@ -25,6 +25,7 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
     """
     header = ("level", "d [mm]", f"{GAMMA_X:g} d [mm]", "T_eff [s]", "xi_eff [%]", "S_e [m/s2]", "F [kN]", "F/W [%]")
     table = Table(f"{name}: isolated base, equivalent linear (EN 1998-1, 10.9)", header)
+    table.each = ("Isolated base, equivalent linear (EN 1998-1, 10.9)", name)
     if "isolation_displacement" not in group.variables:
         return table
     of = {key: group.variables[f"isolation_{key}"].values for key in ("displacement", "period", "damping", "shear")}

@@ -13,7 +13,7 @@ from edesign.ground_motion.component_pairs import NAMES
 from edesign.ground_motion.plausibility import unusual_scales
 from edesign.ground_motion.record_choice import choice_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.tables.table import Table, formatted, number
+from edesign.report.tables.table import Table, formatted, marked, number
 from edesign.study.results.kinds import RECORDS
 
 MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the header in SI
@@ -95,6 +95,7 @@ def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str
 def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
     """Return the candidates of a choice that were left out, and why."""
     table = Table(f"{name}: candidates left out", ("candidate", "why"), left=2, sentences=1)
+    table.each = ("Candidates left out", name)
     table.rows = [[item["name"], item["reason"]] for item in refused]
     return table
 
@@ -131,6 +132,7 @@ def pair_table(name: str, about: Mapping[str, Any]) -> Table:
     """Return how a pair of components was scaled, and how near their combined spectrum is to the target."""
     columns = ("pair", "spectrum", "factor", "misfit rms [%]", "largest [%]", "at T [s]")
     table = Table(f"{name}: both components by one factor", columns, left=2)
+    table.each = ("Both components by one factor", name)
     misfit = about["misfit"]
     values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01), ("at_period", 1.0))]
     table.rows.append([name, NAMES[about["spectrum"]], number(about["factor"], DIGITS), *values])
@@ -188,6 +190,7 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         ("clause", "criterion", "required", "found", "verdict"),
         left=2,
         sentences=1,
+        each=("Criteria of sets of records", name),
     )
     for found in about["criteria"]:
         verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]
@@ -216,4 +219,4 @@ def _pair(before: float, after: float, unit: float) -> str:
 def _with_unit(value: float | None, unit: str) -> str:
     if value is None:
         return "-"
-    return formatted(value, ".0f") if not unit and value == int(value) else f"{number(value, 4)} {unit}".strip()
+    return formatted(value, ".0f") if not unit and value == int(value) else marked(number(value, 4), "", unit)

@@ -17,7 +17,7 @@ from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.inputs.damper_demand import ENOUGH, Demand, demand, velocity
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, number, whole
 
 QUANTITIES = (  # header, how it is called below, name, unit shown in SI
     ("F", "[kN]", "force", "damper_force", 1e3),
@@ -111,9 +111,9 @@ def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
         count = len(group.devices) * group.devices[0].size.number
         total += count
         size, brace = _size(group.devices[0]), _brace(group.devices[0])
-        cells = [group.stands, group.law, str(len(group.devices)), str(count), size, brace]
+        cells = [group.stands, group.law, whole(len(group.devices)), whole(count), size, brace]
         table.rows.append([*group.at, *cells])
-    table.rows.append(["total", "", "", "", str(sum(len(g.devices) for g in alike)), str(total), "", ""])
+    table.rows.append(["total", "", "", "", whole(sum(len(g.devices) for g in alike)), whole(total), "", ""])
     if project.dampers is not None and any(isinstance(d.brace, BraceSection) for d in project.dampers.devices):
         table.notes.append("The stiffness of a brace follows from its section and length.")
     return table

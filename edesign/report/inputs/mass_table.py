@@ -10,7 +10,7 @@ from edesign.building.loads import floor_loads
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, formatted, number
 
 SAME = 0.01
 """Share by which weight and mass times g may differ before it is said."""
@@ -57,7 +57,7 @@ def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -
         mass, weight = floors[floor]
         if floor or mass or weight:
             cells = [number(mass, scale=1e3), number(weight, scale=1e3)]
-            table.rows.append([str(floor) if floor else "base", f"{project.frame.y[floor]:g}", *cells])
+            table.rows.append([str(floor) if floor else "base", formatted(project.frame.y[floor], "g"), *cells])
     total = np.sum(floors, axis=0)
     table.rows.append(["total", "", number(float(total[0]), scale=1e3), number(float(total[1]), scale=1e3)])
     factors = project.loads.gravity

@@ -145,12 +145,25 @@ def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], N
     return render(page.cover, page.sections)
 
 
-def page_of(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> Page:
-    """Return the report of an archive, path or open, as data; other arguments and errors as `write_page`."""
+def page_of(
+    archive: str | os.PathLike[str] | Archive,
+    tell: Callable[[str], None] = lambda line: None,
+    tables_only: bool = False,
+) -> Page:
+    """Return the report of an archive, path or open, as data.
+
+    Args:
+        archive: complete or partial, of `edesign run` or `edesign match`.
+        tell: called with a line for each section and figure.
+        tables_only: draw no figures, which takes a fraction of the time, and leave names of the archive as they are.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+    """
     if not isinstance(archive, Archive):
         with open_archive(archive) as opened:
-            return page_of(opened, tell)
-    source = Source(archive, tell)
+            return page_of(opened, tell, tables_only)
+    source = Source(archive, tell, figures=not tables_only)
     own, others = building_sections(source), SECTIONS
     if is_building_archive(archive):
         others = (provenance,)
@@ -159,7 +172,9 @@ def page_of(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], Non
 
         own, others = substructure_sections(source), (provenance,)
     made = [*own, *(section for make in others if (section := make(source)))]
-    return Page(_cover(source), tuple(in_words(section, source.words) for section in made))
+    if not tables_only:
+        made = [in_words(section, source.words) for section in made]
+    return Page(_cover(source), tuple(made))
 
 
 def _kind(source: Source) -> str:

@@ -43,6 +43,7 @@ class Source:
     Args:
         archive: open, complete or partial.
         tell: called with a line whenever something that takes long is done.
+        figures: whether figures are drawn.
 
     Attributes:
         archive: the open archive.
@@ -50,11 +51,12 @@ class Source:
         left_out: what could not be drawn, and why.
     """
 
-    def __init__(self, archive: Archive, tell: Callable[[str], None] = lambda line: None) -> None:
+    def __init__(self, archive: Archive, tell: Callable[[str], None] = lambda line: None, figures: bool = True) -> None:
         self.archive = archive
         self.attributes = archive.attributes
         self.left_out: list[str] = []
         self._tell = tell
+        self._figures = figures
         self._unique = UniqueNames()
 
     @cached_property
@@ -175,6 +177,8 @@ class Source:
 
         One that cannot be drawn is named in `left_out`.
         """
+        if not self._figures:
+            return ()
         from edesign.report.drawing.style import garbage_between_figures
 
         found = []

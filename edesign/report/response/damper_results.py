@@ -44,6 +44,7 @@ def each_damper_table(name: str, group: Group) -> Table:
     table = Table(
         f"{name}: dampers (largest absolute values)",
         ("damper", "storey", *(title for title, _, _ in columns), "work [kJ]"),
+        each=("Each damper (largest absolute values)", name),
     )
     if not columns or work is None:
         return table
@@ -57,6 +58,7 @@ def each_damper_table(name: str, group: Group) -> Table:
 def damper_stiffness_table(name: str, group: Group) -> Table:
     """Return stiffness and loss factor of the dampers that a modal analysis took into account."""
     table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor", "amplitude [mm]"))
+    table.each = ("Stiffness and loss factor of dampers", name)
     keys = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
     if any(key not in group.variables for key in keys):
         return table

@@ -141,6 +141,7 @@ def _work(groups: Mapping[str, Group]) -> Table:
     histories = {name: group for name, group in groups.items() if WORK in group.variables}
     footings = list(dict.fromkeys(footing for group in histories.values() for footing in names_of(group, "footing")))
     table = Table("Work on the dashpots of footings, kJ", ["analysis", *footings])
+    table.units = ("", *("kJ" for _ in footings))
     for name, group in histories.items():
         work = dict(zip(names_of(group, "footing"), group.variables[WORK].values.tolist(), strict=True))
         table.rows.append([name, *(number(work.get(footing), 4, 1e3) for footing in footings)])

@@ -7,7 +7,7 @@ import numpy as np
 from edesign.report.drawing.captions import plain
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import HELD_THERE, limit_cells
-from edesign.report.tables.table import Table
+from edesign.report.tables.table import NumberText, Table
 from edesign.report.tables.text import wrapped
 from edesign.substructure.advice.recommendation import ADAPTIVE
 
@@ -59,8 +59,8 @@ def _series(results: SubstructureResults, test: str, name: str) -> list[list[str
     for i, what in enumerate(COEFFICIENTS):
         met = np.flatnonzero((bits >> i) & 1)
         if met.size:
-            first, last = (plain(time[met[i]]) for i in (0, -1))
-            rows.append([what, first, last, plain(met.size * (time[-1] - time[0]) / (time.size - 1))])
+            times = (time[met[0]], time[met[-1]], met.size * (time[-1] - time[0]) / (time.size - 1))
+            rows.append([what, *(NumberText(plain(value), float(value)) for value in times)])
     return rows
 
 

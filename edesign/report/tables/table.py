@@ -17,13 +17,15 @@ class NumberText(str):
     Args:
         text: as shown.
         value: the number in the unit that is shown; the only other truth about it is the text, which is made from it.
+        unit: that the text ends in, where the numbers of a column have several.
     """
 
     value: float
+    unit: str
 
-    def __new__(cls, text: str, value: float = math.nan) -> NumberText:
+    def __new__(cls, text: str, value: float = math.nan, unit: str = "") -> NumberText:
         made = super().__new__(cls, text)
-        made.value = value
+        made.value, made.unit = value, unit
         return made
 
 
@@ -43,6 +45,9 @@ class Table:
             the table are so too. None: there are no formulas in it.
         joined: numbers of the columns, from 0, that stay beside the column before them where a wide table is cut.
         headings: lines across the whole table, each by the number of the row that it stands above.
+        each: of a table that each analysis or member has one of: what such tables have in common, and whose this is. In
+            files they are one table.
+        units: of the columns whose headers name none, where the title says it to people; () if there are none.
     """
 
     title: str
@@ -54,6 +59,8 @@ class Table:
     formulas: tuple[int, ...] | None = None
     joined: tuple[int, ...] = ()
     headings: dict[int, str] = field(default_factory=dict)
+    each: tuple[str, str] | None = None
+    units: Sequence[str] = ()
 
     @property
     def sentence_columns(self) -> tuple[int, ...]:
@@ -93,6 +100,17 @@ def formatted(value: float | None, form: str) -> str:
     if value is None:
         return "-"
     return NumberText(format(value, form), int(value) if isinstance(value, (int, np.integer)) else float(value))
+
+
+def marked(text: str, mark: str, unit: str = "") -> str:
+    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same."""
+    shown = f"{text}{mark}{' ' * bool(unit)}{unit}"
+    return NumberText(shown, text.value, unit) if isinstance(text, NumberText) else shown
+
+
+def said_of(cell: str, words: str) -> str:
+    """Return the text of a number with words behind it, still as a number: `3.4 % (mean of 20)`."""
+    return NumberText(f"{cell}{words}", cell.value, cell.unit) if isinstance(cell, NumberText) else f"{cell}{words}"
 
 
 def whole(value: float | None) -> str:

@@ -45,6 +45,7 @@ ACTION = ("--ground", "B", "--a-gr", "0.2 g")
 COMMANDS: dict[str, tuple[list[str], tuple[str, ...]]] = {
     "show": (["show", "FILE"], ("archive",)),
     "report": (["report", "FILE"], ("archive",)),
+    "export": (["export", "FILE"], ("archive",)),
     "compare": (["compare", "FILE", "reference"], ("archive",)),
     "compare with": (["compare", "archive", "FILE"], ("reference",)),
     "check": (["check", "FILE"], (*TEXTS, "archive")),

@@ -1,0 +1,87 @@
+"""`edesign export`: the tables of an archive for spreadsheets and programs."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def export(
+    archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
+    xlsx: Annotated[
+        Path | None,
+        typer.Option("--xlsx", metavar="FILE", help="A workbook of Excel; by default NAME.xlsx beside the archive."),
+    ] = None,
+    csv: Annotated[Path | None, typer.Option("--csv", metavar="FOLDER", help="A CSV file for each table.")] = None,
+    parquet: Annotated[
+        Path | None, typer.Option("--parquet", metavar="FOLDER", help="A Parquet file for each table.")
+    ] = None,
+    tables: Annotated[
+        str | None, typer.Option("--tables", "-t", metavar="NAME,...", help="These only; `*` stands for any letters.")
+    ] = None,
+    histories: Annotated[
+        str | None,
+        typer.Option(
+            "--histories",
+            metavar="NAME,...",
+            help="Also the histories and curves of these analyses, records or tests; `*` stands for any letters.",
+        ),
+    ] = None,
+    analysis: Annotated[
+        str | None, typer.Option("--analysis", "-n", metavar="NAME", help="The tables of one analysis only.")
+    ] = None,
+    as_list: Annotated[bool, typer.Option("--list", help="Print the names of the tables, and write nothing.")] = False,
+) -> None:
+    """Write the tables of an archive as a workbook, or as CSV or Parquet files, with units and all digits."""
+    from edesign.archive.files import check_folder
+    from edesign.archive.reader import Archive, DamagedArchive, read_archive
+    from edesign.errors import InputError
+    from edesign.report.export.catalogue import archive_tables, choose
+    from edesign.report.export.export_table import ExportTable
+    from edesign.report.export.facts import provenance_facts
+    from edesign.report.export.files import write_csv_folder, write_parquet_folder
+    from edesign.report.export.value_tables import history_tables
+    from edesign.report.export.workbook import write_workbook
+    from edesign.report.page.document import check_page_path
+    from edesign.report.tables.table import Table, whole
+    from edesign.report.tables.text import print_tables
+
+    if xlsx is None and csv is None and parquet is None:
+        xlsx = archive.with_name(archive.name.removesuffix(".partial")).with_suffix(".xlsx")
+    for option, text in (("--tables", tables), ("--histories", histories)):
+        if text is not None and not _names(text):
+            raise InputError(f"{option}: it names nothing; names are separated by commas, `*` stands for all")
+    if xlsx is not None and not as_list:
+        check_page_path(xlsx, (".xlsx",), "a workbook")
+    for folder in filter(None, (csv, parquet)):
+        check_folder(folder)
+
+    def read(opened: Archive) -> tuple[list[ExportTable], dict[str, str]]:
+        found = archive_tables(opened, analysis)
+        if tables is not None:
+            found = choose(found, _names(tables), str(archive))
+        if histories is not None:
+            found = found + history_tables(opened, _names(histories))
+        return found, provenance_facts(opened)
+
+    (found, facts), damage = read_archive(archive, read)
+    if as_list:
+        shown = Table(f"{len(found)} tables", ("name", "rows", "columns"))
+        shown.rows = [[t.name, whole(t.rows), whole(len(t.columns))] for t in found]
+        print_tables([shown])
+    else:
+        if xlsx is not None:
+            write_workbook(found, facts, xlsx)
+            print(f"{xlsx}: {len(found)} tables")
+        if csv is not None:
+            print(f"{csv}: {len(write_csv_folder(found, facts, csv))} tables, listed in contents.csv")
+        if parquet is not None:
+            print(f"{parquet}: {len(write_parquet_folder(found, facts, parquet))} tables, listed in contents.csv")
+    if damage:
+        raise DamagedArchive(damage)
+
+
+def _names(text: str) -> list[str]:
+    return [name.strip() for name in text.split(",") if name.strip()]

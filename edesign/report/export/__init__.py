@@ -1,0 +1,1 @@
+"""Tables of an archive as workbooks, CSV and Parquet files, and data frames."""

@@ -1,0 +1,109 @@
+"""All tables of an archive by name."""
+
+from __future__ import annotations
+
+import fnmatch
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+
+from edesign.archive.reader import Archive
+from edesign.errors import InputError
+from edesign.project.reading.problems import did_you_mean, listed
+from edesign.report.archive_tables import details, overview
+from edesign.report.export.export_table import ExportTable, as_one, export_table
+from edesign.report.export.names import numbered, table_names
+from edesign.report.export.value_tables import value_tables
+from edesign.report.page.document import page_of
+from edesign.report.page.render import Page
+from edesign.report.page.section import Facts, Folded, Heading, Part, Warnings
+from edesign.report.tables.table import Table
+
+NAMED = 12  # tables that an error names
+
+
+def archive_tables(archive: Archive, analysis: str | None = None) -> list[ExportTable]:
+    """Return all tables of an archive, each with a name of its own.
+
+    They are the tables of the report in its order, those of `edesign show` that the report does not have, and the
+    variables of the archive in SI, but for histories.
+
+    Args:
+        archive: open.
+        analysis: name of one analysis, whose tables of `edesign show --analysis` are returned instead.
+
+    Raises:
+        InputError: there is no such analysis.
+    """
+    if analysis is not None:
+        return named_tables([(table.title, table) for table in details(archive, analysis)])
+    found = list(page_tables(page_of(archive, tables_only=True)))
+    have = [_content(table) for _, table in found]
+    for table in overview(archive)[1:]:  # the first tells of the archive itself, as the provenance does
+        if table.rows and _content(table) not in have:
+            found.append((table.title, table))
+    tables = [*named_tables(found), *value_tables(archive)]
+    names = numbered([table.name for table in tables])
+    return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
+
+
+def named_tables(titled: Sequence[tuple[str, Table]]) -> list[ExportTable]:
+    """Return tables with names made of their titles; those that each analysis or member has one of are one table."""
+    alike: dict[str, list[tuple[str, Table]]] = {}
+    for _, table in titled:
+        if table.each is not None:
+            alike.setdefault(table.each[0], []).append((table.each[1], table))
+    whole: dict[str, tuple[str, Table]] = {}
+    for i, (title, table) in enumerate(titled):
+        if table.each is None:
+            whole[str(i)] = (title, table)
+        elif f"each {table.each[0]}" not in whole:
+            whole[f"each {table.each[0]}"] = (table.each[0], as_one(table.each[0], alike[table.each[0]]))
+    titled = list(whole.values())
+    names = table_names([title for title, _ in titled])
+    return [export_table(name, table, title) for name, (title, table) in zip(names, titled, strict=True)]
+
+
+def page_tables(page: Page) -> Iterator[tuple[str, Table]]:
+    """Yield the tables, facts and warnings of a report with their titles; a table without one has that above it."""
+    for section in page.sections:
+        above = section.title
+        for part in section.parts:
+            if isinstance(part, Heading):
+                above = part.text
+            yield from _part_tables(part, above)
+
+
+def _part_tables(part: Part, above: str) -> Iterator[tuple[str, Table]]:
+    if isinstance(part, Table) and (part.rows or part.notes):
+        yield part.title or above, part
+    elif isinstance(part, Folded):
+        for inner in part.parts:
+            yield from _part_tables(inner, part.summary)
+    elif isinstance(part, Facts) and part.rows:
+        yield above, Table("", (), [list(row) for row in part.rows], left=2)
+    elif isinstance(part, Warnings):
+        yield part.title, Table(part.title, ("warning",), [[text] for text in part.items])
+
+
+def choose(tables: Sequence[ExportTable], patterns: Sequence[str], where: str) -> list[ExportTable]:
+    """Return the tables whose names fit one of some patterns, in the order of the tables.
+
+    Args:
+        tables: to choose from.
+        patterns: names, with `*` for any letters.
+        where: the file, for the message.
+
+    Raises:
+        InputError: no table fits a pattern.
+    """
+    names = [table.name for table in tables]
+    for pattern in patterns:
+        if not fnmatch.filter(names, pattern):
+            hint = did_you_mean(pattern, names)
+            some = listed(names[:NAMED]) + (" and more, see --list" if len(names) > NAMED else "")
+            raise InputError(f"{where}: no table is named {pattern!r}{hint} (there are: {some})")
+    return [table for table in tables if any(fnmatch.fnmatchcase(table.name, pattern) for pattern in patterns)]
+
+
+def _content(table: Table) -> tuple[tuple[str, ...], list[list[str]]]:
+    return tuple(table.columns), table.rows

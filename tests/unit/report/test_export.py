@@ -1,0 +1,212 @@
+"""Tables of an archive as workbooks, CSV and Parquet files, data frames and datasets: the numbers of the archive."""
+
+from __future__ import annotations
+
+import csv
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from unit.report.figure_archive import small_archive
+
+from edesign.archive.reader import open_archive
+from edesign.cli.main import main
+from edesign.errors import InputError
+from edesign.report.export.export_table import ExportColumn, ExportTable, as_one, export_table
+from edesign.report.export.names import LONGEST_FILE, slug, table_names
+from edesign.report.export.workbook import number_format, sheet_names
+from edesign.report.tables.table import NumberText, Table, formatted, marked, number, whole
+
+openpyxl = pytest.importorskip("openpyxl")
+parquet = pytest.importorskip("pyarrow.parquet")
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return small_archive(tmp_path_factory.mktemp("export"))
+
+
+def _exact(path: Path) -> tuple[np.ndarray, list[str]]:
+    """Largest drifts of all storeys of all analyses as HDF5 has them, and the analysis of each."""
+    import h5py
+
+    values, names = [], []
+    with h5py.File(path) as file:
+        for name in sorted(file["analyses"], key=lambda one: file["analyses"][one].attrs["order"]):
+            if "storey_drift_max" in file["analyses"][name]:
+                found = file["analyses"][name]["storey_drift_max"][()]
+                values += found.tolist()
+                names += [name] * len(found)
+    return np.array(values), names
+
+
+def test_a_cell_keeps_the_number_that_it_shows() -> None:
+    cell = number(12345.678, 4, 1e3)
+    assert cell == "12.35" and isinstance(cell, NumberText) and cell.value == 12345.678 / 1e3
+    star = marked(number(0.12345, 3), "*")
+    assert star == "0.123*" and isinstance(star, NumberText) and star.value == 0.12345
+    share = marked(formatted(3.25, ".1f"), "", "%")
+    assert share == "3.2 %" and isinstance(share, NumberText) and (share.value, share.unit) == (3.25, "%")
+    assert number(None) == whole(None) == "-" and not isinstance(number(None), NumberText)
+
+
+def test_columns_have_numbers_units_and_no_dashes() -> None:
+    table = Table("Peaks", ("analysis", "drift [%]", "value", "delay ms", "with [m] sign"))
+    table.rows = [
+        ["a", number(0.01234, scale=0.01), marked(number(5.0, 2), "", "%"), formatted(3.0, ".1f"), "x"],
+        ["b", "-", marked(number(2.0, 2), "", "mm"), formatted(4.0, ".1f"), "-"],
+    ]
+    found = export_table("peaks", table)
+    assert [(column.header, list(column.values)) for column in found.columns] == [
+        ("analysis", ["a", "b"]),
+        ("drift [%]", [0.01234 / 0.01, None]),
+        ("value", [5.0, 2.0]),
+        ("unit of value", ["%", "mm"]),
+        ("delay [ms]", [3.0, 4.0]),
+        ("with sign [m]", ["x", None]),
+    ]
+    assert [column.numeric for column in found.columns] == [False, True, True, False, True, False]
+
+
+def test_tables_that_each_analysis_has_are_one() -> None:
+    one = Table("a: periods", ("mode", "T [s]"), [["1", "2.0"]], ["a note"], left=0)
+    other = Table("b: periods", ("mode", "f [Hz]"), [["1", "0.5"]], ["a note"], left=0)
+    made = as_one("Periods", [("a", one), ("b", other)])
+    assert made.columns == ("of", "mode", "T [s]", "f [Hz]") and made.left == 1 and made.notes == ["a note"]
+    assert made.rows == [["a", "1", "2.0", ""], ["b", "1", "", "0.5"]]
+
+
+def test_names_of_tables_and_sheets_differ() -> None:
+    titles = ["Footings (bare)", "Footings (damped)", "Storeys (largest)", "A: x", "A: x", "\u03b1"]
+    assert table_names(titles) == ["footings_bare", "footings_damped", "storeys", "a_x", "a_x_2", "table"]
+    long = "a" * 40
+    found = sheet_names([long, long + "b", "Contents", "history", "History"])
+    assert found[0] == "a" * 31 and len({name.casefold() for name in found}) == 5
+    assert all(len(name) <= 31 for name in found) and "history" not in map(str.casefold, found)
+
+
+@pytest.mark.parametrize(
+    ("text", "form"),
+    [
+        ("12.30", "0.00"),
+        ("1234", "0"),
+        ("-0.5", "0.0"),
+        ("5.358e+17", "0.000E+00"),
+        ("+3.1", "+0.0;-0.0;0.0"),
+        ("+-3.1", '"±"0.0'),
+        ("1.20 %", '0.00" %"'),
+        ("0.123*", '0.000"*"'),
+        ("nan", "General"),
+    ],
+)
+def test_a_workbook_shows_the_digits_of_the_report(text: str, form: str) -> None:
+    assert number_format(text) == form
+
+
+def test_every_file_has_the_numbers_of_the_archive(archive: Path, tmp_path: Path) -> None:
+    book, folder, columns = tmp_path / "all.xlsx", tmp_path / "csv", tmp_path / "parquet"
+    words = ["--xlsx", str(book), "--csv", str(folder), "--parquet", str(columns), "--histories", "bare*"]
+    assert main(["export", str(archive), *words]) == 0
+    drifts, names = _exact(archive)
+    assert drifts.size >= 8
+
+    read = openpyxl.load_workbook(book)
+    assert read.sheetnames[0] == "contents" and read.sheetnames[-1] == "provenance"
+    sheet = read["analyses_by_storey"]
+    assert sheet.freeze_panes == "C4" and sheet["A2"].hyperlink.location == "'contents'!A1"
+    headers = [cell.value for cell in sheet[3]]
+    at = headers.index("storey_drift_max") + 1
+    cells = [sheet.cell(row, at) for row in range(4, 4 + drifts.size)]
+    assert all(cell.data_type == "n" for cell in cells)
+    # a workbook has 16 significant digits of a number, and a double needs 17
+    np.testing.assert_allclose([cell.value for cell in cells], drifts, rtol=1e-15)
+    assert [sheet.cell(row, 1).value for row in range(4, 4 + drifts.size)] == names
+    links = [cell.hyperlink.location.split("!")[0].strip("'") for cell in read["contents"]["A"] if cell.hyperlink]
+    assert links == read.sheetnames[1:]
+
+    with (folder / "analyses_by_storey.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    np.testing.assert_array_equal([float(row["storey_drift_max"]) for row in rows], drifts)
+    assert "storey_shear_max [N]" in rows[0]
+    with (folder / "contents.csv").open() as file:
+        listed = [row["file"] for row in csv.DictReader(file)]
+    assert sorted([*listed, "contents.csv", "provenance.csv"]) == sorted(path.name for path in folder.iterdir())
+
+    table = parquet.read_table(columns / "analyses_by_storey.parquet")
+    np.testing.assert_array_equal(table["storey_drift_max"].to_numpy(), drifts)
+    assert table.schema.field("storey_shear_max").metadata == {b"unit": b"N", b"long_name": b"largest"}
+
+    with open_archive(archive) as opened:
+        place = next(name for name in opened.names("analyses") if name.startswith("bare"))
+        expected = opened.group(f"analyses/{place}").variables["floor_displacement"].values[:, 1]
+    with (folder / f"{slug(f'histories_analyses/{place}', LONGEST_FILE)}.csv").open() as file:
+        found = [float(row["floor_displacement 2 [m]"]) for row in csv.DictReader(file)]
+    np.testing.assert_array_equal(found, expected)
+
+
+def test_the_same_archive_gives_the_same_workbook(archive: Path, tmp_path: Path) -> None:
+    first, second = tmp_path / "a.xlsx", tmp_path / "b.xlsx"
+    for path in (first, second):
+        assert main(["export", str(archive), "--xlsx", str(path), "--tables", "governing*"]) == 0
+    assert first.read_bytes() == second.read_bytes()
+
+
+def test_no_number_of_a_table_is_left_as_text(archive: Path) -> None:
+    from edesign.report.export.catalogue import archive_tables
+
+    def as_text(value: object) -> bool:
+        try:
+            return isinstance(value, str) and float(value) is not None
+        except ValueError:
+            return False
+
+    with open_archive(archive) as opened:
+        for table in archive_tables(opened):
+            for column in table.columns[table.left :]:
+                assert not any(map(as_text, column.values)), (table.name, column.header)
+
+
+def test_texts_of_users_stay_texts(tmp_path: Path) -> None:
+    from edesign.report.export.files import write_csv_folder, write_parquet_folder
+    from edesign.report.export.workbook import write_workbook
+
+    odd = ["=1+1", "https://example.org", "0012", "\x1b[31m", "x" * 40_000]
+    columns = (ExportColumn("name", "", odd), ExportColumn("n [x]", "", [1.0, float("nan"), None, float("inf"), 2]))
+    table = ExportTable("odd", "=2+2", columns, ("=3+3",))
+    write_workbook([table], {"title": "=4+4"}, tmp_path / "odd.xlsx")
+    sheet = openpyxl.load_workbook(tmp_path / "odd.xlsx")["odd"]
+    assert [sheet.cell(row, 1).value for row in (4, 5, 6, 7)] == ["=1+1", "https://example.org", "0012", "\\u001b[31m"]
+    assert sheet["A4"].data_type == "s" and len(sheet["A8"].value) == 32_767 and sheet["A1"].value == "=2+2"
+    assert [sheet.cell(row, 2).value for row in range(4, 9)] == [1, "nan", None, "inf", 2]
+    write_parquet_folder([table], {}, tmp_path / "p")
+    assert parquet.read_table(tmp_path / "p" / "odd.parquet")["name"].to_pylist() == odd
+    write_csv_folder([table], {}, tmp_path / "c")
+    assert (tmp_path / "c" / "odd.csv").read_text().splitlines()[1] == "'=1+1,1.0"
+
+
+def test_errors_name_tables_files_and_packages(
+    archive: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def said(*words: str) -> str:
+        assert main(["export", str(archive), *words]) == 2
+        return capsys.readouterr().err
+
+    assert "did you mean" in said("--tables", "governing_respons", "--list")
+    assert "ends in .xlsx" in said("--xlsx", str(tmp_path / "a.csv"))
+    assert "no analysis, record or test 'nothing' has histories" in said("--histories", "nothing", "--list")
+    assert "--tables: it names nothing" in said("--tables", " , ")
+    monkeypatch.setitem(sys.modules, "xlsxwriter", None)
+    assert "edesign[tables]" in said("--xlsx", str(tmp_path / "a.xlsx"))
+    monkeypatch.setitem(sys.modules, "pyarrow", None)
+    assert "edesign[tables]" in said("--parquet", str(tmp_path / "p"))
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_table_that_no_sheet_takes_is_refused(tmp_path: Path) -> None:
+    from edesign.report.export.workbook import MOST_ROWS, write_workbook
+
+    table = ExportTable("forces", "Forces", (ExportColumn("n", "", range(MOST_ROWS)),))
+    with pytest.raises(InputError, match="table forces: 1048576 rows .* use --csv"):
+        write_workbook([table], {}, tmp_path / "a.xlsx")
+    assert not list(tmp_path.iterdir())
