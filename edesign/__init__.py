@@ -12,8 +12,9 @@ The functions behind the commands, loaded when first used:
     run_project(project, ...) -> RunSummary   edesign run
     run_study(study, ...) -> RunSummary       edesign run
     run_building(building, ...)               edesign run
-    open_archive(path) -> Archive             edesign show
+    open_archive(path) -> OpenArchive         edesign show, edesign export
     summarise(archive) -> dict                edesign show --json
+    data_frames(tables) -> dict               tables of any report, by name
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ __all__ = [
     "check_building",
     "check_project",
     "check_study",
+    "data_frames",
     "load_building",
     "load_project",
     "load_study",
@@ -40,6 +42,7 @@ __all__ = [
 ]
 
 _PLACES = {
+    "data_frames": "edesign.report.export.frames",
     "load_project": "edesign.building.project_file",
     "load_building": "edesign.building.building_file",
     "load_study": "edesign.building.project_file",
@@ -47,7 +50,7 @@ _PLACES = {
     "check_project": "edesign.study.check.summary",
     "check_building": "edesign.space.check",
     "check_study": "edesign.study.check.summary",
-    "open_archive": "edesign.archive.reader",
+    "open_archive": "edesign.report.open_archive",
     "run_building": "edesign.study.building",
     "run_project": "edesign.study.run.run",
     "run_study": "edesign.study.run.run",

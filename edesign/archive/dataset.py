@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from edesign.notebook import facts_html, table_html
+
 
 @dataclass(frozen=True)
 class Variable:
@@ -105,6 +107,17 @@ class Group:
     coords: MutableMapping[str, Variable] = field(default_factory=dict)
     variables: MutableMapping[str, Variable] = field(default_factory=dict)
     attributes: dict[str, Any] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__}: {len(self.variables)} variables along {', '.join(self.coords) or 'nothing'}>"
+
+    def _repr_html_(self) -> str:
+        rows = [
+            [name, " x ".join(variable.dims), variable.unit, variable.long_name]
+            for name, variable in self.variables.items()
+        ]
+        about = {name: value for name, value in self.attributes.items() if isinstance(value, (str, int, float))}
+        return facts_html("", about.items()) + table_html("", ("variable", "along", "unit", "meaning"), rows, left=4)
 
     def add(self, name: str, dims: tuple[str, ...], values: Any, unit: str, long_name: str) -> None:
         """Add a variable; `values` is anything `numpy.asarray` takes."""

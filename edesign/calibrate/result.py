@@ -13,6 +13,7 @@ from edesign.calibrate.problem import Kind, Use
 from edesign.damper.amendments import Amendment
 from edesign.damper.start import Start
 from edesign.damper.temperature import GammaOf
+from edesign.notebook import facts_html
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained", "not_searched"]
 Subject = Literal["damper", "structure"]
@@ -297,6 +298,20 @@ class Calibration:
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
     worst: Worst | None = None
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"
+
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, object]] = [
+            ("law", self.law),
+            ("verdict", self.verdict_words),
+            ("effects", [effect.name for effect in self.effects]),
+            ("tests", [one.of_test for one in self.tests]),
+            ("noise floor, NRMS", f"{self.noise_floor:.3g}"),
+            ("what is left", self.unexplained_shape),
+        ]
+        return facts_html(self.title, rows)
 
     @property
     def verdict_words(self) -> str:

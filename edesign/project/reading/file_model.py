@@ -10,6 +10,7 @@ from typing import Any, ClassVar, Protocol, Self
 from pydantic import PrivateAttr
 
 from edesign.errors import InputError
+from edesign.notebook import facts_html
 from edesign.project.reading.base import Model
 from edesign.project.reading.problems import FileProblems, Problems, keys_text
 from edesign.project.reading.values import KeyPath, changed_text, first_difference, shown
@@ -44,6 +45,14 @@ class FileModel(Model):
     _root: Node | None = PrivateAttr(default=None)
     _read: Reader | None = PrivateAttr(default=None)
     _contents: dict[Path, bytes] = PrivateAttr(default_factory=dict)
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} {self._path.name}: {getattr(self, 'title', '')}>"
+
+    def _repr_html_(self) -> str:
+        keys = [name for name in type(self).model_fields if name in self.model_fields_set and name != "title"]
+        rows = [(name, _in_short(getattr(self, name))) for name in keys]
+        return facts_html(f"{getattr(self, 'title', '')} ({self._path.name})".strip(), rows)
 
     def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
         """Tell the model, once, where it comes from.
@@ -163,3 +172,15 @@ class FileModel(Model):
             return str(self._path)
         mark = find(self._root, keys).mark
         return f"{self._path}:{mark.line}:{mark.column}"
+
+
+def _in_short(value: Any) -> Any:
+    """What notebooks show of a key: names of a mapping, the number of items of a list, keys of a part, or the value."""
+    if isinstance(value, Model):
+        return [name for name in type(value).model_fields if name in value.model_fields_set]
+    if isinstance(value, Mapping):
+        return list(map(str, value))
+    if isinstance(value, (list, tuple)) and any(isinstance(item, Model) for item in value):
+        names = [str(item.name) for item in value if getattr(item, "name", None)]
+        return names if len(names) == len(value) else f"{len(value)} items"
+    return value

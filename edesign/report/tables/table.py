@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from edesign.notebook import table_html
+
 SCIENTIFIC = 1e7  # from here on a number is no measure of a building, only a sign that something went wrong
 
 
@@ -61,6 +63,9 @@ class Table:
     headings: dict[int, str] = field(default_factory=dict)
     each: tuple[str, str] | None = None
     units: Sequence[str] = ()
+
+    def _repr_html_(self) -> str:
+        return table_html(self.title, self.columns, self.rows, self.notes, self.left)
 
     @property
     def sentence_columns(self) -> tuple[int, ...]:

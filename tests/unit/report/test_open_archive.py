@@ -1,0 +1,78 @@
+"""An open archive in Python and in notebooks: data frames, datasets, short views."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from unit.report.figure_archive import small_archive
+
+import edesign
+from edesign.errors import ArchiveError, InputError
+from edesign.report.tables.table import Table, number
+
+pytest.importorskip("pandas")
+xarray = pytest.importorskip("xarray")
+
+
+@pytest.fixture(scope="module")
+def archive(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return small_archive(tmp_path_factory.mktemp("open"))
+
+
+def test_cells_of_the_report_are_numbers_that_print_as_the_report_does(archive: Path) -> None:
+    with edesign.open_archive(archive) as opened:
+        frame = opened.table("governing_response")
+        measured = opened.table("analyses_by_storey")
+    assert frame.attrs["units"]["drift, largest"] == "%"
+    of = measured[(measured.variant == frame.variant[0]) & (measured.status == "completed")]
+    largest = max(of.storey_drift_max.max(), -of.storey_drift_min.min())
+    assert frame["drift, largest"][0] == pytest.approx(100.0 * largest, rel=1e-15)  # one division by 0.01
+
+
+def test_an_open_archive_gives_data_frames_and_datasets(archive: Path) -> None:
+    with edesign.open_archive(archive) as opened:
+        assert {"analyses", "governing_response", "analyses_by_storey"} <= set(opened.tables())
+        with pytest.raises(InputError, match="no table is named 'analyse'.*did you mean"):
+            opened.table("analyse")
+        name = opened.names("analyses")[1]
+        data = opened.dataset(f"analyses/{name}")
+        with pytest.raises(ArchiveError, match="there is no analyses/nothing"):
+            opened.dataset("analyses/nothing")
+        curve = opened.history(name)
+    other = xarray.open_dataset(archive, group=f"analyses/{name}", engine="h5netcdf")
+    assert data.floor_displacement.attrs["units"] == "m" and set(data.variables) == set(other.variables)
+    np.testing.assert_array_equal(data.storey_drift_max, other.storey_drift_max)
+    np.testing.assert_array_equal(data.storey, other.storey)
+    assert curve.attrs["units"]["time"] == "s" and len(curve) == data.sizes["time"]
+    other.close()
+
+
+def test_notebooks_show_archives_groups_and_tables_with_texts_escaped(archive: Path) -> None:
+    evil = "<script>alert(1)</script>"
+    shown = Table(evil, (evil, "n"), [[evil, "1"]], [evil])._repr_html_()
+    assert evil not in shown and shown.count("&lt;script&gt;") == 4
+    with edesign.open_archive(archive) as opened:
+        assert archive.name in repr(opened) and len(repr(opened)) < 100
+        opened.attributes["title"] = evil
+        assert evil not in opened._repr_html_() and "&lt;script&gt;" in opened._repr_html_()
+        group = opened.group(f"analyses/{opened.names('analyses')[1]}")
+    assert "floor_displacement" in group._repr_html_() and len(repr(group)) < 300
+
+
+def test_notebooks_show_projects_in_short(tmp_path: Path) -> None:
+    path = edesign.new_project(tmp_path / "new")
+    project = edesign.load_project(path)
+    assert repr(project).startswith(f"<Project {path.name}: ") and len(repr(project)) < 200
+    shown = project._repr_html_()
+    assert "frame" in shown and "analyses" in shown and len(shown) < 10_000
+
+
+def test_tables_of_any_report_are_data_frames() -> None:
+    tables = [
+        Table("Errors (NRMS)", ("test", "error [%]"), [["a", number(0.0123, 2, 0.01)]]),
+        Table("Empty", notes=["-"]),
+    ]
+    frames = edesign.data_frames(tables)
+    assert list(frames) == ["errors"] and frames["errors"]["error"].tolist() == [0.0123 / 0.01]
