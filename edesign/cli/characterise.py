@@ -29,8 +29,13 @@ def characterise(
         str | None, typer.Option("--temperature", help="Ambient, of test files without a column of it: `20 degC`.")
     ] = None,
     cycles: Annotated[
-        str, typer.Option("--cycles", metavar="FIRST-LAST", help="Averaged; 1 is the first of full amplitude.")
-    ] = "5-15",
+        str | None,
+        typer.Option(
+            "--cycles",
+            metavar="FIRST-LAST",
+            help="Averaged; 1 is the first of full amplitude. 5-15, or 3 to the last one of fewer, if not said.",
+        ),
+    ] = None,
     per_cycle: Annotated[
         bool, typer.Option("--per-cycle", help="Each full cycle too, whatever its amplitude.")
     ] = False,
@@ -51,8 +56,7 @@ def characterise(
     from edesign.report.tables.text import print_tables
 
     check_format(figure_format)
-    asked = _cycles(cycles)
-    checked_range(asked)
+    asked = None if cycles is None else checked_range(_cycles(cycles))
     if output is not None:
         check_csv_name(output)
         check_file(output)

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.damper.local_fit import noise, peak, zero
 
 SAME_AMPLITUDE = 0.05  # relative: half cycles of a block; of a ramp over two cycles the last reaches 0.875
+SAME_PERIOD = 0.05  # relative, of all cycles of a test at one frequency
 SAME_LENGTH = 0.15  # relative, of half cycles: an offset of the displacement makes them alternate
 REST, NEARLY = 1e-5, 1e-2  # of the largest amplitude: a displacement at rest before or after all cycles
 LEAST_LEVEL, LARGEST_LEVEL = 0.05, 0.3  # of the largest amplitude: what must be passed on both sides of a zero
@@ -20,11 +21,13 @@ class Block:
 
     Attributes:
         bounds: (cycles + 1,) s, zero crossings in one direction.
+        middles: (cycles,) s, zero crossings in the other direction, one in each cycle.
         amplitude: mean of the half cycles, m.
         rising: whether the cycles begin upwards.
     """
 
     bounds: np.ndarray
+    middles: np.ndarray
     amplitude: float
     rising: bool
 
@@ -32,6 +35,19 @@ class Block:
     def cycles(self) -> int:
         """Number of full cycles."""
         return self.bounds.size - 1
+
+    @property
+    def steady(self) -> bool:
+        """Whether the motion is one of a steady frequency: periods differ by 5 % at most, from the first to the last.
+
+        Of a sweep several cycles may be a block, as each of them is like those before it.
+        """
+        periods = np.diff(self.bounds)
+        return float(np.ptp(periods)) <= SAME_PERIOD * float(np.mean(periods))
+
+    def part(self, first: int, last: int) -> Block:
+        """Cycles from the first to the last one named, counted from 1."""
+        return replace(self, bounds=self.bounds[first - 1 : last + 1], middles=self.middles[first - 1 : last])
 
 
 def find_blocks(time: np.ndarray, displacement: np.ndarray) -> tuple[Block, ...]:
@@ -61,7 +77,8 @@ def find_blocks(time: np.ndarray, displacement: np.ndarray) -> tuple[Block, ...]
             last += 1
         if last - first >= 2:
             bounds = np.array(crossings[first : last + 1 : 2])
-            blocks.append(Block(bounds, float(np.mean(amplitudes[first:last])), signs[first] > 0))
+            middles = np.array(crossings[first + 1 : last + 1 : 2])[: bounds.size - 1]
+            blocks.append(Block(bounds, middles, float(np.mean(amplitudes[first:last])), signs[first] > 0))
         first = last
     return tuple(blocks)
 

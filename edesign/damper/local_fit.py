@@ -118,6 +118,15 @@ def value_at_reversal(time: np.ndarray, values: np.ndarray, at: float, omega: fl
     return found
 
 
+def value_at(time: np.ndarray, values: np.ndarray, at: float, omega: float, spread: float) -> Estimate:
+    """The value of a smooth history at a time; arguments and errors as `value_at_reversal`."""
+    spread = max(spread, _ROUNDING * float(np.max(np.abs(values))))
+    found = _widest(_smooth_value(time, values, at, omega, width, spread) for width in WIDTHS)
+    if found is None:
+        raise InputError(f"too few samples about {at:g} s")
+    return found
+
+
 def _widest(estimates: Iterable[Estimate]) -> Estimate | None:
     """The last estimate that agrees with all before it."""
     low, high, chosen = -np.inf, np.inf, None
@@ -164,6 +173,16 @@ def _value(time: np.ndarray, values: np.ndarray, at: float, omega: float, width:
     sine, jump = np.sin(phase), np.sign(phase)
     odd = (sine, jump, jump * np.abs(phase) ** 0.25, jump * np.abs(phase) ** 0.5)
     rows = np.column_stack((np.ones_like(phase), np.cos(phase) - 1.0, jump * sine, *odd))
+    coefficients, covariance, misfit = _regress(rows, values[part])
+    return Estimate(at, float(coefficients[0]), spread * float(np.sqrt(covariance[0, 0])), misfit)
+
+
+def _smooth_value(
+    time: np.ndarray, values: np.ndarray, at: float, omega: float, width: float, spread: float
+) -> Estimate:
+    part = _window(time, at, width / omega, (-np.inf, np.inf), FEWEST)
+    phase = omega * (time[part] - at)
+    rows = np.column_stack((np.ones_like(phase), np.cos(phase) - 1.0, np.sin(phase)))
     coefficients, covariance, misfit = _regress(rows, values[part])
     return Estimate(at, float(coefficients[0]), spread * float(np.sqrt(covariance[0, 0])), misfit)
 

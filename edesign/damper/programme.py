@@ -18,7 +18,7 @@ from edesign.damper.measured_files import read_displacement
 from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
 from edesign.damper.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
-from edesign.damper.properties import CYCLES, Properties, properties
+from edesign.damper.properties import Properties, properties
 from edesign.damper.property_table import from_properties, usable, write_property_table
 from edesign.damper.specimen import Specimen
 from edesign.errors import AnalysisError, InputError
@@ -80,7 +80,7 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
         tests.append(test.with_force(_measured(force, programme, i)))
         if isinstance(plan, SineTest):
             try:
-                found[test.name] = properties(tests[-1], specimen, CYCLES)
+                found[test.name] = properties(tests[-1], specimen)
             except InputError as error:
                 warnings[f"no properties: {error}"] = None
     title = programme.title or f"Virtual tests of {law.title}"

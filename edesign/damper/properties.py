@@ -5,18 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 from edesign.damper.cycles import Block, find_blocks
-from edesign.damper.history import spline_velocity
-from edesign.damper.local_fit import noise, peak, value_at_reversal
+from edesign.damper.loops import Loops
 from edesign.damper.measured_histories import DamperTest
 from edesign.damper.specimen import Specimen
 from edesign.errors import InputError
 
 CYCLES = (5, 15)
-"""First and last of the cycles that are averaged (thesis 3.3)."""
-LEAST_SAMPLES = 12  # a cycle
+"""First and last of the cycles that are averaged where there are so many (thesis 3.3)."""
+THIRD = 3
+"""Cycle from which a test with fewer is averaged: devices are told by it, as the first two are of a virgin specimen."""
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class CycleProperties:
     loss_factor: np.ndarray
 
 
-def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] = CYCLES) -> Properties:
+def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] | None = None) -> Properties:
     """Mean properties of a test with a steady amplitude.
 
     Of several blocks of cycles the longest is taken.
@@ -74,21 +73,25 @@ def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] = C
     Args:
         test: with measured force.
         specimen: what was tested.
-        cycles: first and last, from 1 at the first of full amplitude.
+        cycles: first and last, from 1 at the first of full amplitude. None: `CYCLES`, or in a shorter test from the
+            third one to the last.
 
     Raises:
         InputError: no force, or too few cycles; the message says how many there are.
 
-    Source: thesis 3.3, Eqs. 3.1-3.4.
+    Source: thesis 3.3, Eqs. 3.1-3.4; from the third cycle: EN 15129, 6.2 and 8.2.
     """
-    first, last = checked_range(cycles)
     force = test.varying_force()
     blocks = find_blocks(test.time, test.displacement)
+    if cycles is None:
+        blocks = tuple(block for block in blocks if block.steady)
     longest = max(blocks, key=lambda block: block.cycles, default=None)
+    there_are = 0 if longest is None else longest.cycles
+    first, last = _usual(there_are) if cycles is None else checked_range(cycles)
     if longest is None or longest.cycles < last:
-        raise InputError(_too_few(test, 0 if longest is None else longest.cycles, first, last))
-    part = Block(longest.bounds[first - 1 : last + 1], longest.amplitude, longest.rising)
-    values = _Loops(test, force, specimen).of(part)
+        raise InputError(_too_few(test, there_are, None if cycles is None else (first, last)))
+    part = longest.part(first, last)
+    values = _columns(_loops(test, force, specimen), part)
     storage, equivalent, loss = (float(np.mean(values[name])) for name in ("G_storage", "G_eq", "G_loss"))
     return Properties(
         float(np.mean(values["strain"])),
@@ -116,10 +119,10 @@ def cycle_properties(test: DamperTest, specimen: Specimen) -> CycleProperties:
     blocks = find_blocks(test.time, test.displacement)
     if not blocks:
         raise InputError(f"{test.where}: there is no full cycle: no two half cycles of one amplitude in succession")
-    loops = _Loops(test, force, specimen)
+    loops = _loops(test, force, specimen)
     columns: dict[str, list[np.ndarray]] = {}
     for number, block in enumerate(blocks, 1):
-        values = loops.of(block)
+        values = _columns(loops, block)
         values["block"] = np.full(block.cycles, number)
         values["cycle"] = np.arange(1, block.cycles + 1)
         for name, column in values.items():
@@ -139,12 +142,23 @@ def checked_range(cycles: tuple[int, int]) -> tuple[int, int]:
     return first, last
 
 
-def _too_few(test: DamperTest, found: int, first: int, last: int) -> str:
+def _usual(found: int) -> tuple[int, int]:
+    """First and last cycle that are averaged of so many."""
+    return CYCLES if found >= CYCLES[1] else (THIRD, max(found, THIRD))
+
+
+def _too_few(test: DamperTest, found: int, asked: tuple[int, int] | None) -> str:
+    if asked is None:
+        return (
+            f"{test.where}: a mean takes {THIRD} successive cycles of one amplitude and period (within 5 %) at least; "
+            f"there {'is' if found == 1 else 'are'} {found}"
+        )
+    first, last = asked
     text = (
         f"{test.where}: cycles {first} to {last} are asked for, which takes {last} successive cycles of one amplitude "
         f"(within 5 %); there are {found}"
     )
-    few = 3  # fewer agree by chance in a random history
+    few = THIRD  # fewer agree by chance in a random history
     return f"{text}; ask for cycles {max(1, found - (last - first))} to {found}" if found >= few else text
 
 
@@ -153,52 +167,20 @@ def _factor(loss: float, storage: float) -> float:
     return loss / storage if storage != 0.0 else float("inf")
 
 
-class _Loops:
-    """Loops of one test."""
+def _loops(test: DamperTest, force: np.ndarray, specimen: Specimen) -> Loops:
+    return Loops(test.time, specimen.strain(test.displacement), specimen.stress(force), test.where)
 
-    def __init__(self, test: DamperTest, force: np.ndarray, specimen: Specimen) -> None:
-        self.time, self.where = test.time, test.where
-        self.strain, self.stress = specimen.strain(test.displacement), specimen.stress(force)
-        self.strain_noise, self.stress_noise = noise(self.strain), noise(self.stress)
-        # area of a loop: of the spline through stress times strain rate, so that cycles may begin between samples
-        rate = spline_velocity(self.time, self.strain)
-        self.work = scipy.interpolate.CubicSpline(self.time, self.stress * rate).antiderivative()
 
-    def of(self, block: Block) -> dict[str, np.ndarray]:
-        """Columns of `CycleProperties` without block and cycle, of each cycle."""
-        rows = [self._cycle(*block.bounds[i : i + 2]) for i in range(block.cycles)]
-        return {name: np.array([row[name] for row in rows]) for name in rows[0]}
-
-    def _cycle(self, start: float, end: float) -> dict[str, float]:
-        inside = slice(int(np.searchsorted(self.time, start)), int(np.searchsorted(self.time, end)))
-        if inside.stop - inside.start < LEAST_SAMPLES:
-            raise InputError(
-                f"{self.where}: the cycle at {start:g} s has {inside.stop - inside.start} samples; "
-                f"at least {LEAST_SAMPLES} are needed"
-            )
-        omega, bounds = 2.0 * np.pi / (end - start), (start, end)
-        t, gamma, tau = self.time, self.strain, self.stress
-        high, low = (self._extreme(sign * gamma, inside, omega, bounds, self.strain_noise) for sign in (1.0, -1.0))
-        at_high, at_low = (value_at_reversal(t, tau, e[0], omega, self.stress_noise).value for e in (high, low))
-        largest, smallest = (self._extreme(s * tau, inside, omega, None, self.stress_noise)[1] for s in (1.0, -1.0))
-        span = high[1] + low[1]  # gamma_max - gamma_min: the low one is that of -gamma
-        storage = (at_high - at_low) / span
-        dissipated = float(self.work(end) - self.work(start))
-        amplitude = 0.5 * span
-        loss = dissipated / (np.pi * amplitude**2)  # = n G' with n = ED / (2 pi ES), ES = G' amplitude^2 / 2
-        return {
-            "start": start,
-            "strain": amplitude,
-            "frequency": 1.0 / (end - start),
-            "G_storage": storage,
-            "G_eq": (largest + smallest) / span,
-            "G_loss": loss,
-            "loss_factor": _factor(loss, storage),
-        }
-
-    def _extreme(
-        self, values: np.ndarray, inside: slice, omega: float, within: tuple[float, float] | None, spread: float
-    ) -> tuple[float, float]:
-        at = float(self.time[inside.start + int(np.argmax(values[inside]))])
-        found = peak(self.time, values, at, omega, within or (-np.inf, np.inf), spread)
-        return found.time, found.value
+def _columns(loops: Loops, block: Block) -> dict[str, np.ndarray]:
+    """Columns of `CycleProperties` without block and cycle, of each cycle."""
+    values = loops.of(block)
+    storage, loss = values.storage, values.loss  # n = ED / (2 pi ES), ES = G' amplitude^2 / 2
+    return {
+        "start": values.start,
+        "strain": values.amplitude,
+        "frequency": 1.0 / values.period,
+        "G_storage": storage,
+        "G_eq": values.equivalent,
+        "G_loss": loss,
+        "loss_factor": np.array([_factor(float(n), float(s)) for n, s in zip(loss, storage, strict=True)]),
+    }

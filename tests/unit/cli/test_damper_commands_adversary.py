@@ -173,7 +173,7 @@ def test_properties_of_a_campaign_with_sweeps(folder: Path, capsys: pytest.Captu
     words = ["fit", "c.yaml", "--law", "kelvin_voigt", "--fix", "c=0 kN*s/mm", "--against", "properties"]
     assert command.main([*words, "--json", "--starts", "1"]) == 0
     shown = capsys.readouterr()
-    assert "note: not fitted to: sweep.csv: cycles 5 to 15" in shown.err
+    assert "note: not fitted to: sweep.csv: a mean takes 3 successive cycles" in shown.err
     assert json.loads(shown.out)["samples"] == 2
 
 

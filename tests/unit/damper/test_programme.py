@@ -91,7 +91,7 @@ def test_all_kinds_of_test(tmp_path: Path) -> None:
         "     temperature: 20 degC}\n"
         "  - {type: record, file: quake.csv, displacement: 5 mm, temperature_C: 20, title: quake, use: validate}\n"
         "  - {type: record, file: quake.csv, temperature_C: 20}\n"
-        "  - {type: sine, strain: 10 %, frequency: 2 Hz, cycles: 3, temperature_C: 20}\n"
+        "  - {type: sine, strain: 10 %, frequency: 2 Hz, cycles: 2, temperature_C: 20}\n"
     )
     run = run_programme(load_programme(write(tmp_path, text)), tmp_path / "out")
     sweep, noise, scaled, given, short = run.campaign.tests

@@ -125,8 +125,12 @@ def test_too_few_cycles_are_counted() -> None:
     with pytest.raises(
         InputError, match=r"cycles 5 to 15 .* 15 successive cycles.*; there are 9; ask for cycles 1 to 9"
     ):
-        properties(test, specimen)
+        properties(test, specimen, (5, 15))
     assert properties(test, specimen, (2, 9)).G_storage == pytest.approx(1e6 * 0.01)
+    assert properties(test, specimen).cycles == (3, 9)
+    t, u = sine(0.001, 1.0, 2, 0.5, 0.5)
+    with pytest.raises(InputError, match="takes 3 successive cycles of one amplitude and period .* there are 2"):
+        properties(DamperTest("two", t, u, 1e6 * u), specimen)
     with pytest.raises(InputError, match="5 to 3 is no range"):
         properties(test, specimen, (5, 3))
     with pytest.raises(InputError, match="test short: the test has no force"):
