@@ -49,7 +49,9 @@ def _kind(name: str, use: str, keys: str, without: str = "") -> FileKind:
 
 
 ARCHIVE = FileKind("archive of results (HDF5)", "`edesign show` prints what it holds")
-TABLE = FileKind("table of numbers (CSV)", "`edesign characterise`, `fit`, `rts identify` and `rts judge` read such")
+TABLE = FileKind(
+    "table of numbers (CSV)", "`edesign characterise`, `sheet`, `fit`, `rts identify` and `rts judge` read such"
+)
 PROJECT = _kind("project file", "`edesign run` runs it", "edesign")
 STUDY = _kind("study file", "`edesign run` runs it", "edesign_study")
 BUILDING = _kind("building file", "`edesign run` runs it", "edesign_building")

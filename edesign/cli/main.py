@@ -33,6 +33,7 @@ from edesign.cli.rts import app as rts
 from edesign.cli.run import run
 from edesign.cli.schema import schema
 from edesign.cli.sections import sections
+from edesign.cli.sheet import sheet
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.streams import visible_streams
@@ -69,7 +70,7 @@ app = typer.Typer(
 _PROJECTS = (new, check, run, design, show, compare, report, export, extract)
 _PARTS = (
     *(inspect, spectrum, match, records, sections, laws, effects, quantities, schema),
-    *(test, characterise, fit, calibrate),
+    *(test, characterise, sheet, fit, calibrate),
 )
 for command in (*_PROJECTS, *_PARTS):
     app.command()(command)

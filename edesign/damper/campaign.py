@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,6 +11,7 @@ import yaml
 from pydantic import Field
 
 from edesign.archive.files import make_folder, write_text
+from edesign.damper.acceptance import Acceptance
 from edesign.damper.campaign_blocks import (
     CampaignLaw,
     Celsius,
@@ -82,6 +83,7 @@ class CampaignFile(ReadingKeys):
         law: law that is thought to describe the specimen; without the key none.
         start: how the tests start.
         start_ramp: time from rest to the first sample, with `start: at_rest`; without the key one sampling interval.
+        acceptance: what the device is accepted by; without the key as a viscoelastic one, by both standards.
         tests: tests in the order in which they were made.
     """
 
@@ -91,6 +93,7 @@ class CampaignFile(ReadingKeys):
     law: CampaignLaw | None = None
     start: StartKind = "unknown"
     start_ramp: PositiveTime | None = None
+    acceptance: Acceptance = Acceptance()
     tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
 
 
@@ -106,6 +109,7 @@ class Campaign:
         title: for people.
         text: of the campaign file.
         document: for the cover of a report.
+        acceptance: what the device is accepted by.
     """
 
     specimen: Specimen
@@ -115,6 +119,7 @@ class Campaign:
     title: str = ""
     text: str = ""
     document: Document = Document()
+    acceptance: Acceptance = field(default_factory=Acceptance)
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
         """Tests to fit to, or those to compare with only."""
@@ -196,7 +201,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if wrong:
         raise InputError("\n".join(wrong))
     law = None if file.law is None else file.law.choice
-    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text, file.document)
+    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text, file.document, file.acceptance)
 
 
 def write_campaign(

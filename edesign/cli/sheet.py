@@ -1,0 +1,175 @@
+"""`edesign sheet`: a laboratory's sheet of a device, cycle by cycle, and whether it is accepted."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from edesign.cli.pdf_options import PaperOption, print_options
+from edesign.errors import InputError
+
+if TYPE_CHECKING:
+    from edesign.damper.acceptance import Acceptance
+    from edesign.damper.damper import Damper
+    from edesign.damper.device_cycles import Run
+    from edesign.damper.measured_histories import DamperTest
+
+
+def sheet(
+    inputs: Annotated[
+        list[Path],
+        typer.Argument(
+            help="A campaign (.yaml), or test files (.csv).", metavar="CAMPAIGN_OR_TESTS", show_default=False
+        ),
+    ],
+    device: Annotated[
+        str | None,
+        typer.Option("--device", help="viscous, viscoelastic, hysteretic, elastomeric_isolator.", show_default=False),
+    ] = None,
+    temperature: Annotated[
+        str | None, typer.Option("--temperature", help="Ambient, of test files without a column of it: `20 degC`.")
+    ] = None,
+    per_cycle: Annotated[bool, typer.Option("--per-cycle", help="Print the sheet of each cycle too.")] = False,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="Write all cycles as CSV.")
+    ] = None,
+    page: Annotated[
+        Path | None, typer.Option("--page", metavar="FILE", help="Write the sheet as an HTML page.")
+    ] = None,
+    pdf: Annotated[Path | None, typer.Option("--pdf", metavar="FILE", help="Write the sheet as a PDF.")] = None,
+    paper: PaperOption = None,
+    as_json: Annotated[bool, typer.Option("--json", help="Print JSON in SI units instead of tables.")] = False,
+) -> None:
+    """Print stiffness, damping, energy and forces of each test of a device, and whether standards accept it."""
+    from edesign.archive.csv_files import write_csv_file
+    from edesign.archive.files import check_csv_name, check_file
+    from edesign.damper.acceptance import judge
+    from edesign.damper.device_cycles import runs_of
+    from edesign.report.damper import sheet_tables as tables
+    from edesign.report.page.document import check_page_path, write_html
+    from edesign.report.tables.text import print_tables
+
+    options = print_options(pdf is not None, paper, appendix=False)
+    if output is not None:
+        check_csv_name(output)
+        check_file(output)
+    if page is not None:
+        check_page_path(page)
+    if pdf is not None:
+        from edesign.report.pdf.document import check_pdf
+
+        check_pdf(pdf)
+    title, tests, asked, damper, notes = _read(inputs, device, temperature)
+    runs: list[Run] = []
+    designs: list[Run | None] = []
+    for test in tests:
+        try:
+            found = runs_of(test)
+        except InputError as error:
+            notes.append(str(error))
+            continue
+        runs += found
+        designs += _designs(test, found, damper, notes)
+    if not runs:
+        raise InputError("\n".join(notes))
+    judged = judge(runs, designs, asked)
+    if as_json:
+        print(json.dumps(tables.sheet_json(runs, judged, notes), indent=1, allow_nan=False, ensure_ascii=False))
+    else:
+        each = [tables.cycles_table(run, runs) for run in runs] if per_cycle else []
+        own = tables.tests_table(runs)
+        own.notes += notes
+        print_tables([own, *each, tables.acceptance_table(judged, runs)])
+        print(tables.verdict_text(judged, runs))
+    if output is not None:
+        headers, rows = tables.csv_rows(runs)
+        write_csv_file(headers, rows, output, digits=7)
+    if page is not None or pdf is not None:
+        from edesign.report.page.sheet import sheet_page
+
+        report = sheet_page(title, tests, runs, judged, asked, notes)
+        if page is not None:
+            write_html(report, page)
+        if pdf is not None:
+            from edesign.report.pdf.document import write_page_as_pdf
+
+            write_page_as_pdf(report, pdf, options=options)
+
+
+def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, notes: list[str]) -> list[Run | None]:
+    """The runs of a test as the law gives them; none where it cannot."""
+    from edesign.damper.acceptance import design_runs
+    from edesign.errors import EdesignError
+
+    if damper is None:
+        return [None] * len(found)
+    try:
+        return list(design_runs(test, damper))
+    except EdesignError as error:
+        notes.append(f"{test.name}: the law gives no force: {error}")
+        return [None] * len(found)
+
+
+def _read(
+    inputs: list[Path], device: str | None, temperature: str | None
+) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, list[str]]:
+    """Title, tests, what is asked, the damper of the campaign's law, and what the reader says."""
+    from edesign.damper.acceptance import Acceptance
+    from edesign.damper.campaign import load_campaign
+    from edesign.damper.damper import Damper
+    from edesign.damper.laws import law
+    from edesign.damper.parameters import read_parameters
+
+    if not any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
+        tests = _tests(inputs, temperature)
+        return inputs[0].stem, tests, _with_device(Acceptance(), device), None, []
+    if len(inputs) > 1:
+        raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+    if temperature is not None:
+        raise InputError("--temperature: the campaign says this; leave the option out")
+    campaign = load_campaign(inputs[0])
+    damper = None
+    if campaign.law is not None and campaign.law.parameters is not None:
+        chosen = law(campaign.law.type)
+        damper = Damper(chosen, read_parameters(chosen, campaign.law.parameters))
+    title = campaign.title or campaign.specimen.name
+    return title, campaign.tests, _with_device(campaign.acceptance, device), damper, list(campaign.notes)
+
+
+def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...]:
+    from pydantic_core import PydanticCustomError
+
+    from edesign.damper.campaign import short_names
+    from edesign.damper.measured_files import read_test
+    from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
+    from edesign.project.notation.temperature import parse_temperature
+
+    for i, path in enumerate(inputs):
+        refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
+        if path in inputs[:i]:
+            raise InputError(f"{path}: the file is named twice")
+    celsius = None
+    if temperature is not None:
+        try:
+            celsius = parse_temperature(temperature)
+        except PydanticCustomError as error:
+            raise InputError(f"--temperature: {error.message()}") from None
+    names = zip(inputs, short_names(inputs), strict=True)
+    return tuple(read_test(path, temperature_C=celsius, name=name) for path, name in names)
+
+
+def _with_device(asked: Acceptance, device: str | None) -> Acceptance:
+    from typing import get_args
+
+    from edesign.damper.acceptance import Device
+    from edesign.project.reading.problems import did_you_mean
+
+    if device is None:
+        return asked
+    known = get_args(Device)
+    if device not in known:
+        raise InputError(f"--device: `{device}` is unknown{did_you_mean(device, known)} (allowed: {', '.join(known)})")
+    return asked.model_copy(update={"device": device})

@@ -1,0 +1,49 @@
+"""Figures of a laboratory's sheet: the loops of each run, and its properties over the cycles."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.damper.acceptance import Acceptance
+from edesign.damper.device_cycles import Run
+from edesign.damper.measured_histories import DamperTest
+from edesign.report.drawing.style import AFTER, BEFORE, TARGET, new_figure, styled
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+@styled
+def run_figure(test: DamperTest, run: Run, asked: Acceptance) -> Figure:
+    """Draw the loops of a run, the third one heavier, and k', W and the peak force of its cycles over those of the
+    third, with the deviation from it that is allowed.
+    """
+    figure, axes = new_figure(1, 2, 7.6, 3.0)
+    loops, over_cycles = axes[0]
+    x, force = 1e3 * test.displacement, 1e-3 * test.measured_force()
+    ends = np.append(run.loops.start, run.loops.start[-1] + run.loops.period[-1])
+    first, last = np.searchsorted(test.time, (ends[0], ends[-1]))
+    loops.plot(x[first : last + 1], force[first : last + 1], color=BEFORE, lw=0.5)
+    first, last = np.searchsorted(test.time, ends[2:4])
+    loops.plot(x[first : last + 1], force[first : last + 1], color=AFTER, lw=1.1, label="cycle 3")
+    loops.legend(loc="upper left")
+    loops.set_xlabel("displacement (mm)")
+    loops.set_ylabel("force (kN)")
+    cycles = np.arange(1, run.cycles + 1)
+    for values, label, mark, colour in (
+        (run.storage_stiffness, "k'", "o", AFTER),
+        (run.loops.work, "W", "s", "#d9822b"),
+        (run.loops.largest, "F+", "^", BEFORE),
+    ):
+        over_cycles.plot(cycles, 100.0 * run.from_third(values), marker=mark, ms=3.5, color=colour, label=label)
+    for limit in (-asked.from_third, asked.from_third):
+        over_cycles.axhline(100.0 * limit, color=TARGET, lw=0.7, ls="--")
+    over_cycles.set_xlabel("cycle")
+    over_cycles.set_ylabel("deviation from cycle 3 (%)")
+    over_cycles.set_xlim(0.5, run.cycles + 0.5)
+    low, high = over_cycles.get_ylim()
+    over_cycles.set_ylim(low, high + 0.15 * (high - low))  # room for the legend
+    over_cycles.legend(loc="upper right", ncols=3)
+    return figure

@@ -1,0 +1,63 @@
+"""The report of a laboratory's sheet: its sections and cover."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+
+from edesign._version import __version__
+from edesign.damper.acceptance import Acceptance, Judged
+from edesign.damper.device_cycles import Run
+from edesign.damper.measured_histories import DamperTest
+from edesign.report.damper.sheet_figures import run_figure
+from edesign.report.damper.sheet_tables import acceptance_table, cycles_table, name_of, tests_table, verdict_text
+from edesign.report.page.render import Cover, Page
+from edesign.report.page.section import Part, Section
+from edesign.report.page.source import picture_of
+
+
+def sheet_page(
+    title: str,
+    tests: Sequence[DamperTest],
+    runs: Sequence[Run],
+    judged: Sequence[Judged],
+    asked: Acceptance,
+    notes: Sequence[str],
+) -> Page:
+    """Return the report as data.
+
+    Args:
+        title: of the campaign.
+        tests: the tests.
+        runs: their cycles.
+        judged: criteria on the runs.
+        asked: what the device is accepted by.
+        notes: what was left out.
+    """
+    sections = (
+        Section(
+            "acceptance",
+            "Acceptance",
+            (verdict_text(judged, runs),),
+            (acceptance_table(judged, runs),),
+            ("Limits and clauses are those of the campaign file, or the usual ones of edesign; check the standards.",),
+        ),
+        Section("tests", "Tests", (), (tests_table(runs),), tuple(notes)),
+        Section("cycles", "Cycles", (), tuple(_cycles(tests, runs, asked))),
+    )
+    kind = asked.device.replace("_", " ")
+    cover = Cover(
+        title=title,
+        kind="Test sheet",
+        about=f"{kind} device · {len(runs)} runs in {len(tests)} tests · edesign {__version__}",
+        origin=f"edesign {__version__}",
+        footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
+    )
+    return Page(cover, tuple(section for section in sections if section))
+
+
+def _cycles(tests: Sequence[DamperTest], runs: Sequence[Run], asked: Acceptance) -> Iterator[Part]:
+    named = {test.name: test for test in tests}
+    for number, run in enumerate(runs, 1):
+        yield cycles_table(run, runs)
+        caption = f"{name_of(run, runs)}. Loops, and cycles beside the third one; dashed: allowed by EN 15129."
+        yield picture_of(f"run-{number}", caption, run_figure(named[run.test], run, asked))
