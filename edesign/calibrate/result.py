@@ -240,6 +240,27 @@ class CarriedLaw:
     withheld: bool = False
 
 
+@dataclass(frozen=True)
+class LawKind:
+    """A law of another kind that explains, without any effect, what the declared one leaves.
+
+    Attributes:
+        rival, title: name of that law, and what it is.
+        left, rival_left: rms error over rms force of the declared and the other law, mean over the tests fitted to.
+        share: of the excess over noise in the validation tests that the other law removes.
+        bic: of the declared law above that of the other one.
+        signs: how stiffness and damping of steady cycles differ from those of the declared law, for people.
+    """
+
+    rival: str
+    title: str
+    left: float
+    rival_left: float
+    share: float
+    bic: float
+    signs: tuple[str, ...]
+
+
 @dataclass(frozen=True, eq=False)
 class Calibration:
     """What the loop found in a campaign.
@@ -272,6 +293,8 @@ class Calibration:
         lasting: whether the law remembers extremes from test to test.
         gamma_of: what gamma_T of an MGMM multiplies.
         worst: test or channel that leaves most over its noise, of those that leave more than noise; None: none does.
+        fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
+        kind: what shows that the law is of the wrong kind; None: nothing does.
     """
 
     title: str
@@ -298,6 +321,8 @@ class Calibration:
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
     worst: Worst | None = None
+    fitted_first: bool = False
+    kind: LawKind | None = None
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"

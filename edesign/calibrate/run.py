@@ -9,6 +9,7 @@ from dataclasses import replace
 from edesign.calibrate.allowance import taken
 from edesign.calibrate.dampers.carried import carried_law, described
 from edesign.calibrate.dampers.full_rate import at_full_rate
+from edesign.calibrate.dampers.law_kind import law_kind
 from edesign.calibrate.dampers.law_unknowns import held_parameters
 from edesign.calibrate.dampers.next_test import next_test
 from edesign.calibrate.dampers.prepare import damper_problem, thinned, with_noise
@@ -94,7 +95,15 @@ def calibrate(
         clock.perf_counter() - begin,
     )
     held = held_parameters(problem.law)
-    return replace(calibration, carried=carried, held=held, lasting=fast.lasting, gamma_of=fast.gamma_of)
+    calibration = replace(
+        calibration,
+        carried=carried,
+        held=held,
+        lasting=fast.lasting,
+        gamma_of=fast.gamma_of,
+        fitted_first=campaign.law.fitted,
+    )
+    return replace(calibration, kind=law_kind(campaign, calibration, workers, progress))
 
 
 def _searched(

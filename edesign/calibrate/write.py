@@ -27,6 +27,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "title": found.title,
         "law": found.law,
         "verdict": found.verdict,
+        **({"law_kind": _kind(found)} if found.subject == "damper" else {}),
         "search": found.ending,
         "coverage": _coverage(found.coverage),
         "error": {
@@ -62,6 +63,11 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "held": dict(found.held),
         "seconds": round(found.seconds, 2),
     }
+
+
+def _kind(found: Calibration) -> dict[str, Any]:
+    """Whether the law was fitted first, and the law of another kind that does better; null where none does."""
+    return {"fitted_first": found.fitted_first, "better": None if found.kind is None else asdict(found.kind)}
 
 
 def _coverage(coverage: Coverage) -> dict[str, Any]:

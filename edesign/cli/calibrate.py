@@ -79,6 +79,8 @@ def calibrate(
     if json_output:
         print(json.dumps(found.json(), indent=1, allow_nan=False))
     elif not quiet:
+        if found.first:
+            print(f"{found.first}\n")
         print_tables(found.tables())
         print(found.verdict())
         for path in written:
@@ -132,6 +134,7 @@ class _Found:
     tables: Callable[[], list[Table]]
     verdict: Callable[[], str]
     interrupted: bool
+    first: str = ""  # what must be said before all else
 
 
 def _run(campaign: Path, search: _Search) -> _Found:
@@ -142,12 +145,13 @@ def _run(campaign: Path, search: _Search) -> _Found:
     if is_property_campaign(campaign):
         return _properties(campaign, search)
 
+    from edesign.calibrate.dampers.fitted_law import with_fitted_law
     from edesign.calibrate.files import write_files
     from edesign.calibrate.run import calibrate as run
     from edesign.calibrate.structure.run import calibrate_structure
     from edesign.calibrate.write import calibration_json
     from edesign.damper.campaign import Campaign, load_campaign
-    from edesign.report.calibration.tables import tables_of, verdict_text
+    from edesign.report.calibration.tables import law_kind_text, tables_of, verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded: Campaign | StructureCampaign
@@ -160,6 +164,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
         for note in loaded.notes:
             search.tell(note)
         search.check(campaign, loaded.title or loaded.specimen.name)
+        loaded = with_fitted_law(loaded, search.workers, search.tell)
         found = run(loaded, *search.within(_SECONDS))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
@@ -168,6 +173,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
         lambda: tables_of(found),
         lambda: verdict_text(found),
         found.ending == "interrupted",
+        law_kind_text(found),
     )
 
 

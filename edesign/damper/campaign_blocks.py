@@ -130,6 +130,7 @@ class LawChoice:
         refit: whether they are only a first guess.
         extremes: whether those of one test soften the law in the next; None: not said.
         gamma_T_of: what gamma_T multiplies; None: not said.
+        fitted: whether the parameters were fitted to the tests of the campaign, which names none.
     """
 
     type: str
@@ -137,6 +138,7 @@ class LawChoice:
     refit: bool = True
     extremes: Extremes | None = None
     gamma_T_of: GammaOf | None = None
+    fitted: bool = False
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:

@@ -38,8 +38,8 @@ def damper_problem(campaign: Campaign) -> DamperProblem:
     """
     if campaign.law is None or campaign.law.parameters is None:
         raise InputError(
-            f"{campaign.path}: law: the loop needs the declared law with its parameters, for example "
-            "`law: {type: mgmm, parameters: thesis_table_4_2}`"
+            f"{campaign.path}: law: the loop needs the law thought of, for example `law: {{type: mgmm}}`, "
+            "which is fitted first, or with its parameters `law: {type: mgmm, parameters: thesis_table_4_2}`"
         )
     _check_tests(campaign)
     chosen = law_of(campaign.law.type)

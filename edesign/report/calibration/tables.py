@@ -54,6 +54,8 @@ def errors_table(calibration: Calibration) -> Table:
         table.rows.append([label, percent(errors.fit), percent(errors.validate)])
     table.rows.append(["noise floor", percent(calibration.noise_floor_fit), percent(calibration.noise_floor)])
     table.notes.append(NRMS_NOTES[calibration.subject])
+    if calibration.fitted_first:
+        table.notes.append("as declared: the campaign names no parameters, so the law was fitted to the tests first")
     return table
 
 
@@ -152,7 +154,29 @@ def _carried(law: CarriedLaw) -> str:
 
 def verdict_text(calibration: Calibration) -> str:
     """The verdict in a plain paragraph, with its governing numbers."""
-    return " ".join((_found(calibration), _errors(calibration), *_doubts(calibration)))
+    first = law_kind_text(calibration)
+    return " ".join((*((first,) if first else ()), _found(calibration), _errors(calibration), *_doubts(calibration)))
+
+
+def law_kind_text(calibration: Calibration) -> str:
+    """What must be said before all else of a law of the wrong kind; "" if nothing shows that."""
+    kind = calibration.kind
+    if kind is None:
+        return ""
+    signs = "".join(f"; {sign}" for sign in kind.signs)
+    blamed = [effect for effect in calibration.effects if effect.kind != "damper"]
+    texts = [
+        f"The law {calibration.law} is of the wrong kind: fitted to the tests, it misses {percent(kind.left)} % of the "
+        f"force (rms){signs}.",
+        f"{kind.rival} ({kind.title.split(': ')[-1]}) misses {percent(kind.rival_left)} % without any effect; of the "
+        f"excess over noise in the validation tests it removes {100.0 * kind.share:.3g} % (BIC falls by "
+        f"{kind.bic:.0f}).",
+        f"Calibrate with `law: {{type: {kind.rival}}}`, and judge effects of rig and instruments beside that law.",
+    ]
+    if blamed:
+        named = " and ".join(f"{effect.title} ({effect.kind})" for effect in blamed)
+        texts.append(f"What follows blames {named}: that may only make up for the law.")
+    return " ".join(texts)
 
 
 def _found(calibration: Calibration) -> str:
