@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from edesign.damper.damper import Damper
     from edesign.damper.device_cycles import Run
     from edesign.damper.measured_histories import DamperTest
+    from edesign.project.document import Document
 
 
 def sheet(
@@ -62,7 +63,7 @@ def sheet(
         from edesign.report.pdf.document import check_pdf
 
         check_pdf(pdf)
-    title, tests, asked, damper, notes = _read(inputs, device, temperature)
+    title, tests, asked, damper, document, notes = _read(inputs, device, temperature)
     runs: list[Run] = []
     designs: list[Run | None] = []
     for test in tests:
@@ -90,7 +91,7 @@ def sheet(
     if page is not None or pdf is not None:
         from edesign.report.page.sheet import sheet_page
 
-        report = sheet_page(title, tests, runs, judged, asked, notes)
+        report = sheet_page(title, tests, runs, judged, asked, notes, document)
         if page is not None:
             write_html(report, page)
         if pdf is not None:
@@ -115,17 +116,18 @@ def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, no
 
 def _read(
     inputs: list[Path], device: str | None, temperature: str | None
-) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, list[str]]:
-    """Title, tests, what is asked, the damper of the campaign's law, and what the reader says."""
+) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, Document, list[str]]:
+    """Title, tests, what is asked, the damper of the campaign's law, the cover, and what the reader says."""
     from edesign.damper.acceptance import Acceptance
     from edesign.damper.campaign import load_campaign
     from edesign.damper.damper import Damper
     from edesign.damper.laws import law
     from edesign.damper.parameters import read_parameters
+    from edesign.project.document import Document
 
     if not any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         tests = _tests(inputs, temperature)
-        return inputs[0].stem, tests, _with_device(Acceptance(), device), None, []
+        return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), []
     if len(inputs) > 1:
         raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
     if temperature is not None:
@@ -136,7 +138,14 @@ def _read(
         chosen = law(campaign.law.type)
         damper = Damper(chosen, read_parameters(chosen, campaign.law.parameters))
     title = campaign.title or campaign.specimen.name
-    return title, campaign.tests, _with_device(campaign.acceptance, device), damper, list(campaign.notes)
+    return (
+        title,
+        campaign.tests,
+        _with_device(campaign.acceptance, device),
+        damper,
+        campaign.document,
+        list(campaign.notes),
+    )
 
 
 def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...]:

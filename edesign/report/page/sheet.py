@@ -8,11 +8,15 @@ from edesign._version import __version__
 from edesign.damper.acceptance import Acceptance, Judged
 from edesign.damper.device_cycles import Run
 from edesign.damper.measured_histories import DamperTest
+from edesign.project.document import Document
 from edesign.report.damper.sheet_figures import run_figure
 from edesign.report.damper.sheet_tables import acceptance_table, cycles_table, name_of, tests_table, verdict_text
+from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
 from edesign.report.page.section import Part, Section
 from edesign.report.page.source import picture_of
+
+NO_DOCUMENT = Document()
 
 
 def sheet_page(
@@ -22,6 +26,7 @@ def sheet_page(
     judged: Sequence[Judged],
     asked: Acceptance,
     notes: Sequence[str],
+    document: Document = NO_DOCUMENT,
 ) -> Page:
     """Return the report as data.
 
@@ -32,6 +37,7 @@ def sheet_page(
         judged: criteria on the runs.
         asked: what the device is accepted by.
         notes: what was left out.
+        document: for the cover.
     """
     sections = (
         Section(
@@ -49,6 +55,7 @@ def sheet_page(
         title=title,
         kind="Test sheet",
         about=f"{kind} device · {len(runs)} runs in {len(tests)} tests · edesign {__version__}",
+        document=cover_lines(document.said),
         origin=f"edesign {__version__}",
         footer=f"Made by edesign {__version__}. All numbers are computed from the measured tests.",
     )
