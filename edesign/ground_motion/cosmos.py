@@ -13,6 +13,7 @@ from pathlib import Path
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import field_format, is_end_of_data, read_fields
+from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -26,12 +27,14 @@ _DATA = re.compile(
     r"\s*units\s*=\s*((?-i:[^(,])*?)[\s.]*(?:\(\s*([0-9]+)\s*\))?[\s,]*Format",
     re.IGNORECASE,
 )
+_DECIMALS = re.compile(r"\(\s*[0-9]*\s*F\s*[0-9]+\.([0-9]+)", re.IGNORECASE)
 _CHANNEL = re.compile(r"\s*Sta\w*\s+Cha\w*\s*:?\s*([0-9?]+)\s*:?\s*(.*?)\s*(?:\(|Location|$)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\bM[A-Za-z]{0,2}\s*=\s*[0-9.]+")
 _SCNL = re.compile(r"<SCNL>\s*([^\s.]+)\.([^\s.]+)\.")
 
 # item of the real header, counted from 1: sample interval of the data, ms (item 34 is that of the recorder, s)
 _SAMPLE_INTERVAL = 62
+_MAXIMUM = 64  # of the data, in their unit
 _UNKNOWN = -999.0  # "value unknown" in all headers
 # COSMOS table 2: code of the unit, factor to m/s2
 _UNIT_CODES = {2: STANDARD_GRAVITY, 4: 0.01, 7: 0.0254, 10: 0.01, 11: STANDARD_GRAVITY / 1000.0}
@@ -91,6 +94,7 @@ class _Block:
     unit: str
     unit_code: int | None
     values: list[float]
+    digit: float  # one unit in the last digit of the values
     end: int  # the line after the channel
 
 
@@ -150,6 +154,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
         data[4].lower(),
         int(data[5]) if data[5] else None,
         values,
+        10.0 ** -int(decimals[1]) if (decimals := _DECIMALS.search(lines[at])) else 0.0,
         end,
     )
 
@@ -157,6 +162,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
 def _channel(path: Path, lines: list[str], block: _Block) -> Channel:
     factor = _factor(path, block)
     step = _time_step(path, block)
+    _check_peak(path, block, factor)
     texts = [line.strip() for line in lines[block.start : block.start + block.texts]]
     about, label, names = _description(texts, block.comments)
     return Channel(label, names, [factor * value for value in block.values], step, about)
@@ -175,6 +181,21 @@ def _factor(path: Path, block: _Block) -> float:
             f"{where}: unknown unit of acceleration `{block.unit}`{code}; read are cm/sec2 (04) and g (02)"
         )
     return by_code
+
+
+def _check_peak(path: Path, block: _Block, factor: float) -> None:
+    """The data have the peak of the real header, to its digits.
+
+    It is in the unit of the data; of uncorrected data in g some networks give it in cm/s2.
+    """
+    stated = block.real[_MAXIMUM - 1] if len(block.real) >= _MAXIMUM else _UNKNOWN
+    if stated in (_UNKNOWN, 0.0):
+        return
+    found = max(abs(value) for value in block.values)
+    in_cm = 100.0 * factor * found
+    scale = min((1.0, found), (100.0 * factor, in_cm), key=lambda pair: abs(abs(stated) - pair[1]))[0]
+    where, unit = f"{path}:{block.data + 1}", block.unit if scale == 1.0 else "cm/sec2"
+    check_peak(where, f"{stated:.7g}", scale * found, unit, scale * block.digit)
 
 
 def _time_step(path: Path, block: _Block) -> float:

@@ -13,6 +13,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.ground_motion.units import ACCELERATION_UNITS
@@ -20,6 +21,7 @@ from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
 KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*?)\s*$")
+_PEAK = re.compile(r"PGA_(.+)$")
 STEP, COUNT = "SAMPLING_INTERVAL_S", "NDATA"
 _Header = Mapping[str, tuple[int, str]]  # key: line from 1, value
 
@@ -57,11 +59,23 @@ def read_esm(path: Path | str, component: str | None = None, name: str = "") -> 
     samples = [number(line.strip(), path, i) for i, line in enumerate(lines[first:], first + 1) if line.strip()]
     if len(samples) != count:
         raise InputError(f"{path}:{len(lines)}: {len(samples)} samples, but {COUNT} = {text} in line {at}")
+    _check_peak(path, header, unit, np.array(samples))
     stream = header.get("STREAM", (0, ""))[1]
     channel = Channel(
         stream, (stream[-1:],), (ACCELERATION_UNITS[unit] * np.array(samples)).tolist(), step, _about(header)
     )
     return choose(path, [channel], component).record(path, name)
+
+
+def _check_peak(path: Path, header: _Header, unit: str, samples: np.ndarray) -> None:
+    """The samples have the peak of the header, which stands in a unit of its own: PGA_CM/S^2."""
+    for key, (line, stated) in header.items():
+        match = _PEAK.match(key)
+        if match is None or not stated or match[1].lower() not in ACCELERATION_UNITS:
+            continue
+        factor = ACCELERATION_UNITS[unit] / ACCELERATION_UNITS[match[1].lower()]
+        number(stated, path, line, key)
+        check_peak(f"{path}:{line}", stated, factor * float(np.abs(samples).max()), match[1].lower(), 1e-6 * factor)
 
 
 def _value(path: Path, header: _Header, key: str) -> tuple[int, str]:

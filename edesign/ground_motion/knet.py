@@ -12,11 +12,13 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
 from edesign.tables.text import number
 
 FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"
+_PEAK = "Max. Acc. (gal)"
 _HEADER_LINES = 17
 _VALUE_COLUMN = 18  # where values begin in every line of the header
 _RATE = re.compile(r"([0-9.]+)\s*Hz", re.IGNORECASE)
@@ -58,12 +60,20 @@ def read_knet(path: Path | str, component: str | None = None, name: str = "") ->
             f"{duration * frequency:g}"
         )
     gal = numerator / denominator * (counts - counts.mean())
+    _check_peak(path, lines, gal)
     code = _value(path, lines, "Dir.")
     direction = _KIK_NET.get(code, code)
     event = f"{_value(path, lines, FIRST)}, M {_value(path, lines, 'Mag.')}"
     about = f"K-NET, {event}, {_value(path, lines, 'Station Code')}, mean of {counts.mean():.6g} counts subtracted"
     channel = Channel(direction, (code,), (0.01 * gal).tolist(), 1.0 / frequency, about)
     return choose(path, [channel], component).record(path, name or path.name)
+
+
+def _check_peak(path: Path, lines: list[str], gal: np.ndarray) -> None:
+    """The peak is that of the header, which NIED rounds to 0.001 gal after subtracting its own mean of the counts."""
+    for i, line in enumerate(lines[:_HEADER_LINES], start=1):
+        if line.startswith(_PEAK):
+            check_peak(f"{path}:{i}", line[len(_PEAK) :].strip(), float(np.abs(gal).max()), "gal")
 
 
 def _counts(path: Path, lines: list[str]) -> list[float]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 
 import numpy as np
@@ -178,6 +179,9 @@ def esm_file(values: np.ndarray, **changed: str | None) -> str:
 
 def knet_file(counts: Sequence[int] | np.ndarray, **changed: str | None) -> str:
     """A K-NET file: 17 lines of header with values from column 19, counts eight a line; keys by their first word."""
+    scale = re.match(r"([0-9.]+)\(gal\)/([0-9.]+)", changed.get("Scale") or "3920(gal)/6182761")
+    factor = float(scale[1]) / float(scale[2]) if scale and float(scale[2]) else 0.0
+    gal = factor * (np.asarray(counts) - np.mean(counts))
     header = {
         "Origin Time": "2011/03/11 14:46:00",
         "Lat.": "38.103",
@@ -193,7 +197,7 @@ def knet_file(counts: Sequence[int] | np.ndarray, **changed: str | None) -> str:
         "Duration Time(s)": f"{len(counts) / 100:g}",
         "Dir.": "E-W",
         "Scale Factor": "3920(gal)/6182761",
-        "Max. Acc. (gal)": "1.000",
+        "Max. Acc. (gal)": f"{np.abs(gal).max():.3f}",
         "Last Correction": "2011/03/11 14:46:36",
         "Memo.": "",
     }

@@ -70,3 +70,10 @@ def test_a_frequency_or_scale_of_zero(tmp_path: Path) -> None:
     for changed in ({"Sampling": "0Hz"}, {"Scale": "3920(gal)/0"}):
         with pytest.raises(InputError, match="must be greater than zero"):
             read_knet(write(tmp_path, knet_file(COUNTS, **changed)))
+
+
+def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "MYG0041103111446.EW"
+    path.write_text(knet_file(COUNTS, Max="1.000"))
+    with pytest.raises(InputError, match=r"EW:15: the header has a peak of 1.000 gal, the samples"):
+        read_knet(path)
