@@ -1,4 +1,8 @@
-"""Reader of the older CSMIP volume 2 files (.V2): per channel acceleration, velocity and displacement in turn."""
+"""Reader of CSMIP files of evenly spaced points: volume 1 (.V1, .RAW, uncorrected, in g) and volume 2 (.V2).
+
+Volume 2 has acceleration, velocity and displacement of each channel in turn, in cm/s2; so has that of the University
+of Southern California.
+"""
 
 from __future__ import annotations
 
@@ -8,23 +12,33 @@ from pathlib import Path
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
+from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
+from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
 DATA = re.compile(
-    r"\s*([0-9]+)\s+points\s+of\s+accel\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"
-    r"(?:,\s*in\s+|[.,]*\s*\(units:\s*)([^\s)]+)",  # the latter in files of the 1980s
+    r"\s*([0-9]+)\s+points\s+of\s+acc\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"
+    # the second in files of the 1980s, the third in those of USC, which may leave the unit out
+    r"(?:,\s*in\s+|[.,]*\s*\(units:\s*|[.,]*\s*in\s+units\s+|[.,]*\s*$)([^\s)]*)",
     re.IGNORECASE,
 )
+_RATED = re.compile(
+    r"\s*([0-9]+)\s+accelerogram\s+points\s+at\s+(\S+)\s+pts/sec\s+in\s+units\s+of\s+(\S+)", re.IGNORECASE
+)
+SPECTRA = re.compile(r"\s*Response and Fourier amplitude spectra\b", re.IGNORECASE)
 _CHANNEL = re.compile(r"\bChan\s+([0-9]+)\s*:\s*(\S+(?:\s+Deg)?)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\bM[A-Za-z]\s*[:=]\s*([0-9.]+)")
-_UNITS = ("cm/sec2", "cm/sec/sec", "cm/s/s", "cm/s2")
-_EVENT, _STATION = 8, 6  # lines of the text header, from 0
+_UNITS = {**dict.fromkeys(("cm/sec2", "cm/sec/sec", "cms/sec/sec", "cm/s/s", "cm/s2"), 0.01), "g": STANDARD_GRAVITY}
+_PEAK = re.compile(r"\bPeak\s+acceleration\s*=\s*(\S+)\s+(\S+)", re.IGNORECASE)  # of volume 2
+_MAXIMUM = re.compile(r"\bMax\s*=\s*(\S+?)\.?\s+(g)\b", re.IGNORECASE)  # of volume 1; volume 2 repeats it
+_COMPONENT = re.compile(r"\s*COMP\s+(\S+)")  # of USC
+_EVENT, _STATION = 8, 6  # lines of the text header, from 0; volume 1 lacks the first of them
 
 
 def read_csmip(path: Path | str, component: str | int | None = None, name: str = "") -> Record:
-    """Read the corrected acceleration of one channel.
+    """Read the acceleration of one channel; its peak must be that of the header.
 
     Args:
         path: the file.
@@ -32,20 +46,30 @@ def read_csmip(path: Path | str, component: str | int | None = None, name: str =
         name: of the record; its file name without ending by default.
 
     Raises:
-        InputError: no data of corrected acceleration, truncated, another unit than cm/s2, something else than finite
-            numbers, or `component` does not name one channel.
+        InputError: no evenly spaced accelerations, truncated, another unit than cm/s2 or g, something else than
+            finite numbers, a peak that is not that of the header, or `component` does not name one channel.
     """
     path = Path(path)
     return choose(path, channels_of(path), component).record(path, name)
 
 
+def data_line(line: str) -> re.Match[str] | None:
+    """The number of points, their step or rate, and their unit, if a line announces accelerations."""
+    return DATA.match(line) or _RATED.match(line)
+
+
 def channels_of(path: Path) -> list[Channel]:
-    """Read the corrected acceleration of all channels; errors as `read_csmip`."""
+    """Read the acceleration of all channels; errors as `read_csmip`."""
     lines = read_lines(path)
+    if SPECTRA.match(lines[0]):
+        raise InputError(
+            f"{path}:1: a file of CSMIP volume 3 holds response and Fourier spectra, no accelerations; the record is "
+            "in the file of volume 2 (.V2)"
+        )
     channels: list[Channel] = []
     start = 0
     for i, line in enumerate(lines):
-        if match := DATA.match(line):
+        if match := data_line(line):
             channels.append(_channel(path, lines, start, i, match))
         elif is_end_of_data(line):
             start = i + 1
@@ -58,27 +82,55 @@ def channels_of(path: Path) -> list[Channel]:
 
 def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[str]) -> Channel:
     where = f"{path}:{at + 1}"
-    count, unit = int(match[1]), match[3].rstrip(".,").lower()
+    texts = [" ".join(line.split()) for line in lines[start:at]]
+    if _is_usc(texts):  # its lines end with their length, and with the volume that they come from
+        texts = [re.sub(r"\s[0-9]+\s?(VOL1)?$", "", text) for text in texts]
+    peak = next((found for text in texts if (found := _PEAK.search(text))), None)
+    count, unit = int(match[1]), (match[3] or (peak[2] if peak is not None else "")).rstrip(".,").lower()
     step = number(match[2], path, at + 1, "the time step in s")
     if count < 2:
         raise InputError(f"{where}: {count} points; a record needs at least 2")
     if step <= 0.0:
         raise InputError(f"{where}: the time step must be greater than zero, not {step:g} s")
+    if match.re is _RATED:
+        step = 1.0 / step
     if unit not in _UNITS:
-        raise InputError(
-            f"{where}: unknown unit of acceleration `{unit}`; of CSMIP files volume 2 is read, which has cm/sec2"
-        )
+        raise InputError(f"{where}: unknown unit of acceleration `{unit}`; read are {', '.join(_UNITS)}")
     layout = _layout(lines, at, path)
     values = read_fields(lines, at + 1, count, layout, path)
     _no_more(path, lines, at, count, layout)
-    texts = [" ".join(line.split()) for line in lines[start:at]]
+    corrected = unit != "g"
+    _check_peak(path, lines, (start, at), values, corrected)
     number_of, orientation = next(((m[1], m[2]) for text in texts if (m := _CHANNEL.search(text))), ("1", ""))
-    parts = [texts[k] for k in (_EVENT, _STATION) if k < len(texts)]
+    if not orientation:
+        orientation = next((m[1] for text in texts if (m := _COMPONENT.match(text))), "")
+    shift = 0 if corrected else 1
+    parts = [texts[k - shift] for k in (_EVENT, _STATION) if k - shift < len(texts)]
     magnitudes = [m[0] for text in texts[: _EVENT + 3] if (m := _MAGNITUDE.search(text))]
     names = (number_of, orientation, re.sub(r"\s*deg", "", orientation, flags=re.IGNORECASE))
     label = ": ".join(part for part in (number_of, orientation) if part)
-    about = ", ".join(part for part in ("CSMIP volume 2", *parts, *magnitudes) if part)
-    return Channel(label, tuple(n for n in names if n), [0.01 * value for value in values], step, about)
+    who = "volume 2, University of Southern California form" if _is_usc(texts) else "CSMIP volume 2"
+    about = ", ".join(
+        part for part in (who if corrected else "CSMIP volume 1, uncorrected", *parts, *magnitudes) if part
+    )
+    acceleration = [_UNITS[unit] * value for value in values]
+    return Channel(label, tuple(n for n in names if n), acceleration, step, about)
+
+
+def _is_usc(texts: list[str]) -> bool:
+    return any("OF VOLUME I:" in text for text in texts[:3])
+
+
+def _check_peak(path: Path, lines: list[str], header: tuple[int, int], values: list[float], corrected: bool) -> None:
+    """The samples have the peak of the header, to its digits; `header` are its lines, from 0."""
+    pattern = _PEAK if corrected else _MAXIMUM
+    example = lines[header[1] + 1].split(".", 1)[1:]
+    digits = len(re.match(r"[0-9]*", example[0])[0]) if example else 0  # type: ignore[index]
+    for i, line in enumerate(lines[header[0] : header[1]], header[0] + 1):
+        if match := pattern.search(line):
+            found = max(abs(value) for value in values)
+            check_peak(f"{path}:{i}", match[1], found, "cm/s2" if corrected else "g", 10.0**-digits)
+            return
 
 
 def _layout(lines: list[str], at: int, path: Path) -> FieldFormat:

@@ -7,7 +7,20 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion import afad, at2, cosmos, csmip, csv_record, esm, knet
+from edesign.ground_motion import (
+    afad,
+    asa,
+    at2,
+    cosmos,
+    csmip,
+    csv_record,
+    cwb,
+    esm,
+    geonet,
+    knet,
+    smc,
+    volume_one,
+)
 from edesign.ground_motion.channels import Channel
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
@@ -20,10 +33,15 @@ from edesign.tables.text import is_number
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
     "cosmos": "COSMOS .V1/.V2/.V2c",
-    "csmip": "older CSMIP .V2",
+    "csmip": "older CSMIP .V1/.V2",
+    "volume1": "volume 1 of CSMIP, USC, RENADIC and BHRC",
+    "smc": "SMC of the USGS",
+    "geonet": "GeoNet .V1A/.V2A",
     "esm": "ESM/ITACA ASCII",
     "afad": "AFAD text with three components",
     "knet": "K-NET/KiK-net ASCII",
+    "cwb": "CWB (Taiwan) text",
+    "asa": "ASA (Mexico) standard file",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
 """Every format that is read, for people."""
@@ -39,11 +57,20 @@ _READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose fi
     "esm": esm.read_esm,
     "afad": afad.read_afad,
     "knet": knet.read_knet,
+    "smc": smc.read_smc,
+    "geonet": geonet.read_geonet,
+    "volume1": volume_one.read_volume_one,
+    "cwb": cwb.read_cwb,
+    "asa": asa.read_asa,
 }
 _CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those that hold several components
     "cosmos": cosmos.channels_of,
     "csmip": csmip.channels_of,
     "afad": afad.channels_of,
+    "geonet": geonet.channels_of,
+    "volume1": volume_one.channels_of,
+    "cwb": cwb.channels_of,
+    "asa": asa.channels_of,
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _COMMENTS = ("#", "%")
@@ -138,8 +165,18 @@ def detect(path: Path) -> FileFormat:
     head = lines[:_HEAD]
     if any(cosmos.TITLE.match(line) for line in head[:2]):
         return "cosmos"
-    if any(csmip.DATA.match(line) for line in head):
+    if smc.has_title(head):
+        return "smc"
+    if geonet.has_title(head):
+        return "geonet"
+    if csmip.SPECTRA.match(lines[0]) or any(csmip.data_line(line) for line in head):
         return "csmip"
+    if volume_one.has_header(head):
+        return "volume1"
+    if cwb.has_header(head):
+        return "cwb"
+    if asa.has_title(head):
+        return "asa"
     if {esm.STEP, esm.COUNT} & {match[1] for line in head if (match := esm.KEY.match(line))}:
         return "esm"
     if any(afad.FIRST in line for line in head[:1]):

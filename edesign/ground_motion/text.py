@@ -20,6 +20,8 @@ def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:
         InputError: missing, a folder, unreadable, empty, or not text.
     """
     data = read_file(path, "record file")
+    if b"\n" in data:
+        data = data.rstrip(b"\0\x1a \r\n\t")  # old systems filled the last block of a text with zeros
     if not data.strip():
         raise InputError(f"{path}: the file is empty")
     if b"\0" in data:  # in UTF-16

@@ -176,8 +176,8 @@ def test_csmip_of_the_eighties(tmp_path: Path) -> None:
     short = csmip_channel_of_1983(values).replace("   20 POINTS OF ACCEL", "   24 POINTS OF ACCEL")
     with pytest.raises(InputError, match=":14: 4 fields of 10 characters; 8 are expected"):
         read_csmip(write(tmp_path, short))
-    with pytest.raises(InputError, match=":11: unknown unit of acceleration `g`; of CSMIP files volume 2 is read"):
-        read_csmip(write(tmp_path, csmip_channel_of_1983(values, unit="G")))
+    with pytest.raises(InputError, match=":11: unknown unit of acceleration `furlong`; read are cm/sec2"):
+        read_csmip(write(tmp_path, csmip_channel_of_1983(values, unit="FURLONG")))
     uneven = csmip_channel_of_1983(values).replace(fixed(values, 8, 10, 3)[:10], "1.5")
     with pytest.raises(InputError, match=":11: no format of the numbers"):
         read_csmip(write(tmp_path, uneven))

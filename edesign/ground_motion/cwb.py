@@ -1,0 +1,122 @@
+"""Reader of Taiwan's Central Weather Bureau (now Administration): lines `#Key: value`, then time and three components.
+
+Source: files of the Taiwan Strong Motion Instrumentation Program and of the earthquake early warning network.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+
+from edesign.errors import InputError
+from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import read_lines
+from edesign.project.reading.problems import listed
+from edesign.tables.text import number
+
+SEQUENCE, RATE, UNIT = "DataSequence", "SampleRate(Hz)", "AmplitudeUnit"
+_KEY = re.compile(r"#\s*([A-Za-z][^:]*?)\s*:\s*(.*?)\s*$")
+_PEAKS = re.compile(r"#\s*AmplitudeMAX\.?\s*([A-Z])\s*:\s*([-+0-9.]+)\s*~\s*([-+0-9.]+)", re.IGNORECASE)
+_COMPONENT = re.compile(r"\b([UNEVZ])\s*\(\s*\+\s*\)")
+_LENGTH = "RecordLength(sec)"
+_NAMES = {"U": ("Z", "V", "Up"), "N": ("NS", "N-S", "HNN"), "E": ("EW", "E-W", "HNE")}
+
+
+def has_header(lines: list[str]) -> bool:
+    """Whether lines have the header of such a file."""
+    keys = {match[1] for line in lines if (match := _KEY.match(line))}
+    return {SEQUENCE, RATE, UNIT} <= keys
+
+
+def read_cwb(path: Path | str, component: str | None = None, name: str = "") -> Record:
+    """Read one of the three components of a file.
+
+    Args:
+        path: the file.
+        component: U, N or E.
+        name: of the record; its file name without ending by default.
+
+    Raises:
+        InputError: a key is missing, another unit than gal, something else than finite numbers, times that are not
+            those of the sampling rate, truncated, peaks that are not those of the header, or `component` names none.
+    """
+    path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read all components of a file; errors as `read_cwb`."""
+    lines = read_lines(path, "big5")
+    header = {match[1]: (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
+    for key in (SEQUENCE, RATE, UNIT):
+        if key not in header:
+            raise InputError(f"{path}:1: the header has no line `#{key}:` (it has {listed(header, 6)})")
+    at, unit = header[UNIT]
+    if not re.match(r"gal\b", unit, re.IGNORECASE):
+        raise InputError(f"{path}:{at}: {UNIT}: `{unit}`; gal is expected")
+    at, sequence = header[SEQUENCE]
+    labels = _COMPONENT.findall(sequence)
+    if not labels or "time" not in sequence.lower():
+        raise InputError(f"{path}:{at}: {SEQUENCE}: `{sequence}`; `Time U(+); N(+); E(+)` is expected")
+    at, text = header[RATE]
+    rate = number(text, path, at, f"{RATE}")
+    if rate <= 0.0:
+        raise InputError(f"{path}:{at}: {RATE} must be greater than zero, not {text}")
+    rows, digit = _rows(path, lines, 1 + len(labels))
+    _check_times(path, rows[:, 0], rate, digit)
+    if _LENGTH in header:
+        at, text = header[_LENGTH]
+        length = number(text, path, at, _LENGTH)
+        if rows.shape[0] < length * rate - 1.0:  # whole seconds; files may have a sample more
+            raise InputError(f"{path}:{len(lines)}: {rows.shape[0]} samples, but {length:g} s in line {at}")
+    samples = dict(zip(labels, rows[:, 1:].T, strict=True))
+    for i, line in enumerate(lines, 1):
+        if (match := _PEAKS.match(line)) and match[1].upper() in samples:
+            values = samples[match[1].upper()]
+            for stated, found in ((match[2], float(values.max())), (match[3], float(values.min()))):
+                check_peak(f"{path}:{i}", stated, found, "gal", digit)
+    about = _about(header)
+    return [
+        Channel(label, _NAMES.get(label, ()), (0.01 * values).tolist(), 1.0 / rate, about)
+        for label, values in samples.items()
+    ]
+
+
+def _rows(path: Path, lines: list[str], width: int) -> tuple[np.ndarray, float]:
+    """The numbers, and one unit in the last digit of them."""
+    rows, digits = [], 0
+    for i, line in enumerate(lines, 1):
+        words = line.split()
+        if not words or words[0].startswith("#"):
+            continue
+        if len(words) != width:
+            words = [line[k * 10 : (k + 1) * 10].strip() for k in range(-(-len(line.rstrip()) // 10))]  # 4F10.3
+        if len(words) != width:
+            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has the time and {width - 1} accelerations")
+        rows.append([number(word, path, i) for word in words])
+        digits = max(digits, *(len(word.partition(".")[2]) for word in words[1:]))
+    if len(rows) < 2:
+        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples; a record needs at least 2")
+    return np.array(rows), 10.0**-digits
+
+
+def _check_times(path: Path, times: np.ndarray, rate: float, digit: float) -> None:
+    apart = np.abs(times - times[0] - np.arange(times.size) / rate)
+    if np.any(apart > max(0.0011, 2.0 * digit)):
+        at = int(np.argmax(apart > max(0.0011, 2.0 * digit)))
+        raise InputError(f"{path}: sample {at + 1} is at {times[at]:g} s, which does not fit {rate:g} samples a second")
+
+
+def _about(header: dict[str, tuple[int, str]]) -> str:
+    def said(key: str) -> str:
+        return next((value for name, (_, value) in header.items() if name.split("(")[0] == key), "")
+
+    magnitude = said("Magnitude")
+    station = " ".join(part for part in (said("StationCode"), said("StationName")) if part)
+    corrected = ", offset removed" if "corr" in said(UNIT).lower() else ""
+    parts = (f"CWB Taiwan, unprocessed{corrected}", said("Origin Time"), magnitude and f"ML {magnitude}", station)
+    return ", ".join(part for part in parts if part)
