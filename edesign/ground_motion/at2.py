@@ -13,7 +13,9 @@ from edesign.ground_motion.text import read_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
-_HEADER_LINES = 4  # every form of the file has so many; the samples follow
+_HEADER_LINES = 4  # every form of the data base has so many; the samples follow
+_LONG_HEADER = 8  # lines in which the header of other programs of PEER's form may end, if it says that the unit is g
+_IN_G = re.compile(r"\b(?:IN|UNITS\s+OF|UNITS)\s+G\b", re.IGNORECASE)
 _VALUE = r"([^\s,=]+)"
 _NEW = re.compile(rf"\s*NPTS\s*=\s*{_VALUE}\s*,?\s*DT\s*=\s*{_VALUE}", re.IGNORECASE)
 _OLD = re.compile(rf"\s*{_VALUE}\s+{_VALUE}\s+NPTS\s*,?\s*DT", re.IGNORECASE)
@@ -53,15 +55,19 @@ def read_at2(path: Path | str, name: str = "") -> Record:
 
 def has_header(lines: list[str]) -> bool:
     """Whether lines look like those of a PEER file, of acceleration or of another quantity."""
-    return any(_NEW.match(line) or _OLD.match(line) for line in lines[:_HEADER_LINES])
+    return any(_NEW.match(line) or _OLD.match(line) for line in lines[: _header_lines(lines)])
+
+
+def _header_lines(lines: list[str]) -> int:
+    return _LONG_HEADER if any(_IN_G.search(line) for line in lines[:_LONG_HEADER]) else _HEADER_LINES
 
 
 def _header(path: Path, lines: list[str]) -> tuple[int, float, int]:
     """Number of samples, step in s, and the number of the line where they stand."""
-    for i, line in enumerate(lines[:_HEADER_LINES], start=1):
+    for i, line in enumerate(lines[: _header_lines(lines)], start=1):
         match = _NEW.match(line) or _OLD.match(line)
         if match is None:
-            if i == 3 and (other := _OTHER_UNIT.search(line)):
+            if i >= 3 and (other := _OTHER_UNIT.search(line)):
                 seen = other[1] or f"a unit `{other[2]}`"
                 raise InputError(
                     f"{path}:{i}: the header says {seen.lower()}; only acceleration in g is read from AT2 files"

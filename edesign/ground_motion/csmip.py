@@ -58,6 +58,11 @@ def data_line(line: str) -> re.Match[str] | None:
     return DATA.match(line) or _RATED.match(line)
 
 
+def has_data(lines: list[str]) -> bool:
+    """Whether lines announce evenly spaced accelerations, or are those of a file of volume 3."""
+    return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(data_line(line) for line in lines))
+
+
 def channels_of(path: Path) -> list[Channel]:
     """Read the acceleration of all channels; errors as `read_csmip`."""
     lines = read_lines(path)

@@ -13,10 +13,13 @@ from edesign.ground_motion import (
     at2,
     cosmos,
     csmip,
+    csmnc,
     csv_record,
     cwb,
     esm,
     geonet,
+    isesd,
+    jma,
     knet,
     smc,
     volume_one,
@@ -24,6 +27,7 @@ from edesign.ground_motion import (
 from edesign.ground_motion.channels import Channel
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
+from edesign.ground_motion.unknown_format import describe_text
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.record_tables import Layout
@@ -40,7 +44,10 @@ FORMATS: dict[FileFormat, str] = {
     "esm": "ESM/ITACA ASCII",
     "afad": "AFAD text with three components",
     "knet": "K-NET/KiK-net ASCII",
+    "jma": "JMA (Japan) .csv",
     "cwb": "CWB (Taiwan) text",
+    "csmnc": "CSMNC (China) .dat",
+    "isesd": "European strong-motion database .cor",
     "asa": "ASA (Mexico) standard file",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
@@ -62,6 +69,9 @@ _READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose fi
     "volume1": volume_one.read_volume_one,
     "cwb": cwb.read_cwb,
     "asa": asa.read_asa,
+    "csmnc": csmnc.read_csmnc,
+    "jma": jma.read_jma,
+    "isesd": isesd.read_isesd,
 }
 _CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those that hold several components
     "cosmos": cosmos.channels_of,
@@ -70,7 +80,25 @@ _CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those tha
     "geonet": geonet.channels_of,
     "volume1": volume_one.channels_of,
     "cwb": cwb.channels_of,
+    "jma": jma.channels_of,
     "asa": asa.channels_of,
+}
+_MARKS: dict[FileFormat, Callable[[list[str]], bool]] = {  # by which the first lines of a file tell its format
+    "cosmos": lambda head: any(cosmos.TITLE.match(line) for line in head[:2]),
+    "smc": smc.has_title,
+    "geonet": geonet.has_title,
+    "csmip": csmip.has_data,
+    "volume1": volume_one.has_header,
+    "esm": lambda head: (
+        not {esm.STEP, esm.COUNT}.isdisjoint(match[1] for line in head if (match := esm.KEY.match(line)))
+    ),
+    "afad": lambda head: any(afad.FIRST in line for line in head[:1]),
+    "knet": lambda head: head[0].startswith(knet.FIRST) and any(line.startswith(knet.RATE) for line in head),
+    "jma": jma.has_header,
+    "cwb": cwb.has_header,
+    "csmnc": csmnc.has_header,
+    "isesd": isesd.has_header,
+    "asa": asa.has_title,
 }
 _POSSIBLE_PGA = (1e-9, 1e6)  # m/s2: below is no recorder's noise, above nothing; doubts come far earlier
 _COMMENTS = ("#", "%")
@@ -163,26 +191,9 @@ def detect(path: Path) -> FileFormat:
     """
     lines = read_lines(path)
     head = lines[:_HEAD]
-    if any(cosmos.TITLE.match(line) for line in head[:2]):
-        return "cosmos"
-    if smc.has_title(head):
-        return "smc"
-    if geonet.has_title(head):
-        return "geonet"
-    if csmip.SPECTRA.match(lines[0]) or any(csmip.data_line(line) for line in head):
-        return "csmip"
-    if volume_one.has_header(head):
-        return "volume1"
-    if cwb.has_header(head):
-        return "cwb"
-    if asa.has_title(head):
-        return "asa"
-    if {esm.STEP, esm.COUNT} & {match[1] for line in head if (match := esm.KEY.match(line))}:
-        return "esm"
-    if any(afad.FIRST in line for line in head[:1]):
-        return "afad"
-    if any(line.startswith(knet.FIRST) for line in head[:1]) and any(line.startswith(knet.RATE) for line in head):
-        return "knet"
+    for file_format, fits in _MARKS.items():
+        if fits(head):
+            return file_format
     if at2.has_header(lines):
         return "at2"
     if path.suffix.lower() in _SUFFIXES:
@@ -195,7 +206,9 @@ def detect(path: Path) -> FileFormat:
     first = next((i for i in range(len(rows)) if all(numbers[i:])), len(rows))
     if len(rows) - first >= _PROOF and len(set(map(len, rows[first:]))) == 1:
         return "table"  # below lines of words
-    raise InputError(f"{path}: no known format fits this file; read are {', '.join(FORMATS.values())}")
+    raise InputError(
+        f"{path}: no known format fits this file: {describe_text(lines)}. Read are {', '.join(FORMATS.values())}"
+    )
 
 
 def _check_arguments(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.errors import InputError
+from edesign.ground_motion.unknown_format import describe_binary
 from edesign.project.reading.file_bytes import read_file
 from edesign.tables.text import decoded
 
@@ -20,11 +21,13 @@ def read_lines(path: Path, otherwise: str = "latin-1") -> list[str]:
         InputError: missing, a folder, unreadable, empty, or not text.
     """
     data = read_file(path, "record file")
-    if b"\n" in data:
-        data = data.rstrip(b"\0\x1a \r\n\t")  # old systems filled the last block of a text with zeros
+    if b"\n" in data and b"\0" not in (kept := data.rstrip(b"\0\x1a \r\n\t")):
+        data = kept  # old systems filled the last block of a text with zeros
     if not data.strip():
         raise InputError(f"{path}: the file is empty")
     if b"\0" in data:  # in UTF-16
+        if seen := describe_binary(data):
+            raise InputError(f"{path}: this is not a text file; {seen}")
         return decoded(path, data)[1].splitlines()
     try:
         return data.decode("utf-8-sig").splitlines()

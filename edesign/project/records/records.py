@@ -17,7 +17,23 @@ from edesign.project.records.matching import Matching
 from edesign.project.records.processing import Step
 from edesign.project.records.record_tables import AccelerationUnit, Column, Columns, Layout
 
-FileFormat = Literal["at2", "cosmos", "csmip", "volume1", "smc", "geonet", "esm", "afad", "knet", "cwb", "asa", "table"]
+FileFormat = Literal[
+    "at2",
+    "cosmos",
+    "csmip",
+    "volume1",
+    "smc",
+    "geonet",
+    "esm",
+    "isesd",
+    "afad",
+    "knet",
+    "jma",
+    "cwb",
+    "csmnc",
+    "asa",
+    "table",
+]
 
 
 class _Record(Model):

@@ -45,12 +45,12 @@ def smc_file(
     )
 
 
-def _short_exponents(numbers: np.ndarray) -> str:
-    """Lines of 8E10.4 with an exponent of one digit, so that neighbours touch: ` 1.5057E+0-2.2223E+0`."""
+def _short_exponents(numbers: np.ndarray, digits: int = 4, width: int = 10) -> str:
+    """Lines of eight numbers with an exponent of one digit, so that neighbours touch: ` 1.5057E+0-2.2223E+0`."""
     words = []
     for value in numbers:
-        mantissa, exponent = f"{value:.4E}".split("E")
-        words.append(f"{mantissa}E{int(exponent):+d}".rjust(10))
+        mantissa, exponent = f"{value:.{digits}E}".split("E")
+        words.append(f"{mantissa}E{int(exponent):+d}".rjust(width))
     return "".join("".join(words[k : k + 8]) + "\n" for k in range(0, len(words), 8))
 
 
@@ -192,4 +192,43 @@ def asa_file(columns: Sequence[np.ndarray], peaks: Sequence[float] | None = None
         + "   CANAL-1   CANAL-2   CANAL-3\n         V      N00E      N90E\n"
         + ruler
         + fixed(np.column_stack(columns).ravel(), 3, 10, 4)
+    )
+
+
+def csmnc_file(values: np.ndarray, peak: float | None = None, quantity: str = "UNCORRECTED ACCELERATION") -> str:
+    """A file of the China Strong Motion Network Centre: values in cm/s2, eight a line."""
+    peak = peak_of(values) if peak is None else peak
+    words = _short_exponents(values, 6, 13)
+    return (
+        "051XXX130420080201\n0130420080246 2013-04-20 8:2:46 BTM\nNOWHERE EARTHQUAKE, NOWHERE,CHN\n"
+        "EPICENTER  30.300N 103.000E DEPTH 13 KM\nMAGNITUDE  7.0(Ms)\nSTATION: 51XXX 30.400N 102.800E\n"
+        "SITE CONDITION: ROCK\nINSTRUMENT TYPE: MR2002/SLJ-100\nOBSERVING POINT: GROUND\nCOMP. EW\n"
+        f"{quantity}          UNIT: CM/SEC/SEC\n"
+        f"NO. OF POINTS:  {values.size}  EQUALLY SPACED INTERVALS OF:  0.005  SEC\n"
+        f"PEAK VALUE:    {peak:.3f}   AT   26.35 SEC    DURATION:  60 SEC\nPRE-EVENT TIME:  20  SEC\nCSMNC\n\n" + words
+    )
+
+
+def jma_file(columns: Sequence[np.ndarray], unit: str = "gal(cm/s/s)") -> str:
+    """A table of the Japan Meteorological Agency, columns NS, EW and UD, with the empty cells at the end of lines."""
+    rows = "".join(",".join(f"{value:.3f}" for value in row) + ",,,,,\n" for row in np.column_stack(columns))
+    return (
+        "SITE CODE= 999Nowhere,35.0,139.0,10.0,5.0\n LAT.=   35.0000,,,,,,,\n LON.=  139.0000,,,,,,,\n"
+        f" SAMPLING RATE= 100Hz,,,,,,,\n UNIT  = {unit},,,,,,,\nINITIAL TIME = 2024 01 01 16 10 00,,,,,,,\n"
+        " NS,EW,UD,,,,,\n" + rows
+    )
+
+
+def isesd_file(values: np.ndarray, block: str = "corrected acceleration", count: int | None = None) -> str:
+    """A file of the European strong-motion database: accelerations in m/s2, six a line, then velocities."""
+    words = "".join(f"{value:12.5E}" + "\n" * (k % 6 == 5) for k, value in enumerate(values)).rstrip("\n")
+    return (
+        "file:                         002727xa.cor\nearthquake code:                 990\n"
+        "station code:                    694\nwaveform code:                  2727\ntotal number of channels:     3\n"
+        "orientation of transducer:    NS\ninstrument type:              SMACH SM2\n"
+        "time of first sample:         31.12.1999 04:55:53.671UTC\nsampling period:               0.010000s\n"
+        f"number of samples:             {values.size if count is None else count}\n"
+        "units:                        m/s*s, m/s & s\nreference:\nNobody (2000): no real record.\n"
+        f"comments & processing history:\n%- processed\n-> {block} time histories\n{words}\n"
+        f"-> corrected velocity time histories\n{words}\nSTOP\n"
     )

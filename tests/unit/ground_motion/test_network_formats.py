@@ -11,8 +11,11 @@ from network_samples import (
     asa_file,
     bhrc_component,
     csmip_volume_one,
+    csmnc_file,
     cwb_file,
     geonet_component,
+    isesd_file,
+    jma_file,
     smc_file,
     volume_one_channel,
 )
@@ -58,6 +61,9 @@ CASES: list[tuple[str, str, str | None, float, float, float]] = [
     ("csmip", csmip_volume_one(0.001 * MOTION), "360", 0.005, 0.001 * G, 1e-5),
     ("cwb", cwb_file(COLUMNS), "E", 0.02, -0.0025, 1e-5),
     ("asa", asa_file(COLUMNS), "N00E", 0.005, 0.01, 1e-6),
+    ("csmnc", csmnc_file(MOTION), "EW", 0.005, 0.01, 1e-6),
+    ("jma", jma_file(COLUMNS), "N-S", 0.01, 0.005, 1e-5),
+    ("isesd", isesd_file(0.01 * MOTION), "NS", 0.01, 0.01, 1e-5),
 ]
 
 
@@ -81,6 +87,7 @@ def test_samples_are_those_that_were_written(
         ("csmip", csmip_volume_one(0.001 * MOTION, peak=0.09)),
         ("cwb", cwb_file(COLUMNS, peaks=[(90.0, -90.0)] * 3)),
         ("asa", asa_file(COLUMNS, peaks=[1.0, 90.0, 1.0])),
+        ("csmnc", csmnc_file(MOTION, peak=90.0)),
     ],
 )
 def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path, file_format: str, text: str) -> None:
@@ -98,6 +105,7 @@ def test_another_peak_than_that_of_the_header_is_refused(tmp_path: Path, file_fo
         (volume_one_channel(0.1 * MOTION) + volume_one_channel(0.1 * MOTION, 2, "UP"), ("1: EW", "2: UP")),
         (cwb_file(COLUMNS), ("U", "N", "E")),
         (asa_file(COLUMNS), ("V", "N00E", "N90E")),
+        (jma_file(COLUMNS), ("NS", "EW", "UD")),
     ],
 )
 def test_a_file_of_several_components_needs_one_named(tmp_path: Path, text: str, labels: tuple[str, ...]) -> None:
@@ -119,6 +127,7 @@ def test_a_file_of_several_components_needs_one_named(tmp_path: Path, text: str,
         (csmip_volume_one(0.001 * MOTION), None),
         (cwb_file(COLUMNS), "U"),
         (asa_file(COLUMNS), "V"),
+        (csmnc_file(MOTION), None),
     ],
 )
 def test_a_file_that_is_cut_off_or_damaged_is_refused_with_its_line(
@@ -209,3 +218,46 @@ def test_whether_it_is_processed_is_told(tmp_path: Path) -> None:
     }
     for words, text in told.items():
         assert words in read_record_file(write(tmp_path, text)).source
+
+
+def test_other_contents_of_european_and_chinese_files_are_refused(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="the file has uncorrected acceleration time histories, corrected velocity"):
+        read_record_file(write(tmp_path, isesd_file(0.01 * MOTION, "uncorrected acceleration")))
+    with pytest.raises(InputError, match=r":16: 40 accelerations below this line, but 41 in line 10"):
+        read_record_file(write(tmp_path, isesd_file(0.01 * MOTION, count=41)))
+    with pytest.raises(InputError, match="`CORRECTED VELOCITY .*only accelerations in CM/SEC/SEC are read"):
+        read_record_file(write(tmp_path, csmnc_file(MOTION, quantity="CORRECTED VELOCITY")))
+    with pytest.raises(InputError, match=r"UNIT = `kine`; gal\(cm/s/s\) is expected"):
+        read_record_file(write(tmp_path, jma_file(COLUMNS, unit="kine")), component="NS")
+    with pytest.raises(InputError, match=r":12: 2 numbers; each line has one of each of `NS`, `EW`, `UD`"):
+        lines = jma_file(COLUMNS).splitlines()
+        read_record_file(write(tmp_path, "\n".join([*lines[:11], "1.0,2.0,,,", *lines[11:]])), component="NS")
+
+
+def test_an_unknown_text_is_described(tmp_path: Path) -> None:
+    text = "A STATION\n090 DEGREES\n" + "   -1.95   -2.05   -2.09\n" * 5
+    with pytest.raises(
+        InputError, match="it has 2 lines of text, then lines of 3 numbers; to read it, keep these lines"
+    ):
+        read_record_file(write(tmp_path, text, "record.044"))
+    (tmp_path / "a.zip").write_bytes(b"PK\x03\x04\0\0")
+    with pytest.raises(InputError, match="not a text file; it is compressed; unpack it"):
+        read_record_file(tmp_path / "a.zip")
+    (tmp_path / "a.mseed").write_bytes(b"000001D BBB    BHZ\0\0")
+    with pytest.raises(InputError, match="it looks like miniSEED: convert it to text"):
+        read_record_file(tmp_path / "a.mseed")
+
+
+ROTATED = (
+    "PEER NGA Rotated Accelerogram (v1.1)\nH1 for rotation: NOWHERE 10/15/79 2316, A STATION, 092\n"
+    "H2 for rotation: NOWHERE 10/15/79 2316, A STATION, 002\nrotation angle - clockwise  51.000000\n"
+    "SN component, azimuth =  53.000000\nAccelerations in {}\n4 0.005000 NPTS, DT\n0.0 \t 0.1 \t -0.2 \t 0.05\n"
+)
+
+
+def test_peer_headers_of_seven_lines_are_read_if_they_say_that_the_unit_is_g(tmp_path: Path) -> None:
+    record = read_record_file(write(tmp_path, ROTATED.format("g"), "rotated.txt"))
+    np.testing.assert_allclose(record.acceleration, G * np.array([0.0, 0.1, -0.2, 0.05]), rtol=1e-15)
+    assert record.time_step == 0.005
+    with pytest.raises(InputError):
+        read_record_file(write(tmp_path, ROTATED.format("gal"), "rotated.txt"))

@@ -128,7 +128,9 @@ def test_arguments_that_do_not_belong_to_the_format(tmp_path: Path) -> None:
 
 
 def test_nothing_fits(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no known format fits this file; read are") as caught:
+    with pytest.raises(
+        InputError, match=r"no known format fits this file: it has no lines of numbers. Read are"
+    ) as caught:
         read_record_file(write(tmp_path, "letter.txt", "Dear colleague,\nthe record follows.\n"))
     assert all(text in str(caught.value) for text in FORMATS.values())
     with pytest.raises(InputError, match="no known format"):

@@ -1,0 +1,92 @@
+"""Reader of the European strong-motion database (ISESD, and its CD-ROM, .cor): one corrected component in m/s2.
+
+Source: Ambraseys et al. (2000, 2004), Dissemination of European Strong-Motion Data: lines `key: value`, processing
+history, then blocks of accelerations, velocities and displacements.
+"""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from edesign.errors import InputError
+from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.record import Record
+from edesign.ground_motion.text import read_lines
+from edesign.tables.text import number
+
+_KEY = re.compile(r"\s*([a-z][a-zA-Z &/]*?)\s*:\s+(.*?)\s*$")
+_BLOCK = re.compile(r"\s*->\s*(.*?)\s*$")
+_STEP, _COUNT, _UNITS = "sampling period", "number of samples", "units"
+_ORIENTATION, _START = "orientation of transducer", "time of first sample"
+_NUMBER = re.compile(r"\s*([-+]?[0-9]*\.[0-9]+(?:[EeDd][-+]?[0-9]{2})?)")
+
+
+def has_header(lines: list[str]) -> bool:
+    """Whether lines have the header of such a file."""
+    keys = {match[1] for line in lines if (match := _KEY.match(line))}
+    return {_STEP, _COUNT, "waveform code"} <= keys
+
+
+def read_isesd(path: Path | str, component: str | None = None, name: str = "") -> Record:
+    """Read the corrected acceleration of a file; velocities and displacements are passed over.
+
+    Args:
+        path: the file.
+        component: if given it must be that of the file, as its header orients the transducer (`NS`, `Z`, ...).
+        name: of the record; its file name without ending by default.
+
+    Raises:
+        InputError: a key is missing, no corrected accelerations (uncorrected ones, or spectra), another unit than m/s2,
+            not as many samples as the header says, something else than finite numbers, or another component.
+    """
+    path = Path(path)
+    lines = read_lines(path)
+    blocks = [(i, match[1]) for i, line in enumerate(lines) if (match := _BLOCK.match(line))]
+    first = blocks[0][0] if blocks else len(lines)
+    header: dict[str, tuple[int, str]] = {}
+    for i, line in enumerate(lines[:first], 1):
+        if match := _KEY.match(line):
+            header.setdefault(match[1], (i, match[2]))
+    for key in (_STEP, _COUNT, _UNITS):
+        if key not in header:
+            raise InputError(f"{path}:{max(1, first)}: the header has no line `{key}:`")
+    start = next((i for i, title in blocks if re.match(r"corrected\s+acc", title, re.IGNORECASE)), None)
+    if start is None:
+        seen = ", ".join(title for _, title in blocks) or "no block `-> ...`"
+        raise InputError(f"{path}: `-> corrected acceleration time histories` is expected, but the file has {seen}")
+    at, unit = header[_UNITS]
+    if not re.match(r"(m/s\*s|m/s2|m/s\^2|m/s/s)", unit):
+        raise InputError(f"{path}:{at}: units `{unit}`; accelerations in m/s*s are expected first")
+    at, text = header[_STEP]
+    step = number(text.removesuffix("s").strip(), path, at, f"{_STEP} in s")
+    if step <= 0.0:
+        raise InputError(f"{path}:{at}: the {_STEP} must be greater than zero, not {text}")
+    at, text = header[_COUNT]
+    count = int(number(text, path, at, _COUNT))
+    values = _values(path, lines, start + 1)
+    if len(values) != count:
+        raise InputError(f"{path}:{start + 1}: {len(values)} accelerations below this line, but {count} in line {at}")
+    label = header.get(_ORIENTATION, (0, ""))[1]
+    about = ", ".join(
+        part
+        for part in (
+            "European strong-motion database, corrected",
+            header.get(_START, (0, ""))[1],
+            *(f"{key} {header[key][1]}" for key in ("earthquake code", "station code") if key in header),
+        )
+        if part
+    )
+    return choose(path, [Channel(label, (label[:1],), values, step, about)], component).record(path, name)
+
+
+def _values(path: Path, lines: list[str], start: int) -> list[float]:
+    """The numbers below a line, up to the next block or the line STOP; neighbours may touch."""
+    values: list[float] = []
+    for i, line in enumerate(lines[start:], start + 1):
+        if _BLOCK.match(line) or line.strip().upper().startswith("STOP"):
+            break
+        if _NUMBER.sub("", line).strip():
+            raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here")
+        values += [number(word, path, i) for word in _NUMBER.findall(line)]
+    return values

@@ -1,0 +1,47 @@
+"""What a file looks like that no reader of records knows, and what to do with it."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+_NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[EeDd][-+]?[0-9]{1,3})?(?:\s*[,;]\s*|\s+|$|(?=[-+]))")
+_FIRST_LINES = 400  # of a file, within which its numbers begin
+_RUN = 3  # lines of nothing but numbers that are data
+
+
+def describe_binary(data: bytes) -> str:
+    """Return what a file that is not text looks like, and how to read it; "" if it looks like nothing known."""
+    convert = "convert it to text, for instance with ObsPy, and declare that as a table"
+    if data[:2] == b"PK" or data[:2] == b"\x1f\x8b" or data[:4] == b"Rar!":
+        return "it is compressed; unpack it"
+    if re.match(rb"[0-9 ]{6}[DRQM][ \0][A-Z0-9 ]{5}", data) or data[:3] == b"MS\x03":
+        return f"it looks like miniSEED: {convert}"
+    if data[:4] == b"%PDF" or data[:4] == b"\xd0\xcf\x11\xe0":
+        return "it is a document; save its numbers as text"
+    return ""
+
+
+def describe_text(lines: Sequence[str]) -> str:
+    """Return what a text looks like: how many lines of header it has, and how its numbers stand below them."""
+    counts = [_numbers(line) for line in lines[:_FIRST_LINES]]
+    for i in range(len(counts) - _RUN + 1):
+        run = counts[i : i + _RUN]
+        if min(run) > 0 and (len(set(run)) == 1 or i + _RUN == len(counts)):
+            break
+    else:
+        return "it has no lines of numbers"
+    header, width = i, counts[i]
+    above = f"{header} lines of text" if header > 1 else "one line of text" if header else "no text"
+    numbers = f"{width} numbers" if width > 1 else "one number"
+    return (
+        f"it has {above}, then lines of {numbers}; to read it, keep these lines alone in a file, and declare that as "
+        "a table: `format: table`, `acceleration_unit`, and `time_step` or the column of times"
+    )
+
+
+def _numbers(line: str) -> int:
+    """How many numbers a line has; 0 if it has anything else."""
+    text = line.strip()
+    words = _NUMBER.findall(text)
+    return len(words) if words and not _NUMBER.sub("", text) else 0
