@@ -25,6 +25,8 @@ _UNIT = re.compile(r"units of\s+(\S+)\s*mm/s/s", re.IGNORECASE)
 _TEXTS = 16
 _HEADER = _TEXTS + 4 + 6
 _FIELDS = 10
+_LAYOUT = FieldFormat(_FIELDS, 8, True)  # of all numbers; a point may be missing where they are large
+_WITHOUT_POINT = 9999.5  # mm/s2
 _DIGITIZED, _SAMPLES, _VELOCITIES, _DISPLACEMENTS = 30, 33, 34, 35  # of the integers, from 0: numbers of samples
 _DIRECTION = 27  # of the integers: bearing of the component, degrees
 _STEP = 25  # of the reals, from 0: interval of these samples, s (24 is that of the recorder)
@@ -75,9 +77,8 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     if start + _HEADER >= len(lines):
         raise InputError(f"{path}:{len(lines)}: the file ends within the {_HEADER} lines of header of a component")
     texts = lines[start : start + _TEXTS]
-    wholes, parts = FieldFormat(_FIELDS, 8, True), FieldFormat(_FIELDS, 8, False)
-    integers = read_fields(lines, start + _TEXTS, 40, wholes, path, "a whole number of the header")
-    reals = read_fields(lines, start + _TEXTS + 4, 60, parts, path, "a real number of the header")
+    integers = read_fields(lines, start + _TEXTS, 40, _LAYOUT, path, "a whole number of the header")
+    reals = read_fields(lines, start + _TEXTS + 4, 60, _LAYOUT, path, "a real number of the header")
     corrected = title[1].lower() == "corrected"
     count, step = int(integers[_SAMPLES] or integers[_DIGITIZED]), reals[_STEP]
     if count < 2:
@@ -85,10 +86,11 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     if step <= 0.0:
         raise InputError(f"{path}:{start + _TEXTS + 7}: the interval of the samples must be above zero, not {step:g} s")
     unit = next((float(match[1]) for text in texts if (match := _UNIT.search(text))), 1.0)
-    values = unit * np.array(read_fields(lines, start + _HEADER, count, parts, path))
+    values = unit * np.array(_samples(path, lines, start + _HEADER, count))
     for i, text in enumerate(texts, start + 1):
         if (match := _PEAK.search(text)) is not None:
-            check_peak(f"{path}:{i}", match[1], float(np.abs(values).max()), "mm/s2", 0.1 * unit)
+            peak = float(np.abs(values).max())
+            check_peak(f"{path}:{i}", match[1], peak, "mm/s2", unit if peak >= _WITHOUT_POINT * unit else 0.1 * unit)
     counts = (count, int(integers[_VELOCITIES]), int(integers[_DISPLACEMENTS])) if corrected else (count,)
     end = start + _HEADER + sum(-(-number // _FIELDS) for number in counts)
     if end > len(lines):
@@ -96,6 +98,17 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     label = next((text.split()[1] for text in texts if re.match(r"\s*Component\s+\S", text)), f"{len(lines)}")
     bearing = () if label.lower() in ("up", "down") else (f"{int(integers[_DIRECTION])}",)
     return Channel(label, bearing, (0.001 * values).tolist(), step, _about(texts, title[1].lower())), end
+
+
+def _samples(path: Path, lines: list[str], first: int, count: int) -> list[float]:
+    """The samples; those above 9999.9 mm/s2 are written as whole numbers, and no others."""
+    values = read_fields(lines, first, count, _LAYOUT, path)
+    for k, value in enumerate(values):
+        i, at = first + k // _FIELDS, 8 * (k % _FIELDS)
+        word = lines[i][at : at + 8].strip()
+        if abs(value) < _WITHOUT_POINT and "." not in word:
+            raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely")
+    return values
 
 
 def _about(texts: list[str], kind: str) -> str:

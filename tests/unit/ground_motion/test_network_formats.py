@@ -261,3 +261,17 @@ def test_peer_headers_of_seven_lines_are_read_if_they_say_that_the_unit_is_g(tmp
     assert record.time_step == 0.005
     with pytest.raises(InputError):
         read_record_file(write(tmp_path, ROTATED.format("gal"), "rotated.txt"))
+
+
+def test_geonet_writes_more_than_9999_mm_as_whole_numbers(tmp_path: Path) -> None:
+    """So does the record of 1.1 g at Waiau, 2016, whose header has -11026.2 mm/s2 and whose sample is -11026."""
+    large = 100.0 * MOTION
+    text = geonet_component(large, corrected=False)
+    written = "".join(f"{v:8.1f}" if abs(v) < 9999.5 else f"{v:8.0f}" for v in large)
+    head = text.splitlines()[:26]
+    rows = [written[k : k + 80] for k in range(0, len(written), 80)]
+    record = read_record_file(write(tmp_path, "\n".join([*head, *rows])))
+    np.testing.assert_allclose(record.acceleration, 0.001 * large, atol=5.1e-4)
+    small = rows[-1].replace(".", " ")[:79] + rows[-1][-1:]
+    with pytest.raises(InputError):
+        read_record_file(write(tmp_path, "\n".join([*head, *rows[:-1], small])))
