@@ -140,7 +140,8 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
             raise InputError(f"{path}: the same recording as {recordings[twin].detail}; leave one of them out")
         recordings[name] = Found(record, "file", str(path))
     of_tables = (reading.unit, reading.time_step, reading.layout, reading.column)
-    if any(option is not None for option in of_tables) and not any(detect(path) == "table" for path in inputs):
+    declared = {detect(path) for path in inputs} & {"table", "sac"}
+    if any(option is not None for option in of_tables) and not declared:
         raise InputError(
             "--unit, --time-step, --layout, --column: only for tables of text; these files say all this themselves"
         )
@@ -157,6 +158,8 @@ def _record(path: Path, name: str, reading: Reading) -> Record:
     from edesign.ground_motion.units import ACCELERATION_UNITS
 
     found = detect(path)
+    if found == "sac":
+        return read_record_file(path, acceleration_unit=reading.unit, component=reading.component, name=name)
     if names_components(found):
         return read_record_file(path, file_format=found, component=reading.component, name=name)
     if found != "table":

@@ -48,6 +48,11 @@ def read_csmnc(path: Path | str, component: str | None = None, name: str = "") -
             something else than finite numbers, a peak that is not that of the header, or another component.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read the one component of a file; errors as `read_csmnc`."""
     lines = read_lines(path, "gb18030")
     found = {
         key: _line(path, lines, pattern, what)
@@ -77,9 +82,7 @@ def read_csmnc(path: Path | str, component: str | None = None, name: str = "") -
     check_peak(f"{path}:{at}", match[1], float(np.abs(samples).max()), "cm/s2", digit)
     label = found["component"][1][1]
     acceleration = (_UNITS[unit] * samples).tolist()
-    return choose(path, [Channel(label, (label[:1],), acceleration, step, _about(lines, quantity))], component).record(
-        path, name
-    )
+    return [Channel(label, (label[:1],), acceleration, step, _about(lines, quantity))]
 
 
 def _line(path: Path, lines: list[str], pattern: re.Pattern[str], what: str) -> tuple[int, re.Match[str]]:

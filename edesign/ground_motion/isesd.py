@@ -41,6 +41,11 @@ def read_isesd(path: Path | str, component: str | None = None, name: str = "") -
             not as many samples as the header says, something else than finite numbers, or another component.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read the one component of a file; errors as `read_isesd`."""
     lines = read_lines(path)
     blocks = [(i, match[1]) for i, line in enumerate(lines) if (match := _BLOCK.match(line))]
     first = blocks[0][0] if blocks else len(lines)
@@ -77,7 +82,7 @@ def read_isesd(path: Path | str, component: str | None = None, name: str = "") -
         )
         if part
     )
-    return choose(path, [Channel(label, (label[:1],), values, step, about)], component).record(path, name)
+    return [Channel(label, (label[:1],), values, step, about)]
 
 
 def _values(path: Path, lines: list[str], start: int) -> list[float]:

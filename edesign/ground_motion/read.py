@@ -21,6 +21,7 @@ from edesign.ground_motion import (
     isesd,
     jma,
     knet,
+    sac,
     smc,
     volume_one,
 )
@@ -49,6 +50,7 @@ FORMATS: dict[FileFormat, str] = {
     "csmnc": "CSMNC (China) .dat",
     "isesd": "European strong-motion database .cor",
     "asa": "ASA (Mexico) standard file",
+    "sac": "binary SAC",
     "table": "columns of text (.csv, .txt, .dat, .acc)",
 }
 """Every format that is read, for people."""
@@ -73,10 +75,13 @@ _READERS: dict[FileFormat, Callable[..., Record]] = {  # of the formats whose fi
     "jma": jma.read_jma,
     "isesd": isesd.read_isesd,
 }
-_CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those that hold several components
+_CHANNELS: dict[FileFormat, Callable[[Path], list[Channel]]] = {  # of those whose components are read to be named
     "cosmos": cosmos.channels_of,
     "csmip": csmip.channels_of,
     "afad": afad.channels_of,
+    "smc": smc.channels_of,
+    "csmnc": csmnc.channels_of,
+    "isesd": isesd.channels_of,
     "geonet": geonet.channels_of,
     "volume1": volume_one.channels_of,
     "cwb": cwb.channels_of,
@@ -124,7 +129,7 @@ def read_record_file(
     Args:
         path: the file.
         file_format: one of FORMATS; found from the content, and failing that from the suffix, by default.
-        acceleration_unit: of tables, which do not say it: "g", "m/s^2", "cm/s^2", "mm/s^2", or "g/10".
+        acceleration_unit: of tables and SAC files, which do not say it: "g", "m/s^2", "cm/s^2", "mm/s^2", or "g/10".
         time_step: s; of tables without a column of times.
         time_column: of tables; header, or number from 1.
         acceleration_column: likewise.
@@ -151,6 +156,8 @@ def read_record_file(
     if found == "table":
         columns = (time_step, time_column, acceleration_column, name, layout, table)
         record = csv_record.read_csv(path, acceleration_unit or "", *columns)
+    elif found == "sac":
+        record = sac.read_sac(path, acceleration_unit or "", component, name)  # type: ignore[arg-type]
     elif found == "at2":
         record = at2.read_at2(path, name)
     else:
@@ -180,7 +187,7 @@ def _known(path: Path, file_format: FileFormat) -> FileFormat:
 
 def names_components(file_format: FileFormat) -> bool:
     """Return whether the files of a format name their components."""
-    return file_format in _READERS
+    return file_format in _READERS or file_format == "sac"
 
 
 def detect(path: Path) -> FileFormat:
@@ -189,6 +196,8 @@ def detect(path: Path) -> FileFormat:
     Raises:
         InputError: the file cannot be read, or no format fits; lists the formats.
     """
+    if sac.is_sac(path):
+        return "sac"
     lines = read_lines(path)
     head = lines[:_HEAD]
     for file_format, fits in _MARKS.items():
@@ -215,10 +224,12 @@ def _check_arguments(
     path: Path, file_format: FileFormat, of_tables: Mapping[str, object], component: str | int | None
 ) -> None:
     given = [key for key, value in of_tables.items() if value is not None]
+    if file_format == "sac":  # which says all but the unit
+        given = [key for key in given if key != "acceleration_unit"]
     if given and file_format != "table":
         raise InputError(
             f"{path}: {', '.join(given)}: only for tables; a file of the format {FORMATS[file_format]} says this itself"
         )
-    if component is not None and file_format not in _READERS:
+    if component is not None and not names_components(file_format):
         instead = "choose the column of accelerations" if file_format == "table" else "its files hold one component"
         raise InputError(f"{path}: component `{component}`: not for the format {FORMATS[file_format]}; {instead}")

@@ -45,6 +45,11 @@ def read_smc(path: Path | str, component: str | int | None = None, name: str = "
             than finite numbers; a peak that is not that of the header; or another component.
     """
     path = Path(path)
+    return choose(path, channels_of(path), component).record(path, name)
+
+
+def channels_of(path: Path) -> list[Channel]:
+    """Read the one component of a file; errors as `read_smc`."""
     lines = read_lines(path)
     title = TITLE.match(lines[0])
     if title is None:
@@ -82,9 +87,7 @@ def read_smc(path: Path | str, component: str | int | None = None, name: str = "
         raise InputError(f"{path}:{_TEXTS + 7}: the sampling rate must be greater than zero, not {rate:g} a second")
     label, names = _component(lines, integers, null)
     about = ", ".join(part for part in (*_about(lines, title[2]), done) if part)
-    return choose(path, [Channel(label, names, (0.01 * accelerations).tolist(), step, about)], component).record(
-        path, name
-    )
+    return [Channel(label, names, (0.01 * accelerations).tolist(), step, about)]
 
 
 def _width(line: str) -> int:

@@ -17,7 +17,7 @@ from edesign.ground_motion.sources import unreadable_folder
 from edesign.ground_motion.suite import Suite
 from edesign.project.records.chosen_records import FolderSource
 
-_WITHOUT_COMPONENT = (".at2", ".v1", ".v2", ".v2c", ".asc")
+_WITHOUT_COMPONENT = (".at2", ".v1", ".v2", ".v2c", ".v1a", ".v2a", ".raw", ".smc", ".asc", ".cor", ".sac")
 _SUFFIXES = (*_WITHOUT_COMPONENT, ".ns", ".ew", ".ns1", ".ew1", ".ns2", ".ew2")
 _VERTICAL_SUFFIXES = (".ud", ".ud1", ".ud2")
 _TABLES = (".csv", ".tsv", ".txt", ".dat", ".acc")
@@ -101,6 +101,11 @@ def _components(
             return
         else:
             table = {key: getattr(source, key) for key in ("acceleration_unit", "time_step", "layout")}
+    elif kind == "sac":
+        if source.acceleration_unit is None:
+            yield Refusal(below, "a SAC file does not say the unit of its accelerations; `acceleration_unit` would")
+            return
+        table = {"acceleration_unit": source.acceleration_unit}
     said = facts_of(path, kind)
     facts = flatfile.facts(path, said.rsn).over(said)
     for label in component_labels(path, kind) or ("",):

@@ -233,15 +233,16 @@ def _format(record: FileRecord | StructdynRecord, keys: Keys, problems: Problems
     """Tables of text need help; files of other formats say unit and time step themselves."""
     suffix = record.file.lower().rpartition(".")[2]
     kind = record.format or {"at2": "at2", "csv": "table"}.get(suffix)
+    if kind in ("table", "sac") and record.acceleration_unit is None:
+        what = "a table" if kind == "table" else "a SAC file"
+        message = f"this key is missing; {what} does not say its unit (allowed: {listed(UNITS)})"
+        problems.under(keys, "acceleration_unit", message)
     if kind == "table":
-        if record.acceleration_unit is None:
-            message = f"this key is missing; a table does not say its unit (allowed: {listed(UNITS)})"
-            problems.under(keys, "acceleration_unit", message)
         if record.columns is not None and record.columns.time is None and record.time_step is None:
             problems.under(keys, "time_step", "this key is missing; without a time column it is needed")
     elif kind is not None:
         for key in ("acceleration_unit", "time_step", "columns", "table"):
-            if getattr(record, key) is not None:
+            if getattr(record, key) is not None and (kind, key) != ("sac", "acceleration_unit"):
                 problems.at_key((*keys, key), f"a file of the format `{kind}` says this itself; leave this key out")
 
 

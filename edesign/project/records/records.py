@@ -32,6 +32,7 @@ FileFormat = Literal[
     "cwb",
     "csmnc",
     "asa",
+    "sac",
     "table",
 ]
 
@@ -73,7 +74,7 @@ class _File(_Single):
         file: file of the record, relative to the project file; of a package the name of a data file in it.
         format: format of the file; without the key found from its content and suffix.
         component: component of a file that holds several, by name or number.
-        acceleration_unit: unit of the accelerations; of tables of text, which need it.
+        acceleration_unit: unit of the accelerations; of tables of text and of SAC files, which need it.
         time_step: constant time step of a table of text; without the key from the column of time.
         columns: columns of a table of text; without the key time, then acceleration.
         layout: whether each line of a table is one instant (`columns`), or samples run on along it (`rows`).
