@@ -77,8 +77,8 @@ def channels_of(path: Path) -> list[Channel]:
         raise InputError(f"{path}:{at}: the interval of the samples must be above zero, not {min(intervals):g} s")
     at, _ = _value(path, header, _COUNT)
     totals = [int(number(text, path, at, "the number of samples")) for text in counts[: len(labels)]]
-    # published files may have a second of samples beyond the number
-    if not max(totals) <= len(rows) <= max(totals) + 1.0 / min(intervals) or min(totals) < 2:
+    # published files may repeat the last sample beyond the number
+    if len(rows) < max(totals) or min(totals) < 2 or np.any(rows[max(totals) :] != rows[max(totals) - 1]):
         raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples, but {listed(counts)} in line {at}")
     about = _about(header)
     channels = []

@@ -14,14 +14,15 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import FieldFormat, read_fields
-from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.header_peak import check_peak, last_place
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
+from edesign.ground_motion.text import number, read_lines
 
 TITLE = re.compile(r"\s*(Uncorrected|Corrected)\s+accelerogram\b(.*)", re.IGNORECASE)
 _MARK = re.compile(r"(Raw readings|corrected data)\b.*\bintervals", re.IGNORECASE)  # in line 11 of the text
 _PEAK = re.compile(r"Acceleration:\s*peak\s+(\S+)\s*mm/s/s", re.IGNORECASE)
 _UNIT = re.compile(r"units of\s+(\S+)\s*mm/s/s", re.IGNORECASE)
+_INTERVAL = re.compile(r"\b(?:at|intervals of)\s+([0-9]*\.[0-9]+)\s*s(?:ec)?(?:\s+intervals)?\s*$", re.IGNORECASE)
 _TEXTS = 16
 _HEADER = _TEXTS + 4 + 6
 _FIELDS = 10
@@ -85,6 +86,9 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
         raise InputError(f"{path}:{start + _TEXTS + 4}: {count} samples; a record needs at least 2")
     if step <= 0.0:
         raise InputError(f"{path}:{start + _TEXTS + 7}: the interval of the samples must be above zero, not {step:g} s")
+    for i, text in enumerate(texts, start + 1):
+        if (match := _INTERVAL.search(text)) and abs(number(match[1], path, i) - step) > last_place(match[1]):
+            raise InputError(f"{path}:{i}: samples at {match[1]} s, but {step:g} s among the numbers of the header")
     unit = next((float(match[1]) for text in texts if (match := _UNIT.search(text))), 1.0)
     values = unit * np.array(_samples(path, lines, start + _HEADER, count))
     for i, text in enumerate(texts, start + 1):

@@ -190,21 +190,29 @@ def names_components(file_format: FileFormat) -> bool:
     return file_format in _READERS or file_format == "sac"
 
 
+def format_by_marks(path: Path) -> FileFormat | None:
+    """Find the format of a file by the marks in it; None: it has those of no format, as tables have none.
+
+    Raises:
+        InputError: the file cannot be read, or is no text and no SAC file.
+    """
+    if sac.is_sac(path):
+        return "sac"
+    head = read_lines(path)[:_HEAD]
+    marked = next((file_format for file_format, fits in _MARKS.items() if fits(head)), None)
+    return "at2" if marked is None and at2.has_header(head) else marked
+
+
 def detect(path: Path) -> FileFormat:
     """Find the format of a file.
 
     Raises:
         InputError: the file cannot be read, or no format fits; lists the formats.
     """
-    if sac.is_sac(path):
-        return "sac"
+    if (found := format_by_marks(path)) is not None:
+        return found
     lines = read_lines(path)
     head = lines[:_HEAD]
-    for file_format, fits in _MARKS.items():
-        if fits(head):
-            return file_format
-    if at2.has_header(lines):
-        return "at2"
     if path.suffix.lower() in _SUFFIXES:
         return _SUFFIXES[path.suffix.lower()]
     kept = [line for line in head if line.strip() and not line.lstrip().startswith(_COMMENTS)]

@@ -33,6 +33,7 @@ _CHANNEL = re.compile(r"\s*CHAN\s+([0-9]+)\s*:\s*(\S+(?:\s+DEG)?)", re.IGNORECAS
 _COMPONENT = re.compile(r"\s*COMP\s+(\S+)", re.IGNORECASE)
 _AZIMUTHS = re.compile(r"Azimuth\s+L\s*([0-9]+)\s+T\s*([0-9]+)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\b(M[LWS])\s*=?\s*([1-9][0-9.]*)", re.IGNORECASE)
+_ACCELERATIONS_ALONE = "*"  # how titles of BHRC begin; half a file of pairs has as many numbers as points too
 _TEXTS, _HEADER = 13, 27
 _STATION, _EVENT = 5, 1  # lines of the text, from 0
 _NUMBER = re.compile(r"\s*[-+]?[0-9]*\.[0-9]+(?:E[-+]?[0-9]+)?", re.IGNORECASE)
@@ -94,13 +95,13 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
     if numbers.size == 2 * count:
         values = numbers[1::2]
         samples, step, done = evenly_sampled(f"{path}:{start + _HEADER + 1}", numbers[::2], values, 10.0**-digits)
-    elif numbers.size == count:
+    elif numbers.size == count and texts[0].lstrip().startswith(_ACCELERATIONS_ALONE):
         duration = number(stated[1][2].rstrip("."), path, line, "the duration in s")
         values, samples, step, done = numbers, numbers, round(duration / count, 6), ""
     else:
         raise InputError(
-            f"{path}:{end}: {numbers.size} numbers, but the {count} points of line {line} are {count} accelerations or "
-            f"{count} pairs of time and acceleration"
+            f"{path}:{end}: {numbers.size} numbers, but the {count} points of line {line} are {count} pairs of time "
+            "and acceleration, or of BHRC as many accelerations"
         )
     if count < 2 or step <= 0.0:
         raise InputError(
@@ -163,7 +164,7 @@ def _label(texts: list[str], position: int) -> tuple[str, tuple[str, ...]]:
 
 
 def _about(texts: list[str]) -> tuple[str, ...]:
-    if texts[0].lstrip().startswith("*"):  # BHRC: the station stands before its coordinates
+    if texts[0].lstrip().startswith(_ACCELERATIONS_ALONE):  # BHRC: the station stands before its coordinates
         station = next((text.split("Station")[0] for text in texts if "Station" in text), "")
         event = next((text.partition(":")[2] for text in texts if text.lower().startswith("origin")), "")
         who = "BHRC Iran"

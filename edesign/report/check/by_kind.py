@@ -21,6 +21,7 @@ from edesign.file_kinds import (
     FileKind,
 )
 from edesign.ground_motion.catalogue.folder import ENDINGS
+from edesign.ground_motion.read import format_by_marks
 from edesign.report.check.damper_files import law_summary, property_campaign_summary, tests_summary
 from edesign.report.check.other_files import (
     archive_summary,
@@ -34,6 +35,7 @@ from edesign.report.check.other_files import (
 from edesign.report.check.tables_of_numbers import record_summary, table_summary
 
 Summary = dict[str, str]
+_HEAD = 4096  # bytes, in which a file that is no text shows it
 
 _SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
     ARCHIVE: archive_summary,
@@ -71,6 +73,15 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
         return _SUMMARIES[kind](path)
     if kind is None and path.suffix.lower() == ".json":
         return result_summary(path)
-    if kind is None and path.suffix.lower() in ENDINGS:
+    if kind is None and (path.suffix.lower() in ENDINGS or _is_recording(path)):
         return record_summary(path)
     return None
+
+
+def _is_recording(path: Path) -> bool:
+    """Whether a file of no known kind is a record by its content, or at least no text, which its reader tells."""
+    if not path.is_file():
+        return False
+    with path.open("rb") as file:
+        head = file.read(_HEAD)
+    return bool(head.strip()) and (b"\0" in head or format_by_marks(path) is not None)

@@ -145,3 +145,18 @@ def test_no_file_at_all(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> N
         assert str(path) in capsys.readouterr().err
     shutil.copy(ROOT / "README.md", tmp_path / "README.md")
     assert main(["check", str(tmp_path / "README.md")]) == 2
+
+
+def test_a_recording_is_known_by_its_content_whatever_its_suffix(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    header = "UNCORRECTED ACCELEROGRAM DATA\n" + "X\n" * 5 + "CHAN  1: EW\n" + "X\n" * 3
+    header += (
+        "NO. OF POINTS =      4  RECORD LENGTH =  0.015 SEC\nUNITS OF UNCOR ACCEL ARE SEC AND G/10.\n" + "X\n" * 15
+    )
+    path = tmp_path / "017m30lw.s0a"
+    path.write_text(header + "  0.000  0.000  0.005  1.000  0.010 -2.000\n  0.015  0.500\n")
+    assert "4 at 0.005 s, 0.015 s; PGA 0.2 g" in shown(capsys, path)
+    (tmp_path / "a.zip").write_bytes(b"PK\x03\x04\0\0")
+    assert main(["check", str(tmp_path / "a.zip")]) == 2
+    assert "not a text file; it is compressed; unpack it" in capsys.readouterr().err

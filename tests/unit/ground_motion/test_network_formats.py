@@ -273,3 +273,24 @@ def test_geonet_writes_more_than_9999_mm_as_whole_numbers(tmp_path: Path) -> Non
     small = rows[-1].replace(".", " ")[:79] + rows[-1][-1:]
     with pytest.raises(InputError):
         read_record_file(write(tmp_path, "\n".join([*head, *rows[:-1], small])))
+
+
+def test_half_of_a_file_of_pairs_is_not_taken_for_accelerations_alone(tmp_path: Path) -> None:
+    lines = volume_one_channel(0.1 * motion(50)).splitlines()  # ten lines of five pairs below 27
+    with pytest.raises(InputError, match="50 numbers, but the 50 points of line 11 are 50 pairs"):
+        read_record_file(write(tmp_path, "\n".join(lines[:32])))
+
+
+def test_asa_may_repeat_its_last_sample_only(tmp_path: Path) -> None:
+    text = asa_file(COLUMNS)
+    last = text.splitlines()[-1]
+    whole = read_record_file(write(tmp_path, text), component="V")
+    assert read_record_file(write(tmp_path, text + f"{last}\n{last}\n"), component="V").checksum == whole.checksum
+    with pytest.raises(InputError, match="41 lines of samples, but `40`, `40`, `40` in line"):
+        read_record_file(write(tmp_path, text + "    9.0000    9.0000    9.0000\n"), component="V")
+
+
+def test_the_step_of_geonet_is_the_same_in_text_and_numbers(tmp_path: Path) -> None:
+    text = geonet_component(MOTION).replace("at 0.020 sec intervals", "at 0.010 sec intervals")
+    with pytest.raises(InputError, match=r":11: samples at 0.010 s, but 0.02 s among the numbers"):
+        read_record_file(write(tmp_path, text))
