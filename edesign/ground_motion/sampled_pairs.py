@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.errors import InputError
 
+_GAP = 1.0  # s; digitized kinks of a ground motion are some hundredths of a second apart
 _STEPS = (0.01, 0.005, 0.0025, 0.002, 0.001)  # s; those of processed records, from which the next finer is taken
 
 
@@ -24,7 +25,7 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
         The samples; the step, s; what was done, for the source of the record ("" if nothing).
 
     Raises:
-        InputError: fewer than two pairs, or times that do not rise.
+        InputError: fewer than two pairs, times that do not rise, or a gap in them.
     """
     if times.size < 2:
         raise InputError(f"{where}: {times.size} pairs of time and acceleration; a record needs at least 2")
@@ -36,6 +37,12 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
     for step in (round(mean, 4), round(mean, 6), mean):
         if step > 0.0 and np.all(np.abs(times - times[0] - step * np.arange(times.size)) <= 1.01 * digit):
             return values, step, ""
+    if np.max(intervals) > _GAP:
+        at = int(np.argmax(intervals))
+        raise InputError(
+            f"{where}: {intervals[at]:g} s pass between pairs {at + 1} and {at + 2}, at {times[at]:g} s; "
+            f"across more than {_GAP:g} s no line stands for the motion"
+        )
     median = float(np.median(intervals))
     step = next((usual for usual in _STEPS if usual <= 1.05 * median), _STEPS[-1])  # the median is of rounded times
     rising = np.concatenate(([True], intervals > 0.0))  # of pairs at one printed time the first counts

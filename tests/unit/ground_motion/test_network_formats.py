@@ -186,6 +186,13 @@ def test_times_that_go_back_are_refused(tmp_path: Path) -> None:
         read_record_file(write(tmp_path, volume_one_channel(0.1 * MOTION, times=times)))
 
 
+def test_a_gap_in_the_times_is_refused(tmp_path: Path) -> None:
+    times = 0.005 * np.arange(40)
+    times[20:] += 2.0
+    with pytest.raises(InputError, match="2.005 s pass between pairs 20 and 21, at 0.095 s"):
+        read_record_file(write(tmp_path, volume_one_channel(0.1 * MOTION, times=times)))
+
+
 def test_velocity_and_spectra_are_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="`3 VELOCITY`; only accelerograms are read"):
         read_record_file(write(tmp_path, smc_file(MOTION, "3 VELOCITY")))
