@@ -16,7 +16,8 @@ from edesign.ground_motion.channels import Channel, choose
 from edesign.ground_motion.fixed_width import FieldFormat, read_fields
 from edesign.ground_motion.header_peak import check_peak, last_place
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import number, read_lines
+from edesign.ground_motion.text import read_lines
+from edesign.tables.text import number
 
 TITLE = re.compile(r"\s*(Uncorrected|Corrected)\s+accelerogram\b(.*)", re.IGNORECASE)
 _MARK = re.compile(r"(Raw readings|corrected data)\b.*\bintervals", re.IGNORECASE)  # in line 11 of the text

@@ -35,8 +35,9 @@ def describe_text(lines: Sequence[str]) -> str:
     above = f"{header} lines of text" if header > 1 else "one line of text" if header else "no text"
     numbers = f"{width} numbers" if width > 1 else "one number"
     return (
-        f"it has {above}, then lines of {numbers}; to read it, keep these lines alone in a file, and declare that as "
-        "a table: `format: table`, `acceleration_unit`, and `time_step` or the column of times"
+        f"it has {above}, then lines of {numbers}. If these are accelerations alone, declare a table: `format: table`, "
+        f"`table: {{skip: {header}}}`, `acceleration_unit`, `time_step` and `layout`; "
+        "`edesign inspect` prints how it is read"
     )
 
 
