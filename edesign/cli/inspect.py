@@ -18,7 +18,7 @@ def inspect(
     """Print what a table of numbers is read as, and the YAML that reads it."""
     from edesign.errors import InputError
     from edesign.file_kinds import TABLE, kind_of
-    from edesign.ground_motion.read import FORMATS, detect
+    from edesign.ground_motion.read import FORMATS, component_labels, detect, format_by_marks
     from edesign.report.inspection.account import quoted
     from edesign.report.inspection.damper_test import damper_test_account
     from edesign.report.inspection.record import record_account
@@ -28,17 +28,26 @@ def inspect(
     kind = kind_of(file)
     if kind is not None and kind != TABLE:
         raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")
-    account = damper_test_account(file)
+    found = format_by_marks(file) if file.is_file() and file.stat().st_size else None
+    account = damper_test_account(file) if found is None else None
     if account is None:
-        found = detect(file)
+        found = found or detect(file)
         if found != "table":
-            entry = f"records:\n  NAME: {{file: {quoted(file.name)}}}\n"
+            labels = component_labels(file, found)
+            unit = ", acceleration_unit: ?" if found == "sac" else ""
+            entry = "records:\n" + "".join(
+                f"  NAME{i if len(labels) > 1 else ''}: {{file: {quoted(file.name)}{unit}"
+                + (f", component: {quoted(label)}" if len(labels) > 1 else "")
+                + "}\n"
+                for i, label in enumerate(labels or ("",), 1)
+            )
             if as_json:
                 print(json.dumps({"path": str(file), "taken_for": "record", "format": found, "yaml": entry}, indent=2))
                 return
-            print(
-                visible(f"{file}: a record, {FORMATS[found]}; `edesign spectrum {file}` draws it.\n\n{entry}"), end=""
-            )
+            choice = f" --component {quoted(labels[0])}" if len(labels) > 1 else ""
+            choice += " --unit UNIT" if found == "sac" else ""
+            drawn = f"{file}: a record, {FORMATS[found]}; `edesign spectrum {file}{choice}` draws it."
+            print(visible(f"{drawn}\n\n{entry}"), end="")
             return
         account = record_account(file)
     if as_json:

@@ -38,7 +38,7 @@ from edesign.tables.text import is_number
 FORMATS: dict[FileFormat, str] = {
     "at2": "PEER .AT2",
     "cosmos": "COSMOS .V1/.V2/.V2c",
-    "csmip": "older CSMIP .V1/.V2",
+    "csmip": "CSMIP .V1/.V2",
     "volume1": "volume 1 of CSMIP, USC, RENADIC and BHRC",
     "smc": "SMC of the USGS",
     "geonet": "GeoNet .V1A/.V2A",

@@ -123,3 +123,15 @@ def test_what_cannot_be_read(tmp_path: Path, capsys: pytest.CaptureFixture[str],
     path.write_text(text)
     assert main(["inspect", str(path)]) == 2
     assert said in capsys.readouterr().err
+
+
+def test_each_component_of_a_recording_is_proposed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    columns = "".join(f"{t:10.3f}{u:10.3f}{2 * u:10.3f}{-u:10.3f}\n" for t, u in zip(TIMES, MOTION, strict=True))
+    header = "#SampleRate(Hz): 100\n#AmplitudeUnit:  gal.\n#DataSequence: Time U(+); N(+); E(+)\n"
+    path = tmp_path / "station.dat"
+    path.write_text(header + columns)
+    assert main(["inspect", str(path)]) == 0
+    said = capsys.readouterr().out
+    assert "CWB (Taiwan) text" in said and f"edesign spectrum {path} --component U" in " ".join(said.split())
+    records = yaml.safe_load(said[said.index("records:") :])["records"]
+    assert [record["component"] for record in records.values()] == ["U", "N", "E"]
