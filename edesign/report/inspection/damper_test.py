@@ -98,7 +98,8 @@ def _remarks(table: Table, places: dict[str, int], units: dict[str, str | None],
             found.append("the displacement is the same in all rows; nothing moved")
         else:
             share = 100.0 * abs(float(values[0])) / span
-            found.append(f"the first sample is displaced by {values[0]:.4g} {unit}, {share:.2g} % of the range")
+            first = f"displaced by {values[0]:.4g} {unit}, {share:.2g} % of the range" if values[0] else "not displaced"
+            found.append(f"the first sample is {first}")
             samples = rest_before(values)
             long = f" ({time[samples] - time[0]:.3g} s)" if time is not None else ""
             found.append(
