@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import os
+import stat
 from pathlib import Path
-from typing import Protocol
+from typing import BinaryIO, Protocol
 
 from edesign.errors import InputError
 from edesign.file_kinds import ARCHIVE, HEAD, YAML_KINDS, FileKind, kind_of_content, refuse_kind
@@ -20,6 +21,7 @@ class Readable(Protocol):
 
 
 _CHUNK = 1 << 20  # bytes
+_PIPE_WAIT = 5.0  # s, for a program to open its end of a named pipe: a shell that starts both takes milliseconds
 
 
 def read_file(
@@ -42,7 +44,7 @@ def read_file(
         InputError: missing, a folder, unreadable, of a kind that is refused, or too large.
     """
     try:
-        with path.open("rb") as file:
+        with _opened(path, what) as file:
             size = os.fstat(file.fileno()).st_size
             data = read_up_to(file, most) if size <= most else file.read(HEAD)
     except FileNotFoundError:
@@ -58,6 +60,41 @@ def read_file(
         raise too_large(path, what, max(size, len(data)), most, advice)
     note_input(path)
     return data
+
+
+def _opened(path: Path, what: str) -> BinaryIO:
+    """Open a file for bytes, and a named pipe too, if a program writes into it.
+
+    The system would wait without end for such a program. A pipe whose program is there but still silent is waited for.
+
+    Raises:
+        InputError: no program has opened a pipe for writing.
+        OSError, ValueError: the system cannot open it.
+    """
+    if not stat.S_ISFIFO(os.stat(path).st_mode):
+        return path.open("rb")
+    import select  # not on every system, as pipes with names are not
+
+    descriptor = os.open(path, os.O_RDONLY | os.O_NONBLOCK)
+    try:
+        waiting = select.poll()
+        waiting.register(descriptor, select.POLLIN)
+        if not waiting.poll(1e3 * _PIPE_WAIT) and not _has_writer(descriptor):
+            raise InputError(f"{path}: this is a pipe into which no program writes; name the {what} itself")
+        os.set_blocking(descriptor, True)
+        return os.fdopen(descriptor, "rb")
+    except BaseException:
+        os.close(descriptor)
+        raise
+
+
+def _has_writer(descriptor: int) -> bool:
+    """Whether a program has a pipe open for writing, of one into which nothing was written."""
+    try:
+        os.read(descriptor, 1)
+    except BlockingIOError:  # what the system says while there may be more to come
+        return True
+    return False
 
 
 def read_up_to(file: Readable, most: int) -> bytes:
