@@ -169,14 +169,15 @@ def _required(
         if histories.completed
     }
     shown = [q for q in QUANTITIES if any(one.get(q[3]) is not None for one in found.values())]
-    counts = {label: histories for label, histories in asking if histories.completed}
+    asks = {label for (_, label), one in found.items() if any(value is not None for value in one.values())}
+    counts = {label: histories for label, histories in asking if label in asks}  # others are without these dampers
     single = all(len(histories.completed) == 1 for histories in counts.values())
     spread = ("",) if single else ("mean ", "max ")
     headers = [f"{short} {which}{unit}" for short, unit, *_ in shown for which in spread]
     table = Table("Required of one damper" + (f", {variant}" if variant else ""), left=4)
     table.columns = ("storey", "place", "law", "level", *headers, "histories", "governs")
     for at, group in enumerate(alike):
-        levels = [label for label, _ in asking if (at, label) in found]
+        levels = list(counts)
         governing = {q[3]: _most(found, at, levels, q[3]) for q in shown}
         for label in levels:
             cells = [

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import logging
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
 from typing import TYPE_CHECKING, Any
@@ -215,12 +215,17 @@ def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, li
     return {level: found[level] for level in (*tokens, "") if level in found}
 
 
-def headed(pictures: Iterable[Picture], levels: Iterable[str]) -> list[Part]:
+def level_heading(level: str, levels: Collection[str]) -> Heading:
+    """Return the heading of pictures of a level; those of none are of all, unless there are histories without one."""
+    return Heading(level or ("Without a hazard level" if "" in levels else "All levels"))
+
+
+def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
     """Return pictures below the names of their hazard levels, where there are several."""
     sorted_pictures = by_level(pictures, levels)
     parts: list[Part] = []
     for level, several in sorted_pictures.items():
-        parts += [Heading(level or "All levels")] if len(sorted_pictures) > 1 else []
+        parts += [level_heading(level, levels)] if len(sorted_pictures) > 1 else []
         parts += several
     return parts
 

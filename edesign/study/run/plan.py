@@ -121,7 +121,8 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
         InputError: a name in `only` is not an analysis of the project, two analyses get the same name, or a suite
             cannot be read.
     """
-    named = [(part, spec.name) for spec in project.analyses for part in _parts(project, spec)]
+    labelled = [_labelled(project, spec) for spec in project.analyses]
+    named = [(part, spec.name) for spec in labelled for part in _parts(project, spec)]
     tasks = tuple(Task(order, spec, entry) for order, (spec, entry) in enumerate(named))
     first: dict[str, Task] = {}
     for task in tasks:
@@ -156,6 +157,19 @@ def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Ta
             known = ", ".join(dict.fromkeys(task.entry for task in tasks))
             raise InputError(f"{path}: no analysis is named {name!r}{hint} (there are: {known})")
     return tuple(task for task in tasks if not only or task.name in only or task.entry in only)
+
+
+def _labelled(project: Project, spec: Analysis) -> Analysis:
+    """The analysis with a label of its variant, where others of its kind have what it has not, or the reverse.
+
+    Analyses without a label count as one variant: a mean over histories with and without dampers means nothing.
+    """
+    if spec.variant or project.dampers is None:
+        return spec
+    if len({other.dampers for other in project.analyses if other.kind == spec.kind}) == 1:
+        return spec
+    what = "dampers" if project.dampers.devices or project.dampers.attachments else "isolators"
+    return spec.model_copy(update={"variant": f"{'with' if spec.dampers else 'without'} {what}"})
 
 
 def _parts(project: Project, spec: Analysis) -> Sequence[PlannedAnalysis]:

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.report.drawing.captions import file_name
-from edesign.report.page.section import Folded, Heading, Part, Picture, Section
-from edesign.report.page.source import Source, by_level
+from edesign.report.page.section import Folded, Part, Picture, Section
+from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.energy_figures import energy_figures
 from edesign.report.response.response_figures import response_figures
 
@@ -16,7 +16,7 @@ def histories(source: Source) -> Section:
     parts: list[Part] = []
     sorted_pictures = by_level(source.pictures(response_figures, energy_figures), source.levels)
     for level, pictures in sorted_pictures.items():
-        parts += [Heading(level or "All levels")] if len(sorted_pictures) > 1 else []
+        parts += [level_heading(level, source.levels)] if len(sorted_pictures) > 1 else []
         shown = [picture for picture in pictures if picture.name.endswith(tuple(governing(source, level)))]
         if len(pictures) <= MANY or not shown:
             parts += pictures

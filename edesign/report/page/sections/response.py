@@ -5,8 +5,8 @@ from __future__ import annotations
 from edesign.report.archive_tables import measures_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
-from edesign.report.page.section import Folded, Heading, Part, Section
-from edesign.report.page.source import Source, by_level
+from edesign.report.page.section import Folded, Part, Section
+from edesign.report.page.source import Source, by_level, level_heading
 from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 
@@ -37,7 +37,7 @@ def _profiles(source: Source) -> list[Part]:
     single = by_level(source.pictures(profile_figures), source.levels)
     parts: list[Part] = []
     for level, pictures in single.items():
-        parts += [Heading(level or "All levels")] if len(single) > 1 else []
+        parts += [level_heading(level, source.levels)] if len(single) > 1 else []
         if level in over:
             said = f"Profiles of every record{at_level(level)} ({len(pictures)})"
             parts += [*over[level], Folded(said, tuple(pictures))]

@@ -146,8 +146,10 @@ def _asked(source: Source) -> str:
         variants = _listed(found.variant for found in sets)
         levels = _listed(found.level for found in sets)
         records = {str(g.attributes.get("record")) for one in sets for g in one.histories.values()}
-        what = f"The frame{' as ' + variants if variants else ''} was subjected to {len(records)} "
-        found.insert(0, what + f"ground motion{'s' * (len(records) > 1)}{at_level(levels)}.")
+        frame = f"The frame ({variants})" if variants else "The frame"
+        some = " and without a level" if levels and any(not one.level for one in sets) else ""
+        motions = f"{len(records)} ground motion{'s' * (len(records) > 1)}{at_level(levels)}{some}"
+        found.insert(0, f"{frame} was subjected to {motions}.")
     return " ".join([*found, *scaled])
 
 
