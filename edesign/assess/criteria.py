@@ -12,7 +12,7 @@ from edesign.assess.judgement import share_met, statistic_of, within
 from edesign.assess.measures import Located
 from edesign.assess.members import VariantMembers
 from edesign.assess.performance import By
-from edesign.assess.requirement import Requirement, performance_requirement, requirement_of
+from edesign.assess.requirement import NEGLIGIBLE, Requirement, performance_requirement, requirement_of
 from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
 from edesign.building.masses import STILL_BEAMS
@@ -88,6 +88,11 @@ class Verdict:
         demand, capacity = (self.limit, self.value) if self.from_below else (self.value, self.limit)
         found = None if demand is None or not capacity else demand / capacity
         return math.inf if self.met is False and (found is None or found <= 1.0) else found
+
+    @property
+    def negligible(self) -> bool:
+        """Whether the value is 0 but for rounding, and has an upper limit: then no place and no history governs."""
+        return self.value is not None and abs(self.value) < NEGLIGIBLE and not self.from_below and self.met is not False
 
     @property
     def place(self) -> str:

@@ -39,7 +39,8 @@ UNITS = {
     (DEMAND_OVER_CAPACITY := "D/C"): ("", 1.0),
 }
 """Unit in which values of an SI unit are shown to people, with its size in SI."""
-_ROUNDING = 1e-9  # in SI: far below what any measure means
+NEGLIGIBLE = 1e-9
+"""A value of less, in SI, is what arithmetic leaves of 0: a nanometre, a nanonewton, a nanoradian are not measured."""
 
 
 @dataclass(frozen=True)
@@ -190,8 +191,12 @@ def performance_requirement(
 
 def shown(value: float, unit: str) -> str:
     """Return a value in SI with the unit people read."""
-    label, size = UNITS[unit]
-    return f"{0.0 if abs(value) < _ROUNDING else value / size:.4g} {label}".rstrip()
+    return f"{bare(value, unit, 4)} {UNITS[unit][0]}".rstrip()
+
+
+def bare(value: float, unit: str, digits: int) -> str:
+    """Return a value in SI in the unit that people read, without that unit; what is negligible as 0."""
+    return f"{0.0 if abs(value) < NEGLIGIBLE else value / UNITS[unit][1]:.{digits}g}"
 
 
 def _worst(

@@ -61,6 +61,8 @@ def _demand(verdict: Verdict) -> str:
 
 
 def _governs(verdict: Verdict) -> str:
+    if verdict.negligible:
+        return "-"
     name = verdict.governing_history
     motion = name.partition(f".{verdict.level}.")[2] if verdict.level else ""
     parts = [verdict.place, record_label(motion) if motion else name]

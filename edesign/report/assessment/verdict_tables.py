@@ -52,7 +52,8 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
         answers.rows.append([*about, verdict.answer, value, limit, ratio_text(verdict)])
         if verdict.governing_history:
             of = [verdict.statistic, f"{verdict.count}/{verdict.count + len(verdict.missing)}"]
-            governs.rows.append([*about, verdict.place or "frame", motion_of(verdict), *of])
+            where = ("-", "-") if verdict.negligible else (verdict.place or "frame", motion_of(verdict))
+            governs.rows.append([*about, *where, *of])
         if said := "; ".join(part for part in (verdict.remark, _missing(verdict)) if part):
             remarks.rows.append([*about, f"{verdict.answer}: {said}"])
     answers.notes += wrapped("D/C: demand over capacity, value / limit; limit / value if the limit is a lower bound.")
@@ -166,6 +167,8 @@ def measured(value: float | None, unit: str) -> str:
 
 
 def _governs(verdict: Verdict) -> str:
+    if verdict.negligible:
+        return "-"
     return ", ".join(part for part in (verdict.governing_history, verdict.place) if part) or "-"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from edesign.assess.criteria import Verdict
-from edesign.assess.requirement import DEMAND_OVER_CAPACITY, UNITS
+from edesign.assess.requirement import DEMAND_OVER_CAPACITY, bare
 from edesign.report.assessment.verdict_tables import beyond_or, few_notes, motion_of, ratio_text
 from edesign.report.tables.table import Table
 
@@ -23,7 +23,7 @@ def verdicts_in_short(verdicts: Sequence[Verdict]) -> Table:
         table.headings[len(table.rows)] = f"{name}{f', {level}' if level and level not in name else ''}: {requirement}"
         for verdict in alike:
             value = "-" if verdict.value is None else _bare_value(verdict.value, verdict.unit)
-            governs = " ".join(part for part in (verdict.place, motion_of(verdict)) if part)
+            governs = "" if verdict.negligible else " ".join(filter(None, (verdict.place, motion_of(verdict))))
             cells = [verdict.answer, value, ratio_text(verdict), governs or verdict.remark or "-"]
             table.rows.append([verdict.variant or "frame", *cells])
     table.notes += [
@@ -36,7 +36,7 @@ def verdicts_in_short(verdicts: Sequence[Verdict]) -> Table:
 
 def _bare_value(value: float, unit: str) -> str:
     """A value in the unit that people read, without the unit."""
-    text = f"{value / UNITS[unit][1]:.3g}"
+    text = bare(value, unit, 3)
     return beyond_or(value, text) if unit == DEMAND_OVER_CAPACITY else text
 
 

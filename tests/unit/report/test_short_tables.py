@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import io
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +15,9 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import Verdict, judge
 from edesign.assess.sets import history_sets
+from edesign.report.assessment.check_table import check_table
 from edesign.report.assessment.measure_tables import DIFFERENCE, means_tables
+from edesign.report.assessment.verdict_tables import verdicts_tables
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.short_tables import short_tables
 from edesign.report.tables.table import Table
@@ -119,3 +122,15 @@ def test_an_archive_in_short(tmp_path: Path) -> None:
     assert "Response (largest absolute values)" in text and "Statistics" not in text
     assert text.rstrip().endswith("--all")
     assert all(len(line) <= PAPER for line in text.splitlines() if str(path) not in line)
+
+
+def test_what_rounding_leaves_of_nothing_is_0_and_governed_by_nothing() -> None:
+    """A column that stays elastic: its plastic rotation is the curvature less the elastic one, in doubles."""
+    asked = ("columns", "no plastic hinges in columns: at most 0.001 rad", "damped", "DBE", "mean")
+    one = Verdict(*asked, 1.98e-18, 1e-3, "rad", True, "", "damped.DBE.a", None, "C_A_1", 7, ())
+    assert verdicts_in_short([one]).rows == [["damped", "met", "0", "0.00", "-"]]
+    answers, governs = verdicts_tables([one])[:2]
+    assert answers.rows[0][4] == "0 rad" and governs.rows[0][3:5] == ["-", "-"]
+    assert check_table([one], ()).rows[0][-1] == "-"
+    small = replace(one, value=2e-6)  # 2 microrad, which yielding may leave
+    assert verdicts_in_short([small]).rows == [["damped", "met", "2e-06", "0.00", "C_A_1 a"]]
