@@ -10,7 +10,7 @@ from pydantic import BeforeValidator, Field
 
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
-from edesign.damper.laws import LAWS
+from edesign.damper.laws import LAWS, unknown_law
 from edesign.damper.parameters import ParameterError, read_parameters
 from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaOf
@@ -19,7 +19,7 @@ from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import PositiveArea, PositiveLength
 from edesign.project.notation.written import Written, given
 from edesign.project.reading.base import Model, refuse
-from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed
+from edesign.project.reading.problems import Keys, Problems
 
 Text = Annotated[str, Field(min_length=1)]
 Positive = Annotated[float, Field(gt=0.0)]
@@ -43,9 +43,7 @@ def _law_name(value: Any) -> Any:
     if not isinstance(value, str):
         raise refuse("the name of a damper law is needed, for example `mgmm`")
     if value not in LAWS:
-        raise refuse(
-            f"there is no damper law `{value}`{did_you_mean(str(value), LAWS)} (there are: {listed(LAWS, 30)})"
-        )
+        raise refuse(unknown_law(value))
     return value
 
 

@@ -401,6 +401,27 @@ LAWS: dict[str, Law] = {law.name: law for law in _ALL}
 """Every law by its name."""
 
 
+_ALSO_CALLED = {
+    "brb": "buckling_restrained",
+    "coulomb": "friction",
+    "fps": "friction_pendulum",
+    "fvd": "viscous_power",
+    "lrb": "lead_rubber",
+    "oil": "bilinear_oil",
+    "pendulum": "friction_pendulum",
+    "sls": "zener",
+}
+"""Laws by abbreviations and words of practice, for messages alone: a file names a law in one way."""
+
+
+def unknown_law(name: str) -> str:
+    """Return the message on the name of a law that there is not, with the law that is likely meant."""
+    words = name.lower().replace("-", "_").split("_")
+    meant = _ALSO_CALLED.get(name.lower()) or next((one for one in LAWS if sorted(one.split("_")) == sorted(words)), "")
+    hint = f"; did you mean `{meant}`?" if meant else did_you_mean(name, LAWS)
+    return f"there is no damper law `{name}`{hint} (there are: {', '.join(LAWS)})"
+
+
 def law(name: str) -> Law:
     """The law of a name.
 
@@ -408,5 +429,5 @@ def law(name: str) -> Law:
         InputError: there is none; the message names the nearest.
     """
     if name not in LAWS:
-        raise InputError(f"there is no damper law `{name}`{did_you_mean(name, LAWS)} (there are: {', '.join(LAWS)})")
+        raise InputError(unknown_law(name))
     return LAWS[name]

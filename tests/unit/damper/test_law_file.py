@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from edesign.damper import laws
 from edesign.damper.law_file import read_law_file, resolve, strain_of_tests
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription
@@ -125,3 +126,22 @@ def test_strains_beyond_the_limit_of_a_device_are_told(folder):
 def test_published_parameters_know_their_tests():
     assert strain_of_tests(LawDescription(type="mgmm", parameters="thesis_table_4_2")) == 0.5
     assert strain_of_tests(LawDescription(type="mgmm", parameters={})) is None
+
+
+@pytest.mark.parametrize(
+    ("written", "meant"),
+    [
+        ("BRB", "buckling_restrained"),
+        ("power_viscous", "viscous_power"),
+        ("lrb", "lead_rubber"),
+        ("maxwel", "maxwell"),
+        ("self-centring", "self_centring"),
+    ],
+)
+def test_a_law_by_its_name_in_practice_is_told_by_ours(written: str, meant: str) -> None:
+    with pytest.raises(InputError, match=f"no damper law `{written}`; did you mean `{meant}`"):
+        laws.law(written)
+
+
+def test_what_practice_calls_laws_are_laws() -> None:
+    assert set(laws._ALSO_CALLED.values()) <= set(laws.LAWS) and not set(laws._ALSO_CALLED) & set(laws.LAWS)
