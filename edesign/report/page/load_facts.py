@@ -67,4 +67,5 @@ def _column(load: ColumnLoad) -> str:
 
 
 def _beams(load: FloorLoad | BeamLoad) -> str:
-    return f"floors {load.floors}, bays {load.bays}".replace("floors all, bays all", "all beams")
+    floors = f"floor {load.floors}" if str(load.floors).isdecimal() else f"floors {load.floors}"
+    return f"{floors}, bays {load.bays}".replace("floors all, bays all", "all beams").removesuffix(", bays all")

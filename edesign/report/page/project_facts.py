@@ -33,8 +33,8 @@ def project_rows(project: Project) -> Rows:
     columns = [(storey, run.section) for (_, storey), run in frame.column_at.items()]
     beams = [(floor, run.section) for (_, floor), run in frame.beam_at.items()]
     rows = [
-        ("Storeys", f"{frame.n_storeys} of {_lengths(frame.storey_heights)}, {frame.height:g} m in all"),
-        ("Bays", f"{frame.n_bays} of {_lengths(frame.bay_widths)}, {frame.x[-1]:g} m in all"),
+        ("Storeys", f"{_lengths(frame.storey_heights)}; {frame.height:g} m in all"),
+        ("Bays", f"{_lengths(frame.bay_widths)}; {frame.x[-1]:g} m in all"),
         ("Columns", _over_height(columns, "storey")),
         ("Beams", _over_height(beams, "floor")),
         ("Braces", _braces(project)),
@@ -85,9 +85,13 @@ def _shape(spectrum: Spectrum) -> str:
     return f"{factor}{corners}; {damping}"
 
 
-def _lengths(values: Iterable[float]) -> str:
-    """Lengths that follow each other: 4.5 m, 3.5 m; of one only once."""
-    return ", ".join(f"{value:g} m" for value, _ in groupby(values))
+def _lengths(values: Sequence[float]) -> str:
+    """How many lengths there are, and all that follow each other: 3 of 6 m; or 3: 4 m, 2 x 3.5 m."""
+    runs = [(value, len(list(same))) for value, same in groupby(values)]
+    if len(runs) == 1:
+        return f"{len(values)} of {values[0]:g} m"
+    of = ", ".join(f"{value:g} m" if count == 1 else f"{count} x {value:g} m" for value, count in runs)
+    return f"{len(values)}: {of}"
 
 
 def _over_height(sections: Iterable[tuple[int, str]], what: str) -> str:
