@@ -146,7 +146,10 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     found = frame_warnings(study.base, records, designed)
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
+    made = {variant.design for variant in study.variants.values()}
     for name, spec in study.designs.items():
+        if name not in made:
+            found.append(f"design {name}: no variant has it, so it is not made; write `design: {name}` at a variant")
         if isinstance(spec, PlacementDesign):
             texts = placement_warnings(spec, study.base.frame)
         else:

@@ -1,0 +1,26 @@
+"""A design that no variant has is not made, which a study tells."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from cases.small_study import write
+
+from edesign.building.project_file import load_study
+from edesign.study.check.advice import study_warnings
+from edesign.study.run.study_plan import make_study_plan
+
+
+def test_a_design_without_a_variant_is_told(tmp_path: Path) -> None:
+    path = write(tmp_path)
+    text = path.read_text(encoding="utf-8")
+
+    def told() -> list[str]:
+        study = load_study(path)
+        return [one for one in study_warnings(study, make_study_plan(study), {}) if "no variant" in one]
+
+    assert told() == []
+    start = text.index("  added:\n")
+    block = text[start : text.index("\nvariants:")].rstrip()
+    path.write_text(text.replace(block, f"{block}\n{block.replace('added:', 'spare:', 1)}"), encoding="utf-8")
+    assert told() == ["design spare: no variant has it, so it is not made; write `design: spare` at a variant"]
