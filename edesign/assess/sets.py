@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -100,10 +101,12 @@ def measure_statistics(histories: HistorySet, names: Collection[str] | None = No
 def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
     """Sort the histories of an archive by variant and level, in the order in which they come.
 
-    A variant at another temperature than its own is a variant of its own: `damped at 35 degC`. Histories of incremental
-    analyses, and everything that is no history, are left out.
+    A variant at another temperature than its own is a variant of its own: `damped at 35 degC`. Where two without a
+    variant have the same level and record, as one record at two scales, the names of the analyses, without that of the
+    record, stand for variants. Histories of incremental analyses, and everything that is
+    no history, are left out.
     """
-    found: dict[tuple[str, str], HistorySet] = {}
+    labelled: dict[str, tuple[str, str, str]] = {}
     for name, group in histories.items():
         about = group.attributes
         if about.get("kind") != "history" or about.get("incremental"):
@@ -111,7 +114,14 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
         variant, temperature = str(about.get("variant") or ""), about.get("temperature_C")
         if temperature is not None:
             variant = warm_variant(variant, float(temperature))
-        key = (variant, str(about.get("level") or ""))
+        labelled[name] = variant, str(about.get("level") or ""), str(about.get("record") or "")
+    counts = Counter(label for label in labelled.values() if label[2] and not label[0])
+    mixed = {variant for (variant, *_), count in counts.items() if count > 1}
+    found: dict[tuple[str, str], HistorySet] = {}
+    for name, (variant, level, record) in labelled.items():
+        group = histories[name]
+        own = name.removesuffix(f".{record.rpartition('/')[2]}") if variant in mixed else variant
+        key = (own, level)
         found.setdefault(key, HistorySet(*key)).histories[name] = group
     return tuple(found.values())
 
