@@ -371,7 +371,7 @@ def test_tables_of_performance_fit_a_page() -> None:
     one = history("modified", "el_centro", 0.03)
     tables = performance_tables([HistorySet("modified", "el_centro", {"one": one})], VariantMembers(frame()))
     stream = io.StringIO()
-    print_tables(tables, stream)
+    print_tables(tables, stream, widest=80)
     assert max(map(len, stream.getvalue().splitlines())) <= 80
     drift, members = (table.rows[0] for table in tables)
     assert drift[:8] == ["modified", "el_centro", "CP", "0", "0", "1", "0", "1/1"] and "transient drift" in drift[8]
