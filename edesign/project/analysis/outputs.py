@@ -10,7 +10,7 @@ from edesign.project.notation.selections import ALL_NUMBERS, SELECTED_NUMBERS, N
 from edesign.project.notation.written import Written, words_or
 from edesign.project.reading.base import Model, refuse
 
-HistoryKind = Literal["floors", "storeys", "energy", "dampers", "supports"]
+HistoryKind = Literal["floors", "storeys", "energy", "dampers", "supports", "motion"]
 Edge = Literal["top", "bottom"]
 
 

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
 log = logging.getLogger("edesign")
-ALONG_TIME = ("time", "matched_time", "step")
+ALONG_TIME = ("time", "motion_time", "matched_time", "step")
 
 
 class Source:

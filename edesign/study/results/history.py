@@ -30,7 +30,8 @@ from edesign.study.results.floors import (
     floor_relative_accelerations,
 )
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
-from edesign.study.results.recording import SINGLE, channels, coordinate, store, store_run
+from edesign.study.results.motion import node_displacements, store_motion, without_histories
+from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
 from edesign.study.results.springs import spring_quantities
 from edesign.study.results.storeys import (
@@ -41,6 +42,8 @@ from edesign.study.results.storeys import (
     storey_shears,
 )
 from edesign.study.results.supports import base_shear, isolator_axial_forces, support_reactions
+
+MOVING = ("node_displacement", "column_plastic_rotation", "beam_plastic_rotation")  # what `motion` keeps
 
 
 class HistoryResults:
@@ -87,7 +90,7 @@ class HistoryResults:
             *member_forces(frame, bending_members(frame), "member", history=False),
             *axial_forces(frame),
             *leaning_column_forces(frame),
-            *plastic_rotations(frame),
+            *plastic_rotations(frame, "motion" in self._wanted),
             *brace_quantities(project, frame, self._group),
             *spring_quantities(frame, self._group),
             *footing_quantities(frame, self._group),
@@ -97,6 +100,10 @@ class HistoryResults:
             *(support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
         ]
+        self._moving: list[Quantity] = []
+        if "motion" in self._wanted:
+            self._others.append(node_displacements(frame, self._group))
+            self._moving = [one for one in self._others if one.name in MOVING and one.history]
         self._names = rotation_names(frame, self._drifts, self._others)
         drift = replace(self._drift, history=storeys or keep_drift)
         self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._base, *self._others])
@@ -126,7 +133,10 @@ class HistoryResults:
         coordinate(group, "time", response.time, "s", "time from the start of the record")
         samples = acceleration[::every][: response.time.size]
         group.add("ground_acceleration", ("time",), samples, "m/s^2", "ground acceleration as applied")
-        store(group, [self._displacements, self._drift, *self._base, *self._others], response, "time", SINGLE)
+        others = without_histories(self._others, self._moving)
+        store(group, [self._displacements, self._drift, *self._base, *others], response, "time", SINGLE)
+        if self._moving:
+            store_motion(group, self._moving, response)
         store_drift_extremes(group, frame, self._drifts, response)
         warnings = buckling_warnings(group, self._project, frame)
         if "damper_strain_max" in group.variables:

@@ -76,8 +76,13 @@ def leaning_column_forces(frame: FrameModel) -> list[Quantity]:
     ]
 
 
-def plastic_rotations(frame: FrameModel) -> list[Quantity]:
-    """Plastic rotations of the ends of columns and beams; members that stay elastic have none."""
+def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity]:
+    """Plastic rotations of the ends of columns and beams; members that stay elastic have none.
+
+    Args:
+        frame: the model.
+        history: whether they are kept over time.
+    """
     found = []
     for kind in ("column", "beam"):
         members = frame.of_kind(kind)
@@ -85,7 +90,7 @@ def plastic_rotations(frame: FrameModel) -> list[Quantity]:
         if members:
             name = f"plastic rotation of the end of the {kind}: chord rotation less its elastic part"
             shape = (len(members), 2)
-            found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name))
+            found.append(Quantity(f"{kind}_plastic_rotation", (kind, "end"), shape, cells, "rad", name, history))
     return found
 
 

@@ -1,0 +1,65 @@
+"""The motion of a frame as it can be drawn: thinned out displacements of nodes and plastic rotations of members."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.building.frame import FrameModel
+from edesign.core import Response
+from edesign.study.results.recording import SINGLE, Quantity, coordinate
+
+MOST_PICTURES = 600
+"""Of a history: 15 a second of a motion of 40 s. All its samples would make the archive many times larger."""
+SHORTEST = 1.0 / 30.0
+"""Time between two pictures, s: more of them the eye does not tell apart."""
+MOTION_TIME = "motion_time"
+
+
+def node_displacements(frame: FrameModel, group: Group) -> Quantity:
+    """Return the displacements and rotations of all nodes, and add the names of the nodes to the group.
+
+    Args:
+        frame: the model.
+        group: of the history.
+    """
+    coordinate(group, "node", list(frame.nodes), "", "node of the frame")
+    coordinate(group, "node_degree", ["ux", "uy", "rz"], "", "to the right (m), upwards (m), anticlockwise (rad)")
+    cells = tuple(((1.0, "displacement", number, at),) for number in frame.nodes.values() for at in range(3))
+    label = "displacement (m) and rotation (rad) of the node relative to the ground, gravity included"
+    return Quantity("node_displacement", ("node", "node_degree"), (len(frame.nodes), 3), cells, "", label, True, ())
+
+
+def picture_stride(time: np.ndarray) -> int:
+    """Return one in how many samples is a picture.
+
+    Args:
+        time: of the samples, evenly spaced, s.
+    """
+    step = float(time[1] - time[0]) if time.size > 1 else SHORTEST
+    return max(1, math.ceil(time.size / MOST_PICTURES), math.ceil(SHORTEST / step - 1e-9))
+
+
+def store_motion(group: Group, quantities: Sequence[Quantity], response: Response) -> None:
+    """Add quantities at the times of the pictures to a group.
+
+    Args:
+        group: of the history, with the coordinates of their dimensions.
+        quantities: whose history was kept.
+        response: of the history.
+    """
+    stride = picture_stride(response.time)
+    coordinate(group, MOTION_TIME, response.time[::stride], "s", "time of the pictures of the motion")
+    for quantity in quantities:
+        values = quantity.values(response)[::stride].astype(SINGLE)
+        group.add(quantity.name, (MOTION_TIME, *quantity.dims), values, quantity.unit, quantity.long_name)
+
+
+def without_histories(quantities: Sequence[Quantity], moving: Sequence[Quantity]) -> list[Quantity]:
+    """Return quantities of which those that `store_motion` stores keep their extremes only."""
+    named = {quantity.name for quantity in moving}
+    return [replace(one, history=False) if one.name in named else one for one in quantities]
