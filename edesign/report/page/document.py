@@ -30,6 +30,7 @@ from edesign.report.page.sections.isolation import isolation
 from edesign.report.page.sections.model import model
 from edesign.report.page.sections.modes import modes
 from edesign.report.page.sections.moment_rotation import moment_rotation
+from edesign.report.page.sections.motion import motion
 from edesign.report.page.sections.provenance import provenance
 from edesign.report.page.sections.pushover import pushover
 from edesign.report.page.sections.response import response
@@ -52,6 +53,7 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     design,
     pushover,
     response,
+    motion,
     hinges,
     braces,
     moment_rotation,

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import base64
+import hashlib
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -11,7 +13,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
-from edesign.report.page.section import Part, Section
+from edesign.report.page.section import Part, Section, Viewer
 from edesign.report.page.shared_styles import share_styles
 from edesign.report.tables.table import Table
 from edesign.report.tables.visible import visible
@@ -118,7 +120,16 @@ def fill_template(
         "runs": runs,
     }
     page = environment.get_template("page.html")
-    return page.render(**vars(cover), sections=sections, css=css, version=__version__, printed=printed)
+    moving = printed is None and any(isinstance(part, Viewer) for section in sections for part in section.parts)
+    viewer = _viewer() if moving else None
+    return page.render(**vars(cover), sections=sections, css=css, version=__version__, printed=printed, viewer=viewer)
+
+
+def _viewer() -> dict[str, str]:
+    """The one program of a page, and its checksum, which is all that the page's security policy lets run."""
+    text = resources.files("edesign.report.page").joinpath("viewer.js").read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(text.encode()).digest()).decode("ascii")
+    return {"text": text, "policy": f"; script-src 'sha256-{digest}'"}
 
 
 def typeset(text: str) -> Markup:

@@ -84,7 +84,20 @@ class Heading:
     text: str
 
 
-Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading
+@dataclass(frozen=True)
+class Viewer:
+    """A picture that moves in the page; on paper, and where no program runs, it is the still.
+
+    Attributes:
+        still: one picture of it.
+        data: JSON for `viewer.js`, without `<`.
+    """
+
+    still: Picture
+    data: str
+
+
+Part = Table | Picture | Folded | Facts | Warnings | Headlines | Heading | Viewer
 
 
 @dataclass(frozen=True)

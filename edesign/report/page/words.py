@@ -10,7 +10,7 @@ from functools import partial
 
 from edesign.archive.dataset import Group
 from edesign.report.drawing.captions import record_label
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Warnings
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Picture, Section, Viewer, Warnings
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import PAPER
 
@@ -88,6 +88,8 @@ def _part(part: Part, say: Callable[[str], str]) -> Part:
         return _table(part, say)
     if isinstance(part, Picture):
         return replace(part, caption=say(part.caption))
+    if isinstance(part, Viewer):
+        return replace(part, still=replace(part.still, caption=say(part.still.caption)))
     if isinstance(part, Folded):
         inside = tuple(found for one in part.parts if isinstance(found := _part(one, say), Table | Picture))
         return replace(part, summary=say(part.summary), parts=inside)

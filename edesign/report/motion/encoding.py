@@ -1,0 +1,141 @@
+"""A scene as the text that the viewer in the page reads: small, as its numbers are whole, packed, and deflated."""
+
+from __future__ import annotations
+
+import base64
+import json
+import zlib
+from typing import Any
+
+import numpy as np
+
+from edesign.report.drawing.captions import plain
+from edesign.report.motion.geometry import Hung, floor_shares
+from edesign.report.motion.moving import FINER, Loop, Moving
+from edesign.report.motion.scenes import Scene
+from edesign.report.response.frame_figures import COLORS
+
+STEPS = 4000
+"""Whole numbers up to the largest magnitude of a quantity: values are rounded to 1/8000 of it at most."""
+DIGITS = 4  # of places in the frame, m: a tenth of a millimetre
+SCALES = (1, 2, 5, 10, 20, 50, 100, 200, 500)
+REACH = 0.16  # of the larger side of the frame that the largest displacement may be drawn as
+
+
+class Packed:
+    """Series of numbers, one after the other in one block."""
+
+    def __init__(self) -> None:
+        self._series: list[np.ndarray] = []
+        self._count = 0
+
+    def add(self, values: np.ndarray) -> dict[str, Any]:
+        """Add series of equal length and return where they are.
+
+        Args:
+            values: (n,) or (n, series).
+
+        Returns:
+            `at` of the first number, `n` numbers in each of `w` series, and `q`, the quantity that 1 stands for.
+        """
+        table = np.asarray(values, dtype=float).reshape(len(values), -1)
+        largest = float(np.max(np.abs(table), initial=0.0))
+        quantum = float(f"{largest / STEPS:.6g}") if largest else 1.0
+        whole = np.rint(table / quantum).astype(np.int32)
+        steps = np.diff(whole, axis=0, prepend=0).T.astype("<i2")
+        place = {"at": self._count, "n": len(table), "w": table.shape[1], "q": quantum}
+        self._series.append(steps.ravel())
+        self._count += steps.size
+        return place
+
+    def text(self) -> str:
+        """Return all of it: differences from picture to picture as low bytes, then high bytes; deflated, in base64."""
+        block = np.concatenate([*self._series, np.zeros(0, dtype="<i2")])
+        split = block.view(np.uint8).reshape(-1, 2).T.tobytes()
+        return base64.b64encode(zlib.compress(split, 9)).decode("ascii")
+
+
+def scene_text(scene: Scene) -> str:
+    """Return a scene as JSON in which nothing can end an element of the page."""
+    packed = Packed()
+    found = {
+        "n": len(scene.time),
+        "dt": round(float(scene.time[1] - scene.time[0]), 6),
+        "start": round(float(scene.time[0]), 6),
+        "peak": scene.peak,
+        "finer": FINER,
+        "scale": fitting_scale(scene),
+        "scales": SCALES,
+        "ground": packed.add(scene.ground),
+        "classes": [[name, color] for name, color in zip(scene.scale.names[1:], COLORS, strict=True)],
+        "variants": [_variant(one, packed) for one in scene.variants],
+    }
+    found["data"] = packed.text()
+    return json.dumps(found, separators=(",", ":"), ensure_ascii=True).replace("<", "\\u003c")
+
+
+def fitting_scale(scene: Scene) -> int:
+    """Return how many times displacements are drawn larger than they are, as a round number."""
+    largest = max(float(np.max(np.abs(one.floors))) for one in scene.variants)
+    sides = [np.ptp(np.array(list(one.geometry.nodes.values())), axis=0).max() for one in scene.variants]
+    fair = [scale for scale in SCALES if scale * largest <= REACH * float(max(sides))]
+    return fair[-1] if fair else SCALES[0]
+
+
+def _variant(one: Moving, packed: Packed) -> dict[str, Any]:
+    geometry = one.geometry
+    places = list(geometry.nodes.values())
+    order = {name: i for i, name in enumerate(geometry.members)}
+    found: dict[str, Any] = {
+        "title": one.title,
+        "analysis": one.analysis,
+        "color": one.color,
+        "nodes": [_places(place) for place in places],
+        "members": [[name, *pair] for name, pair in geometry.members.items()],
+        "levels": [round(level, DIGITS) for level in geometry.levels],
+        "floors": packed.add(one.floors),
+        "drift": packed.add(one.drift),
+        "drift_max": packed.add(one.drift_max),
+        "drift_min": packed.add(one.drift_min),
+        "ends": [[order[name], end] for name, end in one.ends],
+        "limits": [[float(f"{limit:.4g}") for limit in limits] for limits in one.limits],
+        "largest": [float(f"{largest:.4g}") for largest in one.ends.values()],
+        "dampers": [
+            {
+                "name": damper.name,
+                "braces": [[_hung(start), _hung(end)] for start, end in damper.braces],
+                "body": [_hung(point) for point in damper.body],
+                "span": damper.span,
+            }
+            for damper in geometry.dampers
+        ],
+        "loops": [_loop(loop, packed) for loop in one.loops],
+    }
+    if one.nodes is None:
+        found["shares"] = [[below, round(share, DIGITS)] for below, share in floor_shares(geometry.levels, places)]
+    else:
+        found |= {name: packed.add(one.nodes[:, :, i]) for i, name in enumerate(("ux", "uy", "rz"))}
+    if one.rotation is not None:
+        found["rotation"] = packed.add(one.rotation)
+    if one.force is not None and one.force.shape[1]:
+        found["force"] = packed.add(one.force)
+    return found
+
+
+def _loop(loop: Loop, packed: Packed) -> dict[str, Any]:
+    ends = [plain(float(np.max(np.abs(values), initial=0.0))) for values in (loop.x, loop.y)]
+    return {
+        "label": loop.label,
+        "x": packed.add(loop.x),
+        "y": packed.add(loop.y),
+        "axes": [loop.x_label, loop.y_label],
+        "ends": ends,
+    }
+
+
+def _places(place: tuple[float, float]) -> list[float]:
+    return [round(part, DIGITS) for part in place]
+
+
+def _hung(point: Hung) -> list[float]:
+    return [*_places(point.at), *point.nodes, round(point.share, DIGITS)]

@@ -1,0 +1,208 @@
+"""A variant in motion, read from a history: its nodes, drifts, hinges, damper forces and loops at each picture."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.report.motion.geometry import Geometry
+from edesign.report.response.frame_figures import End
+from edesign.report.response.histories import History, names_of
+
+FINER = 3
+"""Points of a loop for each picture: at 15 a second it would have corners."""
+MOST_LOOPS = 12
+"""Of a variant that can be chosen, those with the largest deformations."""
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A loop whose point moves.
+
+    Attributes:
+        label: what it is of.
+        x, y: at each picture and `FINER` - 1 times before the next, in the units of the labels.
+        x_label, y_label: with units.
+    """
+
+    label: str
+    x: np.ndarray
+    y: np.ndarray
+    x_label: str
+    y_label: str
+
+    def at(self, pictures: np.ndarray) -> Loop:
+        """Return it at pictures that follow each other at equal distances."""
+        every = int(pictures[1] - pictures[0]) if len(pictures) > 1 else 1
+        points = slice(0, FINER * int(pictures[-1]) + 1, every)
+        return replace(self, x=self.x[points], y=self.y[points])
+
+
+@dataclass(frozen=True)
+class Moving:
+    """A variant in motion.
+
+    Attributes:
+        title: of the variant, "" if it has none.
+        analysis: whose results it shows.
+        color: of the variant.
+        geometry: what moves.
+        floors: displacement of base and floors at each picture, (pictures, floors + 1) m.
+        nodes: of the nodes (pictures, nodes, 3) m, m, rad; None: not kept.
+        drift: of the storeys at each picture (pictures, storeys), ratio.
+        drift_max, drift_min: largest and smallest until then, of all samples.
+        rotation: largest plastic rotation of an end until then (pictures, ends) rad, ends as `ends`; None: not kept.
+        ends: ends of members that yield, with their largest plastic rotation of the history, rad.
+        limits: of each of `ends`, from which its color is the next, rad.
+        force: of each damper in `geometry` at each picture, (pictures, dampers) N; None: not kept.
+        loops: that can be chosen.
+    """
+
+    title: str
+    analysis: str
+    color: str
+    geometry: Geometry
+    floors: np.ndarray
+    nodes: np.ndarray | None
+    drift: np.ndarray
+    drift_max: np.ndarray
+    drift_min: np.ndarray
+    rotation: np.ndarray | None
+    ends: dict[End, float]
+    limits: tuple[tuple[float, ...], ...]
+    force: np.ndarray | None
+    loops: tuple[Loop, ...]
+
+    def at(self, pictures: np.ndarray) -> Moving:
+        """Return it at some pictures; the last of them knows what was largest in all."""
+        largest = np.append(pictures[:-1], len(self.floors) - 1)
+        return replace(
+            self,
+            floors=self.floors[pictures],
+            nodes=None if self.nodes is None else self.nodes[pictures],
+            drift=self.drift[pictures],
+            drift_max=self.drift_max[largest],
+            drift_min=self.drift_min[largest],
+            rotation=None if self.rotation is None else self.rotation[largest],
+            force=None if self.force is None else self.force[pictures],
+            loops=tuple(loop.at(pictures) for loop in self.loops),
+        )
+
+
+def nearest(group: Group, along: str, time: np.ndarray) -> np.ndarray:
+    """Return the positions of the samples nearest to the pictures; after the end the last one.
+
+    Args:
+        group: of a history.
+        along: the name of its time.
+        time: of the pictures, s.
+    """
+    own = np.asarray(group.coords[along].values, dtype=float)
+    after = np.clip(np.searchsorted(own, time), 1, len(own) - 1)
+    return np.where(time - own[after - 1] < own[after] - time, after - 1, after)
+
+
+def read_moving(
+    history: History,
+    group: Group,
+    color: str,
+    geometry: Geometry,
+    ends: dict[End, float],
+    limits: tuple[tuple[float, ...], ...],
+    time: np.ndarray,
+) -> Moving:
+    """Return a variant in motion.
+
+    Args:
+        history: of the variant.
+        group: its results.
+        color: of the variant.
+        geometry: what moves.
+        ends: those that yield, with their largest plastic rotation, rad.
+        limits: of each of them, rad.
+        time: of the pictures, s.
+    """
+    at = nearest(group, "time", time)
+    displacement = np.asarray(group.variables["floor_displacement"].values, dtype=float)
+    base = group.variables.get("base_displacement")
+    ground = np.zeros(len(displacement)) if base is None else np.asarray(base.values, dtype=float)
+    floors = np.column_stack((ground, displacement))
+    stored = group.variables.get("storey_drift")
+    heights = group.variables["storey_height"].values
+    drift = np.diff(floors, axis=1) / heights if stored is None else np.asarray(stored.values, dtype=float)
+    force, dampers = group.variables.get("damper_force"), names_of(group, "damper")
+    own = [dampers.index(damper.name) for damper in geometry.dampers]
+    return Moving(
+        history.variant,
+        history.name,
+        color,
+        geometry,
+        floors[at],
+        _nodes(group, geometry, time),
+        drift[at],
+        np.maximum.accumulate(drift)[at],
+        np.minimum.accumulate(drift)[at],
+        _rotations(group, ends, time),
+        ends,
+        limits,
+        None if force is None else np.asarray(force.values, dtype=float)[at][:, own],
+        tuple(_loops(group, nearest(group, "time", _finer(time)))),
+    )
+
+
+def _finer(time: np.ndarray) -> np.ndarray:
+    """The times of the points of loops."""
+    return np.interp(np.arange(FINER * (len(time) - 1) + 1) / FINER, np.arange(len(time)), time)
+
+
+def _nodes(group: Group, geometry: Geometry, time: np.ndarray) -> np.ndarray | None:
+    stored = group.variables.get("node_displacement")
+    if stored is None:
+        return None
+    where = {name: i for i, name in enumerate(names_of(group, "node"))}
+    if not all(name in where for name in geometry.nodes):
+        return None
+    return np.asarray(stored.values, dtype=float)[nearest(group, "motion_time", time)][
+        :, [where[n] for n in geometry.nodes]
+    ]
+
+
+def _rotations(group: Group, ends: dict[End, float], time: np.ndarray) -> np.ndarray | None:
+    """The largest so far; at the end that of all steps, which the pictures may have missed by little."""
+    columns = []
+    where = {kind: {name: i for i, name in enumerate(names_of(group, kind))} for kind in ("column", "beam")}
+    for (member, end), largest in ends.items():
+        kind = "column" if member in where["column"] else "beam"
+        stored = group.variables.get(f"{kind}_plastic_rotation")
+        if stored is None:
+            return None
+        values = np.maximum.accumulate(np.abs(np.asarray(stored.values, dtype=float)[:, where[kind][member], end]))
+        values = values[nearest(group, "motion_time", time)]
+        values[-1] = max(values[-1], largest)
+        columns.append(values)
+    if not columns and "beam_plastic_rotation" not in group.variables:
+        return None
+    return np.column_stack(columns) if columns else np.zeros((len(time), 0))
+
+
+def _loops(group: Group, at: np.ndarray) -> Iterator[Loop]:
+    """Loops of dampers, and moments of recorded members against rotations."""
+    deformation, force = (group.variables.get(f"damper_{name}") for name in ("deformation", "force"))
+    if deformation is not None and force is not None:
+        largest = np.max(np.abs(deformation.values), axis=0)
+        chosen = set(np.argsort(-largest, kind="stable")[:MOST_LOOPS].tolist())
+        for i, name in enumerate(names_of(group, "damper")):
+            if i not in chosen:
+                continue
+            x, y = 1e3 * deformation.values[at, i], 1e-3 * force.values[at, i]
+            yield Loop(f"damper {name}", x, y, "deformation (mm)", "force (kN)")
+    rotation, moment = (group.variables.get(f"member_{name}") for name in ("chord_rotation", "bending_moment"))
+    if rotation is not None and moment is not None and moment.dims[:2] == ("time", "recorded_member"):
+        for i, name in enumerate(names_of(group, "recorded_member")):
+            for end, word in enumerate(("start", "end")):
+                x, y = 1e3 * rotation.values[at, i, end], 1e-3 * moment.values[at, i, end]
+                if np.any(x):
+                    yield Loop(f"{name}, {word}", x, y, "chord rotation (mrad)", "moment (kN m)")

@@ -1,0 +1,163 @@
+"""Motions of frames over time, read from an archive: one record of each hazard level, variants in step."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.archive.reader import Archive
+from edesign.assess.envelopes import peak
+from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
+from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.motion.geometry import moving_frame
+from edesign.report.motion.moving import Moving, nearest, read_moving
+from edesign.report.response.frame_figures import ACCEPTANCE, ROTATION, End, Scale, plastic_rotations
+from edesign.report.response.histories import (
+    History,
+    by_level,
+    histories,
+    names_of,
+    variant_colors,
+    with_results,
+)
+from edesign.study.results.motion import MOST_PICTURES, SHORTEST
+
+MOST_VARIANTS = 4
+"""Frames that stand side by side."""
+
+
+@dataclass(frozen=True)
+class Scene:
+    """A record at a hazard level.
+
+    Attributes:
+        level: "" without one.
+        record: its history, in words.
+        of: how many records there are.
+        among: of how many of them as much was kept as of this one.
+        left_out: variants that are not shown.
+        time: of the pictures, s.
+        ground: acceleration at each picture, m/s2.
+        scale: classes of the hinges.
+        variants: in step.
+    """
+
+    level: str
+    record: str
+    of: int
+    among: int
+    left_out: int
+    time: np.ndarray
+    ground: np.ndarray
+    scale: Scale
+    variants: tuple[Moving, ...]
+
+    @property
+    def peak(self) -> int:
+        """The picture with the largest drift of a storey."""
+        return int(np.argmax(np.max([np.abs(one.drift).max(axis=1) for one in self.variants], axis=0)))
+
+    def thinned(self, every: int) -> Scene:
+        """Return it with one in so many pictures; what is largest until a picture is so of all samples still."""
+        variants = tuple(one.at(np.arange(0, len(self.time), every)) for one in self.variants)
+        return replace(self, time=self.time[::every], ground=self.ground[::every], variants=variants)
+
+
+def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
+    """Give a scene for each hazard level of an archive whose histories keep the displacements of floors over time.
+
+    The record is one of those of which most was kept, and of these the one whose peak drifts are nearest to the means
+    of all records.
+
+    Args:
+        archive: open.
+        most: pictures of a scene.
+    """
+    project = archived_project(archive)
+    if project is None:
+        return
+    study = archived_study(archive) if is_study_archive(archive) else None
+    colors, of = variant_colors(archive), VariantMembers(project, study)
+    for level, variants in by_level(histories(archive)).items():
+        found = {
+            variant: dict((one.record, (one, group)) for one, group in with_results(archive, chosen, *NEEDED))
+            for variant, chosen in variants.items()
+        }
+        found = {variant: records for variant, records in found.items() if records}
+        if not found:
+            continue
+        record, counts = _record(found)
+        shown = {variant: records[record] for variant, records in found.items() if record in records}
+        first = list(shown.items())[:MOST_VARIANTS]
+        time = _pictures([group for _, (_, group) in first], most)
+        rotations = [
+            {e: r for e, r in plastic_rotations(group).items() if r > ELASTIC_ROTATION} for _, (_, group) in first
+        ]
+        tables = [_accepted(of, variant, group) for variant, (_, group) in first]
+        scale = ACCEPTANCE if all(e in t for r, t in zip(rotations, tables, strict=True) for e in r) else ROTATION
+        moving = []
+        for (variant, (history, group)), ends, table in zip(first, rotations, tables, strict=True):
+            limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
+            geometry = moving_frame(of.project(variant).frame, tuple(names_of(group, "damper")))
+            moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
+        group = first[0][1][1]
+        ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
+        label = first[0][1][0].motion
+        yield Scene(level, label, *counts, len(shown) - len(first), time, ground, scale, tuple(moving))
+
+
+NEEDED = ("floor_displacement", "ground_acceleration", "storey_height", "storey_drift_max", "storey_drift_min")
+
+
+def _yielded(group: Group) -> dict[End, float]:
+    """Ends with a plastic rotation that is more than that of outer fibres."""
+    return {end: rotation for end, rotation in plastic_rotations(group).items() if rotation > ELASTIC_ROTATION}
+
+
+def _record(found: dict[str, dict[str, tuple[History, Group]]]) -> tuple[str, tuple[int, int]]:
+    """The record that is shown, of how many, and of how many of which as much was kept."""
+    peaks: dict[str, dict[str, float]] = {}
+    kept: dict[str, int] = {}
+    for variant, records in found.items():
+        for record, (_, group) in records.items():
+            largest = peak(group, "storey_drift")
+            assert largest is not None, "it is needed"
+            peaks.setdefault(record, {})[variant] = float(np.max(largest))
+            more = sum(name in group.variables for name in ("node_displacement", "damper_force"))
+            kept[record] = kept.get(record, 0) + 1 + 100 * more
+    means = {variant: np.mean([of[variant] for of in peaks.values() if variant in of]) for variant in found}
+
+    def off(record: str) -> float:
+        return float(np.mean([abs(value / means[variant] - 1.0) for variant, value in peaks[record].items()]))
+
+    most = max(kept.values())
+    among = [record for record in peaks if kept[record] == most]
+    return min(among, key=off), (len(peaks), len(among))
+
+
+def _pictures(groups: Sequence[Group], most: int) -> np.ndarray:
+    """Times of the pictures to the end of the longest history; where motions were kept, theirs."""
+    times = [np.asarray(group.coords["time"].values, dtype=float) for group in groups]
+    longest = max(times, key=lambda time: float(time[-1]))
+    step = max(SHORTEST, float(longest[-1] - longest[0]) / (most - 1), float(longest[1] - longest[0]))
+    own = float(longest[1] - longest[0])
+    stride = max(1, int(np.ceil(step / own - 1e-9)))
+    kept = [group.coords["motion_time"].values for group in groups if "motion_time" in group.coords]
+    if kept:
+        best = max(kept, key=len)
+        return np.asarray(best[:: max(1, int(np.ceil(len(best) / most)))], dtype=float)
+    return longest[::stride]
+
+
+def _accepted(of: VariantMembers, variant: str, group: Group) -> dict[End, tuple[float, ...]]:
+    """Plastic rotations from which an end is in each class of `ACCEPTANCE` but the first, rad."""
+    compression, found = compressions(group), {}
+    for name, member in of(variant).items():
+        limits = member.limits(compression.get(name, 0.0))
+        allowed = [0.0] * 3 if limits is None else [limits.allowed(level) for level in ("IO", "LS", "CP")]
+        for end in (0, 1):
+            found[name, end] = (ELASTIC_ROTATION, *(max(ELASTIC_ROTATION, limit) for limit in allowed))
+    return found

@@ -1,0 +1,164 @@
+"""One picture of a motion, for paper and for readers without the viewer."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from edesign.report.drawing.captions import at_level, plain
+from edesign.report.drawing.style import MEAN, new_figure, styled
+from edesign.report.motion.encoding import fitting_scale
+from edesign.report.motion.geometry import Geometry, Hung, floor_shares
+from edesign.report.motion.moving import Moving
+from edesign.report.motion.scenes import Scene
+from edesign.report.response.frame_figures import COLORS, SIZES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+UNMOVED = "#c9ced6"
+MARGIN = 0.04  # of the larger side of the frame
+HEIGHT, WIDEST = 3.0, 6.6  # inches of a frame, and of all
+
+
+@styled
+def still_figure(scene: Scene) -> Figure:
+    """Draw the deformed frames at the picture with the largest drift, side by side.
+
+    Args:
+        scene: with at least one variant.
+    """
+    from matplotlib.lines import Line2D
+
+    places = np.array(list(scene.variants[0].geometry.nodes.values()))
+    wide, high = (float(size) for size in np.ptp(places, axis=0))
+    scale, margin = fitting_scale(scene), MARGIN * max(wide, high)
+    aside = scale * max(float(np.max(np.abs(one.floors[scene.peak]))) for one in scene.variants)
+    ratio = (wide + 2.0 * (aside + margin)) / (high + 2.0 * margin)
+    width = max(1.5, min(WIDEST / len(scene.variants), HEIGHT * ratio))
+    figure, axes = new_figure(1, len(scene.variants), width * len(scene.variants), width / ratio + 0.6)
+    ranks: set[int] = set()
+    for axis, one in zip(axes[0], scene.variants, strict=True):
+        ranks |= _draw(axis, one, scene.peak, scale)
+        axis.set_title(one.title or "frame", loc="left")
+        axis.set_xlim(places[:, 0].min() - aside - margin, places[:, 0].max() + aside + margin)
+        axis.set_ylim(places[:, 1].min() - margin, places[:, 1].max() + margin)
+    handles = [
+        Line2D([], [], marker="o", ls="none", ms=SIZES[i - 1], mfc=COLORS[i - 1], mec=MEAN, mew=0.5, label=name)
+        for i, name in enumerate(scene.scale.names)
+        if i in ranks
+    ]
+    if handles:
+        figure.legend(handles=handles, loc="outside lower center", ncols=2 if width * len(axes[0]) < 4.0 else 4)
+    return figure
+
+
+def node_motion(one: Moving, picture: int) -> np.ndarray:
+    """Return displacements and rotations of the nodes of a variant at a picture, (nodes, 3) m, m, rad.
+
+    Where only floors were kept, nodes move with them and do not turn.
+    """
+    if one.nodes is not None:
+        return one.nodes[picture]
+    found = np.zeros((len(one.geometry.nodes), 3))
+    floors = one.floors[picture]
+    for i, (below, share) in enumerate(floor_shares(one.geometry.levels, list(one.geometry.nodes.values()))):
+        found[i, 0] = (1.0 - share) * floors[below] + share * floors[below + 1]
+    return found
+
+
+def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: float, points: int = 17) -> np.ndarray:
+    """Return a member as a cubic through displaced ends with the slopes of its nodes, (points, 2) m.
+
+    Args:
+        geometry: of the frame.
+        member: its name.
+        motion: of the nodes, as `node_motion`.
+        scale: how many times larger it is drawn.
+        points: along the member.
+    """
+    start, end = geometry.members[member]
+    places = np.array(list(geometry.nodes.values()))
+    axis = places[end] - places[start]
+    across = np.array((-axis[1], axis[0]))
+    first, last = (places[i] + scale * motion[i, :2] for i in (start, end))
+    if member.startswith("D_"):  # a brace has hinges at its ends
+        tangents = [last - first] * 2
+    else:
+        tangents = [axis + scale * motion[i, 2] * across for i in (start, end)]
+    s = np.linspace(0.0, 1.0, points)[:, np.newaxis]
+    h = (2 * s**3 - 3 * s**2 + 1, s**3 - 2 * s**2 + s, 3 * s**2 - 2 * s**3, s**3 - s**2)
+    return np.asarray(h[0] * first + h[1] * tangents[0] + h[2] * last + h[3] * tangents[1])
+
+
+def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
+    """Draw a variant and return the classes of the hinges that show."""
+    geometry, motion = one.geometry, node_motion(one, picture)
+    places = np.array(list(geometry.nodes.values()))
+    for name, pair in geometry.members.items():
+        axis.plot(*places[list(pair)].T, color=UNMOVED, lw=0.6, ls=(0, (3, 2)), zorder=0.9)
+        axis.plot(*member_curve(geometry, name, motion, scale).T, color=one.color, lw=1.4, zorder=1.5)
+    for damper in geometry.dampers:
+        for start, end in damper.braces:
+            axis.plot(*_line(start, end, motion, scale, (0.0, 1.0)), color=MEAN, lw=0.5, zorder=1.2)
+        axis.plot(*_line(*damper.body, motion, scale, damper.span), color=MEAN, lw=2.4, zorder=1.6)
+    found: set[int] = set()
+    rotations = one.rotation[picture] if one.rotation is not None else list(one.ends.values())
+    for (member, side), rotation, limits in zip(one.ends, rotations, one.limits, strict=True):
+        rank = int(np.searchsorted(limits, rotation, side="right"))
+        if not rank:
+            continue
+        found.add(rank)
+        x, y = member_curve(geometry, member, motion, scale)[-2 if side else 1]
+        filled = COLORS[rank - 1] if one.rotation is not None else "white"
+        edge = MEAN if one.rotation is not None else COLORS[rank - 1]
+        axis.plot(x, y, marker="o", ls="none", ms=SIZES[rank - 1], mfc=filled, mec=edge, mew=0.5, zorder=3)
+    axis.set_aspect("equal")
+    axis.set_axis_off()
+    return found
+
+
+def _line(
+    start: Hung, end: Hung, motion: np.ndarray, scale: float, span: tuple[float, float]
+) -> tuple[list[float], list[float]]:
+    ends = []
+    for point in (start, end):
+        moved = (1.0 - point.share) * motion[point.nodes[0], :2] + point.share * motion[point.nodes[1], :2]
+        ends.append(np.array(point.at) + scale * moved)
+    places = [ends[0] + share * (ends[1] - ends[0]) for share in span]
+    return [float(place[0]) for place in places], [float(place[1]) for place in places]
+
+
+def motion_caption(scene: Scene) -> str:
+    """Return what a scene is of, how it is drawn, and its largest drifts, in sentences."""
+    many = ""
+    if scene.of > 1:
+        kept = f" and of the {scene.among} kept in most detail" if scene.among < scene.of else ""
+        many = f", of {scene.of} records{kept} the one nearest to the mean peak drift"
+    drifts = [
+        f"{plain(100.0 * float(max(one.drift_max[-1].max(), -one.drift_min[-1].min())))} %"
+        + f" ({one.title})" * bool(one.title)
+        for one in scene.variants
+    ]
+    sentences = [
+        f"Motion of the frame, {scene.record}{at_level(scene.level)}{many}",
+        f"The still is at {plain(float(scene.time[scene.peak]))} s, near the largest drift. Displacements are drawn "
+        f"{fitting_scale(scene)} times as large as they are",
+        f"Largest storey drift, mean over the column lines: {', '.join(drifts)}",
+    ]
+    if all(one.nodes is not None for one in scene.variants):
+        sentences.append("Members are cubics through their nodes as computed, gravity included")
+    else:
+        sentences.append(
+            "Only floors were kept over time: joints are drawn without rotation and without vertical displacement"
+        )
+    if any(one.ends and one.rotation is None for one in scene.variants):
+        sentences.append(
+            "When hinges form was not kept, as it is with histories: [motion] in the outputs. Rings mark the ends that "
+            "yield at any time, by their largest rotation"
+        )
+    if scene.left_out:
+        sentences.append(f"Variants not shown: {scene.left_out}")
+    return "".join(f"{sentence}. " for sentence in sentences).strip()

@@ -1,0 +1,50 @@
+"""The motion of the frame over time, for a record of each hazard level."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from edesign.archive.reader import Archive
+from edesign.report.drawing.captions import file_name
+from edesign.report.page.section import Heading, Part, Section, Viewer
+from edesign.report.page.source import Source
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from edesign.report.motion.scenes import Scene
+
+LARGEST = 400_000  # characters of a viewer's data, beyond which it has every second picture only, every third, ...
+
+
+def motion(source: Source) -> Section:
+    """A viewer of the deformed frame for one record of each level, of histories whose floors were kept over time."""
+    found: dict[str, Scene] = {}
+
+    def motion_of_the_frame(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
+        from edesign.report.motion.scenes import scenes
+        from edesign.report.motion.still import motion_caption, still_figure
+
+        for scene in scenes(archive):
+            name = file_name("motion", scene.level)
+            found[f"figure-{name}"] = scene
+            yield name, motion_caption(scene), still_figure(scene)
+
+    parts: list[Part] = []
+    for picture in source.pictures(motion_of_the_frame):
+        scene = found[picture.name]
+        parts += [Heading(scene.level or "All levels")] if len(found) > 1 else []
+        parts.append(Viewer(picture, _text(scene)))
+    return Section("motion", "Motion of the frame", (), tuple(parts))
+
+
+def _text(scene: Scene) -> str:
+    """The data of a scene, with as many pictures as may be."""
+    from edesign.report.motion.encoding import scene_text
+
+    text, every = scene_text(scene), 1
+    while len(text) > LARGEST and every < len(scene.time) // 2:
+        every += 1
+        text = scene_text(scene.thinned(every))
+    return text

@@ -1,0 +1,160 @@
+"""The viewer of the report in a browser: what it shows is what the archive holds."""
+
+from __future__ import annotations
+
+import html
+import json
+import re
+import subprocess
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+import pytest
+from cases.test_report_page import browser
+from report_project import write_report_project
+
+from edesign.archive.reader import open_archive
+from edesign.project import load_project
+from edesign.report.motion.encoding import STEPS
+from edesign.report.page.render import Cover, render
+from edesign.report.page.sections.motion import motion
+from edesign.report.page.source import Source
+from edesign.study.run.run import run_project
+
+PICTURES = (*range(0, 160, 8), 10_000)  # the last is beyond the end
+DRIVER = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {width}px; height: 900px; border: 0">
+</iframe><script>onload = async () => {{
+  const page = document.querySelector('iframe').contentWindow, all = (e, words) => [...e.querySelectorAll(words)];
+  const viewers = () => all(page.document, '.viewer.on');
+  for (let i = 0; i < 100 && viewers().length < all(page.document, '.viewer').length; i++)
+    await new Promise(done => setTimeout(done, 20));
+  const shown = e => all(e, 'circle[data-end]').filter(c => c.style.display !== 'none').map(c => c.dataset.end);
+  const state = root => ({{ ...root.dataset, frames: all(root, '.moving').map(e => ({{ ...e.dataset, shown: shown(e),
+    forces: all(e, '[data-damper]').map(d => [d.dataset.damper, +d.dataset.force]) }})),
+    loop: {{ ...(root.querySelector('circle[data-x]') || {{ dataset: {{}} }}).dataset }} }});
+  const press = (root, key) => root.querySelector('.live input').dispatchEvent(
+    new page.KeyboardEvent('keydown', {{ key, bubbles: true, cancelable: true }}));
+  const found = viewers().map(root => {{
+    const slider = root.querySelector('input'), button = root.querySelector('button'), seen = [state(root)];
+    for (const k of {pictures}) {{
+      slider.value = k;
+      slider.dispatchEvent(new page.Event('input'));
+      seen.push(state(root));
+    }}
+    const keys = [];
+    for (const key of ['Home', 'ArrowRight', 'ArrowRight', 'ArrowLeft', 'End'])
+      {{ press(root, key); keys.push(+root.dataset.picture); }}
+    press(root, 'Home'); press(root, ' ');
+    const playing = button.textContent;
+    press(root, ' ');
+    const wide = all(root, 'figure, svg, .controls').filter(e => e.getBoundingClientRect().right > page.innerWidth + 1);
+    return {{ seen, keys, playing, paused: button.textContent, wide: wide.length,
+      still: root.querySelector('.picture .scroll').getBoundingClientRect().height }};
+  }});
+  document.documentElement.dataset.found = JSON.stringify({{ found, viewers: all(page.document, '.viewer').length,
+    requests: page.performance.getEntriesByType('resource').length }});
+}};</script></body></html>"""
+
+
+@pytest.fixture(scope="module")
+def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The archive of the small project with its motion, and beside it a page with this section alone."""
+    folder = tmp_path_factory.mktemp("motion")
+    path = write_report_project(folder)
+    text = path.read_text(encoding="utf-8").replace("energy, dampers]", "energy, dampers, motion]")
+    path.write_text(text, encoding="utf-8")
+    archive = run_project(load_project(path), folder / "office.h5").archive
+    with open_archive(archive) as opened:
+        section = motion(Source(opened))
+    Path(archive).with_suffix(".html").write_text(render(Cover("Motion", "", ""), [section]), encoding="utf-8")
+    return Path(archive)
+
+
+def _driven(page: Path, folder: Path, width: int) -> dict[str, Any]:
+    """What a reader sees who moves the slider and presses keys."""
+    program = browser()
+    if program is None:
+        pytest.skip("no chromium here")
+    (folder / "page.html").write_text(page.read_text(encoding="utf-8"), encoding="utf-8")
+    driver = folder / "driver.html"
+    driver.write_text(DRIVER.format(width=width, pictures=list(PICTURES)), encoding="utf-8")
+    options = ["--headless=new", "--no-sandbox", "--disable-gpu", f"--user-data-dir={folder / 'profile'}"]
+    options += ["--allow-file-access-from-files", "--window-size=1400,900", "--enable-logging=stderr", "--v=0"]
+    words = [program, *options, "--virtual-time-budget=4000", "--dump-dom", driver.as_uri()]
+    done = subprocess.run(words, capture_output=True, text=True, check=False, timeout=60)
+    assert "CONSOLE" not in done.stderr, done.stderr
+    found = re.search(r'data-found="([^"]*)"', done.stdout)
+    assert found is not None
+    return dict(json.loads(html.unescape(found[1])))
+
+
+@pytest.mark.parametrize("width", [pytest.param(360, marks=pytest.mark.slow), 1280])
+def test_viewer_shows_what_the_archive_holds(made: Path, tmp_path: Path, width: int) -> None:
+    driven = _driven(made.with_suffix(".html"), tmp_path, width)
+    assert driven["requests"] == 0 and driven["viewers"] == len(driven["found"]) == 2  # DBE and MCE
+    dbe = driven["found"][0]
+    assert [frame["analysis"] for frame in dbe["seen"][0]["frames"]] == ["bare.DBE", "damped.DBE"]
+    with h5py.File(made) as archive:
+        for viewer in driven["found"]:
+            for state in viewer["seen"]:
+                _compare(state, archive)
+    for viewer in driven["found"]:
+        last = int(viewer["seen"][-1]["picture"])
+        assert [int(state["picture"]) for state in viewer["seen"][1:-1]] == list(PICTURES[:-1])
+        assert viewer["keys"] == [0, 1, 2, 1, last] and (viewer["playing"], viewer["paused"]) == ("Pause", "Play")
+        assert viewer["wide"] == 0 and viewer["still"] == 0  # the still is for paper, and without the program
+
+
+def _compare(state: dict[str, Any], archive: h5py.File) -> None:
+    """One picture against the samples of the archive, within the rounding of the viewer's numbers."""
+    picture = int(state["picture"])
+    for frame in state["frames"]:
+        group = archive["analyses"][frame["analysis"]]
+        time, pictures = group["time"][:], group["motion_time"][:]
+        # steps have six decimals
+        assert float(state["time"]) == pytest.approx(pictures[picture], abs=1e-6 * (picture + 1))
+        k = int(np.argmin(np.abs(time - pictures[picture])))
+        at_end = picture == len(pictures) - 1
+
+        def near(found: object, values: np.ndarray, expected: float) -> None:
+            # half a step, and the rounding of the step to six digits
+            assert float(str(found)) == pytest.approx(expected, abs=float(np.abs(values).max()) * (0.5 / STEPS + 1e-6))
+
+        near(frame["roof"], group["floor_displacement"][:], group["floor_displacement"][k, -1])
+        drifts = group["storey_drift"][k]
+        near(frame["drift"], group["storey_drift"][:], drifts[int(frame["storey"]) - 1])
+        near(abs(float(frame["drift"])), group["storey_drift"][:], float(np.abs(drifts).max()))
+        for name, force in frame["forces"]:
+            i = [damper.decode() for damper in group["damper"][:]].index(name)
+            near(force, group["damper_force"][:], group["damper_force"][k, i])
+        yielded, doubtful = set(), set()
+        for kind in ("column", "beam"):
+            rotation = np.maximum.accumulate(np.abs(group[f"{kind}_plastic_rotation"][: picture + 1]))[-1]
+            if at_end:
+                extremes = [np.abs(group[f"{kind}_plastic_rotation_{which}"][:]) for which in ("max", "min")]
+                rotation = np.maximum(*extremes)
+            for name, ends in zip(group[kind][:], rotation, strict=True):
+                for end, value in zip(("start", "end"), ends, strict=True):
+                    label = f"{name.decode()} {end}"
+                    if abs(value - 1e-3) < 2e-5:  # so near the limit, 1 mrad, rounding decides
+                        doubtful.add(label)
+                    elif value > 1e-3:
+                        yielded.add(label)
+        assert set(frame["shown"]) - doubtful == yielded
+        assert int(frame["hinges"]) == len(frame["shown"])
+
+
+def test_some_ends_yield_in_time(made: Path) -> None:
+    """Else the comparison of hinges would be one of nothing with nothing."""
+    with h5py.File(made) as archive:
+        rotation = np.abs(archive["analyses/bare.MCE/beam_plastic_rotation"][:]).max(axis=(1, 2))
+    assert rotation[0] < 1e-3 < rotation[-1]
+
+
+def test_page_without_the_program_has_the_stills(made: Path) -> None:
+    text = made.with_suffix(".html").read_text(encoding="utf-8")
+    assert text.count('<div class="still">') == text.count('<script type="application/json">') == 2
+    for data in re.findall(r'<script type="application/json">(.*?)</script>', text, re.DOTALL):
+        assert len(data) <= 400_000 and json.loads(data)["n"] > 50
