@@ -179,7 +179,7 @@ def test_a_temperature_is_that_of_the_dampers(tmp_path):
     described = read_law_file(law_file(tmp_path, text + effect))
     warm = resolve(*described, 35.0)
     assert warm.values["k0"] == pytest.approx(0.82 * MGMM["k0"])  # Table 4.4, and the effect on top of it
-    assert "Table 4.4" in warm.warnings[0]
+    assert "published factor gamma_T" in warm.warnings[0]
     assert warm.for_core.amendments[0].values == pytest.approx((np.exp(-0.3),))
     assert resolve(*described, None).for_core.amendments[0].values == (1.0,)
     both = law_file(tmp_path, text + effect + "temperature_law: {gamma_T: {20 degC: 1, 35 degC: 0.8}}\n")

@@ -573,7 +573,7 @@ def test_a_compensator_without_margin_is_not_recommended() -> None:
 
 def shown(advice: Advice) -> str:
     stream = io.StringIO()
-    print_tables(advice_tables(advice), stream)
+    print_tables(advice_tables(advice), stream, widest=80)
     return stream.getvalue()
 
 

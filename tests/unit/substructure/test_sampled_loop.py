@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from linear_specimens import linear_specimen
 from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
@@ -17,7 +18,6 @@ from edesign.substructure.advice.sampled_rig import sampled_rig
 from edesign.substructure.advice.stability_map import governing_map
 from edesign.substructure.compensation.compensators import none
 from edesign.substructure.stability.sampled import SampledLoop, SampledPlant, SampledStability
-from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.structure.numerical import LinearPart
 from edesign.substructure.structure.recursion import METHODS, unchecked_recursion
 from edesign.substructure.virtual_tests import VirtualLaboratory

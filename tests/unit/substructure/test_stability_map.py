@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from linear_specimens import linear_specimen
 from unit.substructure.delayed_oscillator import critical_delay
 
 from edesign.cli.main import main
@@ -16,7 +17,6 @@ from edesign.report.substructure.map_figures import map_figure
 from edesign.substructure.advice.expectation import LinearModel
 from edesign.substructure.advice.stability_map import RANGE, StabilityMap, governing_map
 from edesign.substructure.stability.loop import Loop, pure_delay
-from edesign.substructure.stability.specimens import linear_specimen
 from edesign.substructure.stability.stable_delays import stable_delays
 from edesign.substructure.stability.sweep import sweep
 from edesign.substructure.stability.whole import WholeStructure
