@@ -36,11 +36,11 @@ def of_tests(folder: Path) -> Drawn:
     """A test, and the properties of all."""
     from edesign.damper.campaign import load_campaign
     from edesign.damper.property_table import read_property_table
-    from edesign.report.damper.test_figures import properties_figure, test_figure
+    from edesign.report.damper.measured_figures import measured_figure, properties_figure
 
     campaign = load_campaign(folder / "tests" / "campaign.yaml")
     third = campaign.tests[2]
-    yield "loop", f"Displacement, force and loop of {third.title}", test_figure(third, campaign.specimen)
+    yield "loop", f"Displacement, force and loop of {third.title}", measured_figure(third, campaign.specimen)
     table = read_property_table(folder / "properties.csv")
     yield "properties", "Properties over frequency", properties_figure(table, 20.0)
 

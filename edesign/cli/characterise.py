@@ -50,8 +50,8 @@ def characterise(
     from edesign.archive.files import check_csv_name, check_file, check_folder
     from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
     from edesign.damper.property_table import from_properties, usable, write_property_table
-    from edesign.report.damper.test_figures import draw_tests
-    from edesign.report.damper.test_tables import cycles_table, properties_data, properties_table
+    from edesign.report.damper.measured_figures import draw_tests
+    from edesign.report.damper.measured_tables import cycles_table, properties_data, properties_table
     from edesign.report.drawing.style import check_format
     from edesign.report.tables.text import print_tables
 

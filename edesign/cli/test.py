@@ -33,8 +33,8 @@ def test(
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
     from edesign.project.reading.file_bytes import is_there
-    from edesign.report.damper.test_figures import draw_tests
-    from edesign.report.damper.test_tables import properties_table
+    from edesign.report.damper.measured_figures import draw_tests
+    from edesign.report.damper.measured_tables import properties_table
     from edesign.report.drawing.style import check_format
     from edesign.report.tables.text import print_tables
 

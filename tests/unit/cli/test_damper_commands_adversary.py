@@ -147,7 +147,7 @@ def test_devices_that_store_or_dissipate_nothing(folder: Path, capsys: pytest.Ca
 
 def test_an_infinite_loss_factor_is_null_in_json() -> None:
     from edesign.damper.properties import Properties
-    from edesign.report.damper.test_tables import properties_data
+    from edesign.report.damper.measured_tables import properties_data
 
     row = Properties(0.1, 1.0, 20.0, 0.0, 1e6, 1e6, float("inf"), (5, 15))
     data = json.loads(json.dumps(properties_data({"a": row}, {}), allow_nan=False))

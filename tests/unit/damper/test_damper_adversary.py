@@ -21,7 +21,7 @@ from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaT, at
 from edesign.errors import InputError
 from edesign.report.damper.fit_figures import fit_figure
-from edesign.report.damper.test_figures import test_figure as draw_test
+from edesign.report.damper.measured_figures import measured_figure as draw_test
 from edesign.stopping import in_threads
 
 MGMM = LAWS["mgmm"]

@@ -16,7 +16,7 @@ from edesign.archive.reader import Archive, open_archive
 from edesign.damper.property_table import PropertyTable
 from edesign.report import archive_figures
 from edesign.report.archive_figures import all_figures, draw_figures
-from edesign.report.damper.test_figures import properties_figure
+from edesign.report.damper.measured_figures import properties_figure
 from edesign.report.drawing.captions import LONGEST, UniqueNames, file_name
 from edesign.report.drawing.style import new_figure, styled, svg_text
 from edesign.report.page.document import page_text

@@ -46,7 +46,7 @@ def draw_tests(
     unique = UniqueNames()
     for test in campaign.tests:
         written.append(folder / f"{unique(file_name(test.name.replace('/', '_')))}.{figure_format}")
-        save(test_figure(test, campaign.specimen), written[-1])
+        save(measured_figure(test, campaign.specimen), written[-1])
     if table is not None:
         for celsius in table.levels[0]:
             written.append(folder / f"properties_{celsius:.3g}C.{figure_format}")
@@ -55,7 +55,7 @@ def draw_tests(
 
 
 @styled
-def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
+def measured_figure(test: DamperTest, specimen: Specimen) -> Figure:
     """Draw displacement and force over time, and the loops of stress and strain, as Figs. 3.7 and 4.2 of the thesis.
 
     The last full cycle of the longest block of one amplitude is drawn heavier; not of fewer than three, which agree by
@@ -92,9 +92,6 @@ def test_figure(test: DamperTest, specimen: Specimen) -> Figure:
     align_ordinates(row[0] for row in axes)
     figure.suptitle(f"{test.label}, {test.temperature_C:g} °C", fontsize=9.0, x=0.01, ha="left")
     return figure
-
-
-test_figure.__test__ = False  # type: ignore[attr-defined]  # no test of pytest
 
 
 @styled
