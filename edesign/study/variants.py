@@ -77,11 +77,17 @@ def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
 def _unsized(base: Project, design: Design) -> Dampers:
     """The laws of a design at its temperature, of dampers that stand nowhere."""
     names = laws_of_design(design)
-    for name in names:
-        base = with_temperature(base, name, design.temperature)
-    assert base.dampers is not None, "check_design wants the law"
+    laws = dampers_at_temperature(base, design).laws
     devices = tuple(DamperBetween(kind="nodes", law=name, nodes=("", "")) for name in names)
-    return Dampers.model_construct(laws={name: base.dampers.laws[name] for name in names}, devices=devices)
+    return Dampers.model_construct(laws={name: laws[name] for name in names}, devices=devices)
+
+
+def dampers_at_temperature(project: Project, design: Design) -> Dampers:
+    """Return the dampers of a project with the laws of a design at the temperature of the design."""
+    for law in laws_of_design(design):
+        project = with_temperature(project, law, design.temperature)
+    assert project.dampers is not None, "check_design wants the law"
+    return project.dampers
 
 
 def laws_of_design(design: Design) -> tuple[str, ...]:

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 from functools import cached_property
 
-from pydantic import TypeAdapter
-
 from edesign.archive.reader import Archive
 from edesign.building.frame_model import FrameModel
-from edesign.project.dampers.dampers import Dampers, Device
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.project import Project
-from edesign.project.reading.yaml_nodes import parse
 from edesign.project.study.study import Study
+from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.study.analysis.structure import make_frame
-from edesign.study.design.building import with_temperature
-from edesign.study.results.kinds import DESIGNS
-from edesign.study.variants import laws_of_design, variant_project
+from edesign.study.variants import variant_project
 
 
 class VariantFrames:
@@ -62,16 +58,4 @@ class VariantFrames:
     def _designed(self) -> dict[str, Dampers]:
         """The dampers of each design that was completed."""
         assert self._study is not None
-        found = {}
-        for name in self._archive.names(DESIGNS):
-            about = self._archive.group_attributes(f"{DESIGNS}/{name}")
-            if about.get("status") != "completed" or "devices" not in about or name not in self._study.designs:
-                continue
-            spec, project = self._study.designs[name], self._project
-            for law in laws_of_design(spec):
-                project = with_temperature(project, law, spec.temperature)
-            assert project.dampers is not None, "check_design wants the law"
-            plain = parse(str(about["devices"]))[0].plain()
-            devices = TypeAdapter(tuple[Device, ...]).validate_python(plain["devices"])
-            found[name] = project.dampers.model_copy(update={"devices": devices})
-        return found
+        return archived_dampers(self._archive, self._study)

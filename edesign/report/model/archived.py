@@ -8,9 +8,9 @@ from edesign.archive.reader import Archive
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_project, archived_study, is_building_archive, is_substructure_archive
+from edesign.report.inputs.designed_dampers import archived_dampers
 from edesign.report.model.figures import Named, project_figures
-from edesign.report.model.study import designed_dampers, study_figures
-from edesign.study.results.kinds import DESIGNS
+from edesign.report.model.study import study_figures
 
 
 def model_figures(archive: Archive) -> Iterator[Named]:
@@ -32,6 +32,4 @@ def model_drawings(archive: Archive, project: Project, study: Study | None) -> I
     if study is None:
         yield from project_figures(project)
         return
-    places = {name: f"{DESIGNS}/{name}" for name in study.designs}
-    groups = {name: archive.group(place) for name, place in places.items() if archive.has(place)}
-    yield from study_figures(study, designed_dampers(study, groups))
+    yield from study_figures(study, archived_dampers(archive, study))

@@ -5,8 +5,7 @@ from __future__ import annotations
 from edesign.project.dampers.dampers import DamperRun, Dampers
 from edesign.project.dampers.designs import Design
 from edesign.project.project import Project
-from edesign.study.design.building import with_temperature
-from edesign.study.variants import laws_of_design
+from edesign.study.variants import dampers_at_temperature, laws_of_design
 
 
 def planned_dampers(project: Project, design: Design) -> Dampers:
@@ -16,17 +15,9 @@ def planned_dampers(project: Project, design: Design) -> Dampers:
         project: with the laws.
         design: of the study.
     """
-    dampers = at_temperature(project, design)
+    dampers = dampers_at_temperature(project, design)
     runs = [
         DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law=law)
         for law in laws_of_design(design)
     ]
     return dampers.model_copy(update={"devices": tuple(runs)})
-
-
-def at_temperature(project: Project, design: Design) -> Dampers:
-    """Return the dampers of a project with the laws of a design at its temperature."""
-    for law in laws_of_design(design):
-        project = with_temperature(project, law, design.temperature)
-    assert project.dampers is not None, "a design has the law of its dampers there"
-    return project.dampers

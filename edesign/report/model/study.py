@@ -6,16 +6,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from pydantic import TypeAdapter, ValidationError
-
-from edesign.archive.dataset import Group
-from edesign.project.dampers.dampers import Dampers, Device
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.project import Project
-from edesign.project.reading.yaml_nodes import parse
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.figures import Named, dampers_figure, geometry, has_dampers, has_loads, loads_and_masses
-from edesign.report.model.planned import at_temperature, planned_dampers
+from edesign.report.model.planned import planned_dampers
 from edesign.study.variants import variant_project
 
 if TYPE_CHECKING:
@@ -147,24 +143,3 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
     frames = one.frame, other.frame
     same = all(getattr(frames[0], key) == getattr(frames[1], key) for key in type(one.frame).model_fields)
     return same and all(getattr(one, part) == getattr(other, part) for part in parts)
-
-
-def designed_dampers(study: Study, groups: Mapping[str, Group]) -> dict[str, Dampers]:
-    """Return the dampers that designs have found, by name of the design; those that failed have none.
-
-    Args:
-        study: with the laws.
-        groups: of designs in an archive, by their names.
-    """
-    found: dict[str, Dampers] = {}
-    adapter: TypeAdapter[tuple[Device, ...]] = TypeAdapter(tuple[Device, ...])
-    for name, group in groups.items():
-        text = group.attributes.get("devices")
-        if text is None or name not in study.designs:
-            continue
-        try:
-            devices = adapter.validate_python(parse(str(text))[0].plain()["devices"])
-        except (ValidationError, KeyError, TypeError):  # of another version
-            continue
-        found[name] = at_temperature(study.base, study.designs[name]).model_copy(update={"devices": devices})
-    return found

@@ -15,17 +15,17 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.path import Path as Outline
 from matplotlib.text import Text
 
-from edesign.archive.dataset import Group
 from edesign.building.building_file import load_building
 from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.file_kinds import BUILDING, PROJECT, STUDY, kind_of
 from edesign.project.reading.file_model import FileModel
+from edesign.report.inputs.designed_dampers import designed_dampers
 from edesign.report.model.boxes import Boxes, Spot, corners_of
 from edesign.report.model.drawings import drawings_of
 from edesign.report.model.loads import loads_of
 from edesign.report.model.sheet import Sheet, on_sheet
-from edesign.report.model.study import designed_dampers, study_figures
+from edesign.report.model.study import study_figures
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("projects/*/*.yaml"), *ROOT.glob("tests/cases/*/*.yaml")])
@@ -137,8 +137,13 @@ def test_variants_of_a_study_show_what_each_adds(tmp_path: Path) -> None:
     assert any("sizes by the design thesis" in text for text in before["model_damped"][1])
     areas = [f"{0.1 * (11 - storey):g} m^2" for storey in range(1, 11)]
     device = {"kind": "chevron", "bays": [1, 3], "storeys": "all", "law": "elastomer", "layers": 2, "layer_area": areas}
-    group = Group(attributes={"devices": yaml.safe_dump({"devices": [{**device, "layer_thickness": "70 mm"}]})})
-    designed = designed_dampers(study, {"thesis": group})
+    attributes = {
+        "status": "completed",
+        "devices": yaml.safe_dump({"devices": [{**device, "layer_thickness": "70 mm"}]}),
+    }
+    assert not designed_dampers(study, {"thesis": {**attributes, "status": "failed"}})  # no variant has its last sizes
+    assert not designed_dampers(study, {"thesis": {**attributes, "devices": "devices: [{kind: unknown}]"}})
+    designed = designed_dampers(study, {"thesis": attributes})
     after = {name: texts(figure) for name, _, figure in study_figures(study, designed)}["model_damped"]
     assert "2 layers of 0.1 m² × 70 mm" in after and "2 layers of 1 m² × 70 mm" in after
     assert any("at 20 °C" in text for text in after)  # the temperature of the design
