@@ -11,7 +11,7 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archive_tables import details, overview
 from edesign.report.export.export_table import ExportTable, as_one, export_table
-from edesign.report.export.names import numbered, table_names
+from edesign.report.export.names import table_names, unique_names
 from edesign.report.export.value_tables import value_tables
 from edesign.report.page.document import page_of
 from edesign.report.page.render import Page
@@ -42,7 +42,7 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
         if table.rows and _content(table) not in have:
             found.append((table.title, table))
     tables = [*named_tables(found), *value_tables(archive)]
-    names = numbered([table.name for table in tables])
+    names = unique_names([table.name for table in tables])
     return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
 
 

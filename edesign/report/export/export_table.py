@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from edesign.report.export.names import unique_names
 from edesign.report.tables.table import NumberText, Table
 
 Value = str | float | int | bool | None
@@ -85,7 +86,7 @@ def export_table(name: str, table: Table, title: str = "") -> ExportTable:
     width = len(table.rows[0])
     headers = list(table.columns) or [_FIRST, "value", *(f"value {i}" for i in range(2, width))][:width]
     parts = [_name_and_unit(header) for header in headers]
-    names = unique_names([part or _FIRST for part, _ in parts])
+    names = unique_names([part or _FIRST for part, _ in parts], " ")
     columns = []
     for i, (_, unit) in enumerate(parts):
         cells = [row[i] for row in table.rows]
@@ -117,20 +118,6 @@ def as_one(common: str, tables: Sequence[tuple[str, Table]]) -> Table:
     notes = dict.fromkeys(note for _, table in tables for note in table.notes)
     made.notes = list(notes)
     return made
-
-
-def unique_names(names: Sequence[str]) -> list[str]:
-    """Return names with ` 2`, ` 3` after those that an earlier one has, in any case of letters."""
-    found: list[str] = []
-    have: set[str] = set()
-    for name in names:
-        made, count = name, 1
-        while made.casefold() in have:
-            count += 1
-            made = f"{name} {count}"
-        have.add(made.casefold())
-        found.append(made)
-    return found
 
 
 def _name_and_unit(header: str) -> tuple[str, str]:

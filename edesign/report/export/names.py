@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 LONGEST = 48  # letters of a name that is made of a title
 LONGEST_FILE = 200  # of one that is made of names of the archive; names of files may have 255
@@ -31,19 +31,29 @@ def table_names(titles: Sequence[str]) -> list[str]:
     for shorten in (lambda title: title.partition(" (")[0], lambda title: title):
         counts = Counter(found)
         found = [slug(shorten(t)) if counts[name] > 1 else name for t, name in zip(titles, found, strict=True)]
-    return numbered(found)
+    return unique_names(found)
 
 
-def numbered(names: Sequence[str]) -> list[str]:
-    """Return names with `_2`, `_3` behind those that an earlier one has."""
-    have: set[str] = set()
+def unique_names(
+    names: Sequence[str], between: str = "_", taken: Iterable[str] = (), longest: int | None = None
+) -> list[str]:
+    """Return names of which no two are the same in any case of letters; the second of equal ones gets 2, and so on.
+
+    Args:
+        names: as wanted.
+        between: the name and its number.
+        taken: names that none may have.
+        longest: letters of a name with its number; longer ones are cut. None: as long as they are.
+    """
+    have = {name.casefold() for name in taken}
     found = []
     for name in names:
-        made, count = name, 1
-        while made in have:
+        made, count = name[:longest], 1
+        while made.casefold() in have:
             count += 1
-            made = f"{name}_{count}"
-        have.add(made)
+            end = f"{between}{count}"
+            made = f"{name if longest is None else name[: longest - len(end)]}{end}"
+        have.add(made.casefold())
         found.append(made)
     return found
 

@@ -14,8 +14,8 @@ from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
-from edesign.report.export.export_table import ExportColumn, ExportTable, Value, unique_names
-from edesign.report.export.names import LONGEST_FILE, numbered, slug
+from edesign.report.export.export_table import ExportColumn, ExportTable, Value
+from edesign.report.export.names import LONGEST_FILE, slug, unique_names
 from edesign.study.results.kinds import ANALYSES
 
 ALONG_TIME = ("time", "matched_time", "step", "sample")
@@ -83,7 +83,7 @@ def history_tables(archive: Archive, patterns: Sequence[str]) -> list[ExportTabl
             tables.append(
                 ExportTable(slug(name, LONGEST_FILE), f"{place}: along {abscissa}, SI", tuple(_wide(group, abscissa)))
             )
-    names = numbered([table.name for table in tables])
+    names = unique_names([table.name for table in tables])
     return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
 
 
@@ -113,7 +113,7 @@ def _stacked(
             if variable.dims == dims:
                 variables.setdefault(name, variable)
     heads = [*(["name"] if several else []), *(LABELS if labelled else ()), *dims]
-    names = unique_names([*heads, *variables])
+    names = unique_names([*heads, *variables], " ")
     if several:
         values = [place.rpartition("/")[2] for place, _ in groups]
         yield ExportColumn("name", "", _repeated(values, counts))
@@ -156,7 +156,7 @@ def _wide(group: Group, along: str) -> Iterator[ExportColumn]:
         for i, cell in enumerate(product(*labels)):
             header = " ".join([name, *map(str, cell)])
             found.append(ExportColumn(header, variable.unit, _column(values[:, i]), (), variable.long_name))
-    names = unique_names([column.name for column in found])
+    names = unique_names([column.name for column in found], " ")
     for name, column in zip(names, found, strict=True):
         yield ExportColumn(name, column.unit, column.values, (), column.long_name)
 

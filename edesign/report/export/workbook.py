@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
 from edesign.report.export.export_table import ExportColumn, ExportTable
+from edesign.report.export.names import unique_names
 from edesign.report.tables.visible import visible
 
 if TYPE_CHECKING:
@@ -67,17 +68,8 @@ def write_workbook(tables: Sequence[ExportTable], facts: Mapping[str, str], path
 
 def sheet_names(names: Sequence[str]) -> list[str]:
     """Return names of sheets: of at most 31 letters, no two the same in any case of letters, none of our own sheets."""
-    have = {CONTENTS, PROVENANCE, "history"}  # Excel keeps the last for itself
-    found = []
-    for name in names:
-        made, count = name[:_SHEET], 1
-        while made.casefold() in have:
-            count += 1
-            end = f"_{count}"
-            made = f"{name[: _SHEET - len(end)]}{end}"
-        have.add(made.casefold())
-        found.append(made)
-    return found
+    history = "history"  # a name that Excel keeps for itself
+    return unique_names(names, taken=(CONTENTS, PROVENANCE, history), longest=_SHEET)
 
 
 def number_format(text: str) -> str:
