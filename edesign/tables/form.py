@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from edesign.errors import InputError
 from edesign.project.notation.table_format import Decimal, Delimiter, Encoding, TableFormat
-from edesign.tables.text import TableText, is_number, like_number
+from edesign.tables.text import TableText, like_number
 
 SIGNS: dict[Delimiter, str | None] = {"comma": ",", "semicolon": ";", "tab": "\t", "blanks": None}
 """Signs between the columns; None: any number of blanks and tabs."""
@@ -185,8 +185,3 @@ def decimal_of(
             "before decimals; if they part thousands, export the table without them"
         )
     return "comma"
-
-
-def all_numbers(row: Sequence[str]) -> bool:
-    """Return whether all cells are numbers with points."""
-    return all(map(is_number, row))

@@ -50,8 +50,3 @@ _ANY_UNIT = r"[A-Za-zµμ°%0-9 ·⋅*/^()²³⁴._+-]{1,60}"
 def unit_pattern(kind: Kind) -> str:
     """Return the expression that the unit of a quantity matches; of rare quantities any unit does."""
     return _PATTERNS.get(kind.unit, _ANY_UNIT)
-
-
-def known_units() -> frozenset[str]:
-    """Return the SI units whose quantities have an expression of their own."""
-    return frozenset(_PATTERNS)

@@ -14,7 +14,7 @@ from edesign.project.notation import units
 from edesign.project.notation.positions import Place
 from edesign.project.notation.selections import Lines, Numbers, NumbersOrNone
 from edesign.project.notation.temperature import Temperature
-from edesign.project.notation.unit_patterns import known_units
+from edesign.project.notation.unit_patterns import _PATTERNS
 from edesign.project.notation.units import Kind, parse_quantity, written
 from edesign.project.notation.written import quantity
 from edesign.project.substructure.quantities import DASHPOT, TIME_CUBED, TIME_SQUARED, VELOCITY_PER_FORCE
@@ -29,7 +29,7 @@ UNITS = """
 """.split()
 
 
-@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind.unit in known_units()], ids=lambda kind: kind.name)
+@pytest.mark.parametrize("kind", [kind for kind in KINDS if kind.unit in _PATTERNS], ids=lambda kind: kind.name)
 def test_units_are_taken_as_they_are_read(kind: Kind) -> None:
     pattern = re.compile(quantity(kind)(dict)["pattern"])
     taken = [unit for unit in UNITS if pattern.search(f"3 {unit}")]
