@@ -66,7 +66,9 @@ def test_what_a_case_is_about_is_among_its_assumptions(case: str, topic: str, wo
 
 def test_every_sentence_is_one() -> None:
     for path in sorted(CASES.glob("*/project.yaml")):
-        for topic, text in assumption_rows(load_project(path)):
+        rows = assumption_rows(load_project(path))
+        assert rows, path.parent.name
+        for topic, text in rows:
             assert text.endswith(".") and "  " not in text, (path.parent.name, topic)
 
 

@@ -84,6 +84,7 @@ def test_means_have_the_difference_beside_their_variant() -> None:
 @pytest.mark.parametrize("width", range(44, 90, 3))
 def test_no_cut_parts_a_difference_from_its_variant(width: int) -> None:
     (table,) = means_tables(history_sets(HISTORIES))
+    assert DIFFERENCE in table.columns
     for cut in fitted(table, width):
         columns = list(cut.columns)
         for at, header in enumerate(columns):

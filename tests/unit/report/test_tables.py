@@ -46,7 +46,7 @@ WIDE = Table(
 
 
 def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
-    assert folded(WIDE, 200) == [WIDE] or [part.rows for part in folded(WIDE, 200)] == [WIDE.rows]
+    assert folded(WIDE, 200) == [WIDE]
     parts = folded(WIDE, 34)
     assert [list(part.columns) for part in parts] == [["analysis", "roof u [m]"], ["analysis", "base shear [kN]"]] + [
         ["analysis", "status"]
