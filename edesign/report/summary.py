@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import os
 from collections.abc import Mapping
 from typing import Any
@@ -14,6 +13,7 @@ from edesign.assess.sets import DAMAGED, NOT_RUN
 from edesign.errors import EdesignError, InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archived import is_building_archive, is_study_archive, is_substructure_archive
+from edesign.report.tables.table import finite
 from edesign.study.check.warnings import ATTRIBUTE, warnings_of
 from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
 from edesign.study.results.records import failed_criteria
@@ -174,14 +174,3 @@ def statistics(group: Group) -> dict[str, Any]:
     given = group.attributes.get("statistics")
     found = given if isinstance(given, Mapping) else {}
     return dict(finite({key: found.get(key) for key in STATISTICS} | dict(found)))
-
-
-def finite(value: Any) -> Any:
-    """Return `value` with None in place of every number that is not finite, which JSON cannot hold."""
-    if isinstance(value, Mapping):
-        return {key: finite(item) for key, item in value.items()}
-    if isinstance(value, (list, tuple)):
-        return [finite(item) for item in value]
-    if isinstance(value, float) and not math.isfinite(value):
-        return None
-    return value

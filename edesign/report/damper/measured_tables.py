@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
 from edesign.damper.properties import CycleProperties, Properties
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.tables.table import Table, finite, formatted, number, whole
 
 _COLUMNS = ("strain [%]", "f [Hz]", "G' [MPa]", "G_eq [MPa]", "G'' [MPa]", "n [-]")
 
@@ -41,19 +40,10 @@ def cycles_table(title: str, each: CycleProperties) -> Table:
 
 def properties_data(found: Mapping[str, Properties], cycles: Mapping[str, CycleProperties]) -> dict[str, Any]:
     """Return properties and those of each cycle as JSON data, SI units."""
-    tests: dict[str, Any] = {name: {"mean": _finite(asdict(row))} for name, row in found.items()}
+    tests: dict[str, Any] = {name: {"mean": finite(asdict(row))} for name, row in found.items()}
     for name, each in cycles.items():
-        tests.setdefault(name, {})["each_cycle"] = _finite({key: column.tolist() for key, column in vars(each).items()})
+        tests.setdefault(name, {})["each_cycle"] = finite({key: column.tolist() for key, column in vars(each).items()})
     return {"units": {"strain": "1", "frequency": "Hz", "G": "Pa", "temperature": "degC", "time": "s"}, "tests": tests}
-
-
-def _finite(data: Any) -> Any:
-    """JSON has no infinity: null stands for the loss factor of a device that stores nothing."""
-    if isinstance(data, dict):
-        return {key: _finite(value) for key, value in data.items()}
-    if isinstance(data, list):
-        return [_finite(value) for value in data]
-    return None if isinstance(data, float) and not math.isfinite(data) else data
 
 
 def _row(each: CycleProperties, i: int) -> Properties:

@@ -10,7 +10,7 @@ import numpy as np
 
 from edesign.damper.acceptance import STANDARDS, Judged
 from edesign.damper.device_cycles import Run
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, finite, number
 
 VERDICTS = {True: "met", False: "not met", None: "not judged"}
 _REFERENCES = {
@@ -181,7 +181,7 @@ def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:
         for run in runs:
             values = values_of(run)
             for i in range(run.cycles):
-                cells = [_finite(factor * float(values[name][i])) for name, (_, factor) in COLUMNS.items()]
+                cells = [finite(factor * float(values[name][i])) for name, (_, factor) in COLUMNS.items()]
                 about = [run.test, run.block, i + 1, float(run.loops.start[i]), float(run.frequency[i])]
                 yield [*about, float(run.temperature_C[i]), *cells]
 
@@ -198,7 +198,7 @@ def sheet_json(runs: Sequence[Run], judged: Sequence[Judged], notes: Sequence[st
                 "run": run.block,
                 "frequency": run.frequency.tolist(),
                 "temperature_C": run.temperature_C.tolist(),
-                **{name: [_finite(float(x)) for x in values] for name, values in _plain(run).items()},
+                **{name: finite(values.tolist()) for name, values in _plain(run).items()},
             }
             for run in runs
         ],
@@ -212,7 +212,7 @@ def sheet_json(runs: Sequence[Run], judged: Sequence[Judged], notes: Sequence[st
                 "compared": one.criterion.reference,
                 "limit": one.criterion.limit,
                 "cycle": one.cycle,
-                "value": _finite(one.value),
+                "value": finite(one.value),
                 "met": one.met,
                 **({"why": one.why} if one.why else {}),
             }
@@ -238,10 +238,6 @@ def _plain(run: Run) -> dict[str, np.ndarray]:
         "energy": loops.work,
         "damping_ratio": run.damping_ratio,
     }
-
-
-def _finite(value: float) -> float | None:
-    return value if math.isfinite(value) else None
 
 
 def _number(value: float, scale: float = 1.0) -> str:

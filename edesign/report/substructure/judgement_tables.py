@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from edesign.report.tables.table import Table, number
+from edesign.report.tables.table import Table, finite, number
 from edesign.report.tables.text import wrapped
 from edesign.substructure.indicators import Tracking, definitions
 from edesign.substructure.judgement.judge import Criterion, JudgedResponse, Judgement
@@ -32,7 +32,7 @@ def judgement_data(found: Judgement) -> dict[str, Any]:
     response = None
     if found.response is not None:
         response = {
-            name: _plain(value) for name, value in vars(found.response).items() if not isinstance(value, np.ndarray)
+            name: finite(value) for name, value in vars(found.response).items() if not isinstance(value, np.ndarray)
         }
     return {
         "source": str(found.source),
@@ -40,20 +40,16 @@ def judgement_data(found: Judgement) -> dict[str, Any]:
         "step": found.step,
         "samples": found.samples,
         "tracking": {
-            entry.name: _plain(getattr(found.tracking, entry.name))
+            entry.name: finite(getattr(found.tracking, entry.name))
             for entry in dataclasses.fields(found.tracking)
             if entry.metadata
         },
         "response": response,
-        "criteria": [{**{k: _plain(v) for k, v in vars(one).items()}, "met": one.met} for one in found.criteria],
+        "criteria": [{**{k: finite(v) for k, v in vars(one).items()}, "met": one.met} for one in found.criteria],
         "good": found.good,
         "verdict": found.verdict,
         "notes": list(found.notes),
     }
-
-
-def _plain(value: Any) -> Any:
-    return None if isinstance(value, float) and not math.isfinite(value) else value
 
 
 def _tracking(found: Judgement) -> Table:

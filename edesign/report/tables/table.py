@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -128,3 +129,14 @@ def whole(value: float | None) -> str:
 def seconds(value: float | None) -> str:
     """Return a time in s to the millisecond, so that a column of them can be compared; "-" for None."""
     return formatted(value, ".3f")
+
+
+def finite(value: Any) -> Any:
+    """Return `value` with None in place of every number that is not finite, which JSON cannot hold."""
+    if isinstance(value, Mapping):
+        return {key: finite(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [finite(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
