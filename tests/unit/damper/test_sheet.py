@@ -53,6 +53,14 @@ def test_kelvin_voigt_has_its_closed_forms() -> None:
     assert set(verdicts(found, Acceptance(), found).values()) == {True}
 
 
+def test_a_reversed_force_meets_no_share() -> None:
+    """A stiffness that falls to 65 % meets no 70 %, and one of the other sign is not judged by it."""
+    force = np.interp(TIME, [0.0, 6.0], [1.0, 0.4]) * (K * U + C * V)
+    asked, share = Acceptance(device="elastomeric_isolator"), ("effective stiffness k'", "least")
+    assert verdicts(run(force), asked)[share] is False
+    assert verdicts(run(-force), asked)[share] is None
+
+
 def test_a_dashpot_has_no_damping_ratio() -> None:
     """It stores nothing, so that W / (2 pi k' x0^2) is none; its c is exact all the same."""
     found = run(C * V)
