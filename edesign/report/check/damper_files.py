@@ -170,18 +170,24 @@ def _test_doubts(test: DamperTest, specimen: Specimen) -> list[str]:
     strain = specimen.strain(float(np.max(np.abs(test.displacement))))
     if strain > _LARGE_STRAIN:
         found.append(f"a shear strain of {strain:.0%}; are the unit of the displacement and the layers right?")
+    return [*found, *force_doubts(test)]
+
+
+def force_doubts(test: DamperTest) -> list[str]:
+    """Return what is unlikely about the force of a test.
+
+    Args:
+        test: with or without a force.
+    """
     if test.force is None:
-        found.append("no force was measured")
-        return found
-    force = test.force - np.mean(test.force)
-    if not np.any(force):
-        found.append("the force is the same throughout; was the load cell connected?")
-        return found
+        return ["no force was measured"]
+    if not np.any(test.force - np.mean(test.force)):
+        return ["the force is the same throughout; was the load cell connected?"]
     work = float(np.trapezoid(test.force, test.displacement))
     size = float(np.ptp(test.force) * np.ptp(test.displacement))
     if work < -_REVERSED * size:
-        found.append("the damper gives energy instead of taking it: is the sign of force or displacement reversed?")
-    return found
+        return ["the damper gives energy instead of taking it: is the sign of force or displacement reversed?"]
+    return []
 
 
 def _range(tests: Sequence[DamperTest], specimen: Specimen) -> str:

@@ -12,7 +12,7 @@ from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.read import FORMATS, component_labels, detect, read_record_file
 from edesign.project.notation.units import STANDARD_GRAVITY
-from edesign.report.check.damper_files import table_range
+from edesign.report.check.damper_files import force_doubts, table_range
 from edesign.tables.quantities import names_quantity
 from edesign.tables.table import read_table
 
@@ -84,6 +84,7 @@ def _test_summary(path: Path) -> dict[str, str]:
     warnings = [f"not read: {', '.join(test.unread)}"] if test.unread else []
     if np.ptp(steps) > 0.5 * np.median(steps):
         warnings.append(f"times are uneven: steps from {np.min(steps):.3g} to {np.max(steps):.3g} s")
+    warnings += force_doubts(test) if test.force is not None else []
     return {
         "table": "test of a damper",
         **({"read": test.reading} if test.reading else {}),

@@ -56,6 +56,7 @@ def test_tests_of_dampers(laboratory: Path, capsys: pytest.CaptureFixture[str]) 
     test.write_text("\n".join(turned).replace("--", ""))
     output = shown(capsys, laboratory / "campaign.yaml")
     assert "001_sine_10pct_1Hz_20C: the damper gives energy" in output and "with 1 warning" in output
+    assert "the damper gives energy" in shown(capsys, test)
 
 
 def test_what_may_not_be_meant_of_a_campaign(laboratory: Path, capsys: pytest.CaptureFixture[str]) -> None:
