@@ -13,6 +13,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.fixed_width import read_rows
 from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
@@ -68,7 +69,11 @@ def channels_of(path: Path) -> list[Channel]:
         raise InputError(f"{path}: {_DECIMATION} is {decimation}; it would change the interval, so it is not read")
     labels, steps = _channels(path, header, _ORIENTATION), _channels(path, header, _STEP)
     counts, peaks = _channels(path, header, _COUNT), _channels(path, header, _PEAK, needed=False)
-    rows, digit = _rows(path, lines, data + 1, len(labels))
+    rulers = [i for i, line in enumerate(lines[data + 1 : data + 9], data + 1) if _RULER.match(line) and "-" in line]
+    first = (rulers[-1] if rulers else data + 4) + 1
+    each = f"one of each of the {len(labels)} channels"
+    rows, places = read_rows(enumerate(lines[first:], first + 1), len(labels), path, each, len(lines))
+    digit = min(places)
     if min(len(steps), len(counts)) < len(labels):
         raise InputError(f"{path}: the header has the interval or the number of samples of too few channels")
     at, _ = _value(path, header, _STEP)
@@ -111,27 +116,6 @@ def _channels(path: Path, header: _Header, key: str, *, needed: bool = True) -> 
     if needed and not values:
         raise InputError(f"{path}:{_value(path, header, key)[0]}: `{key}` has no value")
     return values
-
-
-def _rows(path: Path, lines: list[str], start: int, width: int) -> tuple[np.ndarray, float]:
-    """The numbers of the columns, and one unit in the last digit of them."""
-    rulers = [i for i, line in enumerate(lines[start : start + 8], start) if _RULER.match(line) and "-" in line]
-    first = (rulers[-1] if rulers else start + 3) + 1
-    rows, digits = [], 0
-    for i, line in enumerate(lines[first:], first + 1):
-        text = line.rstrip()
-        if not text.strip():
-            continue
-        words = text.split()
-        if len(words) != width:  # ten characters for each number, neighbours may touch
-            words = [text[k * 10 : (k + 1) * 10].strip() for k in range(-(-len(text) // 10))]
-        if len(words) != width:
-            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has one of each of the {width} channels")
-        rows.append([number(word, path, i) for word in words])
-        digits = max(digits, *(len(word.partition(".")[2]) for word in words))
-    if len(rows) < 2:
-        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples; a record needs at least 2")
-    return np.array(rows), 10.0**-digits
 
 
 def _about(header: _Header) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.fixed_width import read_rows
 from edesign.ground_motion.header_peak import check_peak
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.text import read_lines
@@ -66,7 +67,10 @@ def channels_of(path: Path) -> list[Channel]:
     rate = number(text, path, at, f"{RATE}")
     if rate <= 0.0:
         raise InputError(f"{path}:{at}: {RATE} must be greater than zero, not {text}")
-    rows, digit = _rows(path, lines, 1 + len(labels))
+    below = [(i, line) for i, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
+    each = f"the time and {len(labels)} accelerations"
+    rows, places = read_rows(below, 1 + len(labels), path, each, len(lines))
+    digit = min(places[1:])
     _check_times(path, rows[:, 0], rate, digit)
     if _LENGTH in header:
         at, text = header[_LENGTH]
@@ -84,24 +88,6 @@ def channels_of(path: Path) -> list[Channel]:
         Channel(label, _NAMES.get(label, ()), (0.01 * values).tolist(), 1.0 / rate, about)
         for label, values in samples.items()
     ]
-
-
-def _rows(path: Path, lines: list[str], width: int) -> tuple[np.ndarray, float]:
-    """The numbers, and one unit in the last digit of them."""
-    rows, digits = [], 0
-    for i, line in enumerate(lines, 1):
-        words = line.split()
-        if not words or words[0].startswith("#"):
-            continue
-        if len(words) != width:
-            words = [line[k * 10 : (k + 1) * 10].strip() for k in range(-(-len(line.rstrip()) // 10))]  # 4F10.3
-        if len(words) != width:
-            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has the time and {width - 1} accelerations")
-        rows.append([number(word, path, i) for word in words])
-        digits = max(digits, *(len(word.partition(".")[2]) for word in words[1:]))
-    if len(rows) < 2:
-        raise InputError(f"{path}:{len(lines)}: {len(rows)} lines of samples; a record needs at least 2")
-    return np.array(rows), 10.0**-digits
 
 
 def _check_times(path: Path, times: np.ndarray, rate: float, digit: float) -> None:

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from edesign.errors import InputError
+from edesign.ground_motion.header_peak import last_place
 from edesign.tables.text import number
 
 _FORMAT = re.compile(r"\(\s*([0-9]*)\s*([FEGI])\s*([0-9]+)(?:\.([0-9]+))?\s*\)", re.IGNORECASE)
@@ -74,3 +77,39 @@ def read_fields(
 def is_end_of_data(line: str) -> bool:
     """Whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
     return _END.match(line) is not None
+
+
+def read_rows(
+    lines: Iterable[tuple[int, str]], width: int, path: Path, each: str, end: int
+) -> tuple[np.ndarray, list[float]]:
+    """Read lines of numbers apart, or of ten characters each (nF10.3) where neighbours touch; blank lines are skipped.
+
+    Args:
+        lines: of the samples, with their numbers in the file.
+        width: numbers of a line.
+        path: of the file, for messages.
+        each: what each line has, for messages.
+        end: number of the last line of the file, for messages.
+
+    Returns:
+        The numbers (rows, width), and one unit in the last digit of each column.
+
+    Raises:
+        InputError: another number of numbers in a line, something else than finite numbers, or less than two lines.
+    """
+    rows = []
+    places = [0.0] * width
+    for i, line in lines:
+        words = line.split()
+        if not words:
+            continue
+        if len(words) != width:
+            words = [line[k * 10 : (k + 1) * 10].strip() for k in range(-(-len(line.rstrip()) // 10))]
+        if len(words) != width:
+            raise InputError(f"{path}:{i}: {len(words)} numbers; each line has {each}")
+        rows.append([number(word, path, i) for word in words])
+        digits = [last_place(word) for word in words]
+        places = [min(place, digit) if place else digit for place, digit in zip(places, digits, strict=True)]
+    if len(rows) < 2:
+        raise InputError(f"{path}:{end}: {len(rows)} lines of samples; a record needs at least 2")
+    return np.array(rows), places
