@@ -49,6 +49,7 @@ def sheet(
     from edesign.archive.files import check_csv_name, check_file
     from edesign.damper.acceptance import judge
     from edesign.damper.device_cycles import runs_of
+    from edesign.report.check.damper_files import force_doubts
     from edesign.report.damper import sheet_tables as tables
     from edesign.report.page.document import check_page_path, write_html
     from edesign.report.tables.text import print_tables
@@ -73,6 +74,7 @@ def sheet(
             notes.append(str(error))
             continue
         runs += found
+        notes += [f"{test.name}: {doubt}" for doubt in force_doubts(test)]
         designs += _designs(test, found, damper, notes)
     if not runs:
         raise InputError("\n".join(notes))

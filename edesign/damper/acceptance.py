@@ -188,9 +188,7 @@ def _judged(run: Run, design: Run | None, criterion: Criterion) -> Judged:
         return Judged(run, criterion, None, np.nan, None, "the device stores nothing")
     if criterion.reference == "least":
         if np.max(part) <= 0.0:  # a share of negative numbers is above 1 where the device softens
-            return Judged(
-                run, criterion, None, np.nan, None, "it is negative: is the sign of force or displacement reversed?"
-            )
+            return Judged(run, criterion, None, np.nan, None, "it is negative")
         value = float(np.min(part) / np.max(part))
         return Judged(run, criterion, first + int(np.argmin(part)), value, value >= criterion.limit)
     if criterion.reference == "design":

@@ -61,6 +61,15 @@ def test_a_reversed_force_meets_no_share() -> None:
     assert verdicts(run(-force), asked)[share] is None
 
 
+def test_the_sheet_asks_for_the_sign_of_a_reversed_force(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    for name, force in (("right", K * U + C * V), ("turned", -K * U - C * V)):
+        rows = np.column_stack([TIME, 1e3 * U, 1e-3 * force])
+        path = tmp_path / f"{name}.csv"
+        np.savetxt(path, rows, "%.7f", ",", header="time_s,displacement_mm,force_kN", comments="")
+        assert command.main(["sheet", str(path), "--temperature", "20 degC"]) == 0
+        assert ("turned: the damper gives energy" in capsys.readouterr().out) == (name == "turned")
+
+
 def test_a_dashpot_has_no_damping_ratio() -> None:
     """It stores nothing, so that W / (2 pi k' x0^2) is none; its c is exact all the same."""
     found = run(C * V)
