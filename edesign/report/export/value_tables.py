@@ -16,9 +16,10 @@ from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.export.export_table import ExportColumn, ExportTable, Value
 from edesign.report.export.names import LONGEST_FILE, slug, unique_names
+from edesign.report.page.source import ALONG_TIME
 from edesign.study.results.kinds import ANALYSES
 
-ALONG_TIME = ("time", "matched_time", "step", "sample")
+HISTORIES_ALONG = (*ALONG_TIME, "sample")
 """Dimensions of histories and curves, which are tables of their own."""
 LABELS = ("kind", "variant", "record", "level", "status")
 
@@ -37,7 +38,7 @@ def value_tables(archive: Archive) -> list[ExportTable]:
         several = below != [parent]
         found: dict[tuple[str, ...], list[tuple[str, Group]]] = {}
         for place in below:
-            group = archive.view(place).without(*ALONG_TIME)
+            group = archive.view(place).without(*HISTORIES_ALONG)
             for dims in dict.fromkeys(variable.dims for variable in group.variables.values()):
                 found.setdefault(dims, []).append((place, group))
         for dims, groups in found.items():
@@ -96,8 +97,8 @@ def _places(archive: Archive, place: str = "") -> Iterator[str]:
 
 
 def _abscissae(group: Group) -> list[str]:
-    found = {dim for variable in group.variables.values() for dim in variable.dims if dim in ALONG_TIME}
-    return [dim for dim in ALONG_TIME if dim in found]
+    found = {dim for variable in group.variables.values() for dim in variable.dims if dim in HISTORIES_ALONG}
+    return [dim for dim in HISTORIES_ALONG if dim in found]
 
 
 def _stacked(

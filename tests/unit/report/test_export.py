@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 from unit.report.figure_archive import small_archive
 
+from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.report.export.export_table import ExportColumn, ExportTable, as_one, export_table
@@ -210,3 +212,22 @@ def test_a_table_that_no_sheet_takes_is_refused(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="table forces: 1048576 rows .* use --csv"):
         write_workbook([table], {}, tmp_path / "a.xlsx")
     assert not list(tmp_path.iterdir())
+
+
+def test_the_motion_of_nodes_is_a_history(tmp_path: Path) -> None:
+    """It has hundreds of pictures of all nodes, which are no rows of the values of the analyses."""
+    from edesign.report.export.value_tables import history_tables, value_tables
+
+    group = Group(attributes={"kind": "history"})
+    group.add("roof_drift_max", (), np.array(0.01), "1", "largest drift of the roof")
+    group.coords["motion_time"] = Variable(("motion_time",), np.array([0.0, 0.1, 0.2]), "s", "time of the pictures")
+    group.add("node_displacement", ("motion_time",), np.array([0.0, 0.1, 0.3]), "", "displacement of the node")
+    with ArchiveWriter(tmp_path / "moving.h5", Group(attributes={"kind": "project"})) as writer:
+        writer.write("analyses/shake", group)
+        writer.finish({"status": "completed"})
+    with open_archive(tmp_path / "moving.h5") as opened:
+        headers = [column.header for table in value_tables(opened) for column in table.columns]
+        (history,) = history_tables(opened, ["shake"])
+    assert any("roof_drift_max" in header for header in headers)
+    assert not any("node_displacement" in header for header in headers)
+    assert [column.name for column in history.columns] == ["motion_time", "node_displacement"]
