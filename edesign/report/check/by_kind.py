@@ -35,6 +35,8 @@ from edesign.report.check.other_files import (
 from edesign.report.check.tables_of_numbers import record_summary, table_summary
 
 Summary = dict[str, str]
+YAML_ENDINGS = (".yaml", ".yml")
+"""Of files whose faults are told by line and column, whatever a stray character makes of their kind."""
 _HEAD = 4096  # bytes, in which a file that is no text shows it
 
 _SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
@@ -73,7 +75,8 @@ def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
         return _SUMMARIES[kind](path)
     if kind is None and path.suffix.lower() == ".json":
         return result_summary(path)
-    if kind is None and (path.suffix.lower() in ENDINGS or _is_recording(path)):
+    ending = path.suffix.lower()
+    if kind is None and ending not in YAML_ENDINGS and (ending in ENDINGS or _is_recording(path)):
         return record_summary(path)
     return None
 
