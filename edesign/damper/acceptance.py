@@ -25,6 +25,9 @@ Reference = Literal["mean", "third", "first", "least", "design"]
 """What values of cycles are compared with: the mean of the run, its third or first cycle, the largest of its values
 (so that the least is a share of it), or what the law of the campaign gives in the same motion."""
 
+GIVES_ENERGY = "W is below zero, as of no damper; is the sign of force or displacement reversed (key `reversed`)?"
+"""Why no criterion judges a run: its cycles may agree with each other as well as those of a good damper."""
+
 _LEAST = 1e-3  # of the largest force: a force at zero displacement below it is what noise leaves of an elastic device
 
 
@@ -184,6 +187,8 @@ def _judged(run: Run, design: Run | None, criterion: Criterion) -> Judged:
     first, last = criterion.cycles
     values = criterion.quantity.of(run)
     part = values[first - 1 : last]
+    if run.gives_energy:
+        return Judged(run, criterion, None, np.nan, None, GIVES_ENERGY)
     if not np.all(np.isfinite(values)):
         return Judged(run, criterion, None, np.nan, None, "the device stores nothing")
     if criterion.reference == "least":

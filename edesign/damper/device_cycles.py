@@ -79,6 +79,11 @@ class Run:
         stores = storage > _STORES * np.abs(loss)
         return np.divide(loss, 2.0 * storage, out=np.full(storage.size, np.nan), where=stores)
 
+    @property
+    def gives_energy(self) -> bool:
+        """Whether the device gives energy in a cycle, as no damper does: a channel has the other sign."""
+        return bool(np.any(self.loss_stiffness < -_STORES * np.abs(self.equivalent_stiffness)))
+
     def from_third(self, values: np.ndarray) -> np.ndarray:
         """Deviation of the values (n,) of each cycle from that of the third one, as a ratio."""
         return values / values[LEAST_CYCLES - 1] - 1.0

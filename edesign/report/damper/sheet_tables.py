@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from edesign.damper.acceptance import STANDARDS, Judged
+from edesign.damper.acceptance import GIVES_ENERGY, STANDARDS, Judged
 from edesign.damper.device_cycles import Run
 from edesign.report.tables.table import Table, finite, number
 
@@ -124,7 +124,9 @@ def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
             ]
         )
     for why in dict.fromkeys(one.why for one in judged if one.why):
-        named = dict.fromkeys(one.criterion.quantity.name for one in judged if one.why == why)
+        alike = [one for one in judged if one.why == why]
+        by_run = why == GIVES_ENERGY  # no criterion judges such a run
+        named = dict.fromkeys(name_of(one.run, runs) if by_run else one.criterion.quantity.name for one in alike)
         table.notes.append(f"not judged: {', '.join(named)}: {why}")
     return table
 
@@ -162,6 +164,12 @@ def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
     count = len(groups) - open_ones
     if count == 0:
         return "Not judged: no criterion could be applied."
+    reversed_ones = dict.fromkeys(name_of(one.run, runs) for one in judged if one.why == GIVES_ENERGY)
+    if reversed_ones:
+        left += f" Runs that could not be judged: {', '.join(reversed_ones)}."
+    if not failed and reversed_ones:
+        some = len(runs) - len(reversed_ones)
+        return f"Not judged in full: all {count} criteria are met in {some} of {len(runs)} runs.{left}"
     if not failed:
         where = "the run" if len(runs) == 1 else f"all {len(runs)} runs"
         return f"Met: all {count} criteria are met in {where}.{left}"

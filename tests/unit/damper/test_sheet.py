@@ -4,16 +4,18 @@ from __future__ import annotations
 
 import csv
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from edesign.cli import main as command
-from edesign.damper.acceptance import Acceptance, judge
+from edesign.damper.acceptance import Acceptance, Device, judge
 from edesign.damper.device_cycles import Run, runs_of
 from edesign.damper.measured_histories import DamperTest
 from edesign.errors import InputError
+from edesign.report.damper.sheet_tables import acceptance_table, verdict_text
 
 K, C = 5.0e6, 8.0e5  # N/m, N s/m
 X0, F = 6.0e-3, 1.0  # m, Hz
@@ -77,6 +79,19 @@ def test_a_dashpot_has_no_damping_ratio() -> None:
     met = verdicts(found, Acceptance(device="viscous"), found)
     assert set(met.values()) == {True} and len(met) == 6
     assert verdicts(found, Acceptance())["effective damping xi", "third"] is None
+
+
+@pytest.mark.parametrize("device", ["viscous", "viscoelastic", "hysteretic", "elastomeric_isolator"])
+def test_a_channel_with_the_other_sign_is_accepted_by_no_criterion(device: Device) -> None:
+    """The cycles agree with each other, but a damper takes energy: W below zero is a fault of the measurement."""
+    good, bad = run(K * U + C * V), replace(run(-K * U - C * V), test="other way")
+    judged = judge([good, bad], [good, None], Acceptance(device=device))
+    assert {one.met for one in judged if one.run is bad} == {None}
+    assert {one.met for one in judged if one.run is good} == {True}
+    text = verdict_text(judged, [good, bad])
+    assert text.startswith("Not judged in full") and "in 1 of 2 runs" in text and text.endswith(": other way.")
+    assert any(note.startswith("not judged: other way: W is below") for note in acceptance_table(judged, [bad]).notes)
+    assert not run(K * U).gives_energy  # a spring, whose W is what sampling leaves
 
 
 def test_a_cycle_that_loses_a_fifth_of_its_force_fails_and_is_named() -> None:
