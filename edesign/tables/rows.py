@@ -66,6 +66,8 @@ def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Del
             raise InputError(f"{place}: the cell is empty")
         if not is_number(cell):
             hint = "; decimals stand behind a point, not a comma" if "," in cell else ""
+            if ":" in cell:
+                hint = "; clock times stand as 13:05:07.250, a date before them as 2024-05-01 or 01.05.2024"
             raise InputError(f"{place}: `{cell[:40]}` is not a number{hint}")
         if not np.isfinite(float(cell)):
             raise InputError(f"{place}: `{cell[:40]}` is not a finite number")

@@ -26,11 +26,13 @@ _EAST_ASIAN: dict[Encoding, re.Pattern[str]] = {  # words of headers, which no t
     "gbk": re.compile("时间|位移|荷载|载荷|负荷|温度|加速度"),
     "shift-jis": re.compile("時間|変位|荷重|温度|加速度"),
 }
+_DAY = 86400.0  # s
 _HEAD = 1 << 16  # bytes that show an encoding
 _UTF_16_SHARE = 0.3  # of bytes at even, or odd, places that are zero: those of ASCII in UTF-16 are, all but a few
 _LINE_END = re.compile(r"\r\n|\r|\n")
 _CLOCK = re.compile(
-    r"(?:(?P<year>\d{4})[-/.](?P<month>\d{1,2})[-/.](?P<day>\d{1,2})[ T]+)?"
+    r"(?:(?:(?P<year>\d{4})[-/.](?P<month>\d{1,2})[-/.](?P<day>\d{1,2})"
+    r"|(?P<day_first>\d{1,2})\.(?P<month_second>\d{1,2})\.(?P<year_last>\d{4}))[ T]+)?"
     r"(?P<hour>\d{1,3}):(?P<minute>\d{2}):(?P<second>\d{2}(?:[.,]\d*)?)"
 )
 
@@ -185,11 +187,14 @@ def is_clock(cell: str) -> bool:
 def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> list[str]:
     """Return seconds since the first of clock times, to nanoseconds, as text.
 
+    Times without a date that go back by more than half a day have gone over midnight.
+
     Raises:
         InputError: a cell is no clock time, some have a date and others not, or a date does not exist.
     """
     seconds: list[float] = []
     first_day: int | None = None
+    midnights = 0  # gone over by times without a date
     for cell, line in zip(cells, numbers, strict=True):
         match = _CLOCK.fullmatch(cell.strip())
         if match is None:
@@ -198,11 +203,16 @@ def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> l
         try:
             if match["year"]:
                 day = date(int(match["year"]), int(match["month"]), int(match["day"])).toordinal()
+            elif match["year_last"]:  # with points the day stands first in every country that writes so
+                day = date(int(match["year_last"]), int(match["month_second"]), int(match["day_first"])).toordinal()
         except ValueError:
             raise InputError(f"{path}:{line}: `{cell[:40]}`: there is no such day") from None
         first_day = day if first_day is None else first_day
         if (day == 0) != (first_day == 0):
             raise InputError(f"{path}:{line}: `{cell[:40]}`: some clock times have a date, and others none")
         of_day = 3600.0 * int(match["hour"]) + 60.0 * int(match["minute"]) + float(match["second"].replace(",", "."))
-        seconds.append(86400.0 * (day - first_day) + of_day)
+        since_first = _DAY * (day - first_day + midnights) + of_day
+        if day == 0 and seconds and -_DAY < since_first - seconds[-1] < -_DAY / 2.0:
+            midnights, since_first = midnights + 1, since_first + _DAY
+        seconds.append(since_first)
     return [f"{value - seconds[0]:.9f}" for value in seconds]

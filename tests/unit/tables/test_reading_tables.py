@@ -159,6 +159,7 @@ HEAD = "time_s;displacement_mm;force_kN\n"
             "may be the force too; say which one by",
         ),
         ("Time;Stroke (mm);Load (kN)\n12:00:00;0;0\n12:00:01;1;1\nx;2;2\n", "t.csv:4: `x` is no clock time"),
+        ("Time;Stroke (mm);Load (kN)\n05/01/2024 12:00:00;0;0\n", "a date before them as 2024-05-01 or 01.05.2024"),
         ("Time;Stroke (mm);Load (kN)\n2024-02-30 12:00:00;0;0\n", "there is no such day"),
     ],
 )
@@ -177,8 +178,12 @@ def test_a_file_in_utf_16_that_is_cut_off(tmp_path: Path) -> None:
         read_test(path, temperature_C=20.0)
 
 
-def test_clock_times_go_over_midnight_with_a_date(tmp_path: Path) -> None:
-    rows = ["2024-02-28 23:59:59.99;0;0", "2024-02-29 00:00:00.00;1;1", "2024-02-29 00:00:00.02;2;-1"]
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [("2024-02-28 ", "2024-02-29 "), ("28.02.2024 ", "29.2.2024 "), ("28.02.2024T", "29.02.2024T"), ("", "")],
+)
+def test_clock_times_go_over_midnight(tmp_path: Path, before: str, after: str) -> None:
+    rows = [f"{before}23:59:59.99;0;0", f"{after}00:00:00.00;1;1", f"{after}00:00:00.02;2;-1"]
     test = read_test(write(tmp_path, "Time;Stroke (mm);Load (kN)\n" + "\n".join(rows) + "\n"), temperature_C=20.0)
     np.testing.assert_allclose(test.time, [0.0, 0.01, 0.03], atol=1e-9)  # to nanoseconds
 
