@@ -34,7 +34,7 @@ _NAMES = {
 }
 # names that are taken where no column has one of those: in other languages, and of other channels
 _OTHER_NAMES = {
-    "time": ("zeit", "prüfzeit", "tempo", "temps", "tiempo", "时间", "時間", "t"),
+    "time": ("timestamp", "zeit", "prüfzeit", "tempo", "temps", "tiempo", "时间", "時間", "t"),
     "displacement": (
         *("position", "extension", "crosshead", "weg", "verschiebung", "verformung", "standardweg", "kolbenweg"),
         *("spostamento", "corsa", "déplacement", "deplacement", "desplazamiento", "位移", "変位"),
@@ -49,6 +49,7 @@ _BEFORE = re.compile(r"(?:axial|actuator|elapsed|running|total)[ _]")
 _BRACKETED = re.compile(r"(?P<name>[^\[(]*)[\[(](?P<unit>[^\])]*)[\])]")
 _SPELLED = {
     **{"°C": "C", "°F": "F", "µm": "um", "μm": "um", "sec": "s", "Sec": "s", "seconds": "s", "kips": "kip"},
+    **{"inch": "in", "inches": "in", "Inch": "in", "lb": "lbf", "lbs": "lbf", "pounds": "lbf"},  # of force in a test
     **{"秒": "s", "毫秒": "ms", "毫米": "mm", "千牛": "kN", "牛": "N", "℃": "C", "Sek": "s", "Sek.": "s"},
 }
 _SCALED = re.compile(

@@ -138,6 +138,18 @@ def test_names_in_other_languages(tmp_path: Path, headers: str, encoding: str, f
     np.testing.assert_array_equal(test.force, [1e3 * row[2] for row in ROWS])
 
 
+@pytest.mark.parametrize(
+    ("length", "force"), [("inch", "lbs"), ("inches", "lbf"), ("Inch", "lb"), ("in", "pounds"), ("inches", "kips")]
+)
+def test_american_units_in_all_their_spellings(tmp_path: Path, length: str, force: str) -> None:
+    """By definition 1 in = 25.4 mm, and 1 lbf = 0.45359237 kg x 9.80665 m/s2."""
+    rows = "".join(f"2024-05-01 12:00:0{i},{i},{2 * i}\n" for i in range(3))
+    test = read_test(write(tmp_path, f"Timestamp,Stroke ({length}),Load [{force}]\n{rows}"), temperature_C=20.0)
+    newtons = 0.45359237 * 9.80665 * (1000.0 if force == "kips" else 1.0)
+    np.testing.assert_allclose(test.displacement, [0.0, 0.0254, 0.0508], rtol=1e-14)  # rounding
+    np.testing.assert_allclose(test.force, [0.0, 2.0 * newtons, 4.0 * newtons], rtol=1e-14)
+
+
 def write(folder: Path, text: str, encoding: str = "utf-8") -> Path:
     path = folder / "t.csv"
     path.write_bytes(text.encode(encoding))
