@@ -121,7 +121,7 @@ def _read(
 ) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, Document, list[str]]:
     """Title, tests, what is asked, the damper of the campaign's law, the cover, and what the reader says."""
     from edesign.damper.acceptance import Acceptance
-    from edesign.damper.campaign import load_campaign
+    from edesign.damper.campaign import load_campaign, notes_of
     from edesign.damper.damper import Damper
     from edesign.damper.laws import law
     from edesign.damper.parameters import read_parameters
@@ -129,7 +129,7 @@ def _read(
 
     if not any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         tests = _tests(inputs, temperature)
-        return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), []
+        return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), list(notes_of(tests))
     if len(inputs) > 1:
         raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
     if temperature is not None:

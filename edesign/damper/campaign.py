@@ -128,20 +128,33 @@ class Campaign:
     @property
     def left_out(self) -> tuple[str, ...]:
         """What the reader of the files leaves out: columns of other quantities, one line for tests with the same."""
-        return _by_tests(
-            (f"not read: {', '.join(f'`{header}`' for header in test.unread)}" if test.unread else "", test.name)
-            for test in self.tests
-        )
+        return _left_out(self.tests)
 
     @property
     def readings(self) -> tuple[str, ...]:
         """How files were read that are not plain, and where motions begin; one line for tests with the same."""
-        return _by_tests((f"read: {test.reading}" if test.reading else "", test.name) for test in self.tests)
+        return _readings(self.tests)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What the reader of the files leaves out, and how it reads the others."""
-        return self.left_out + self.readings
+        return notes_of(self.tests)
+
+
+def notes_of(tests: Sequence[DamperTest]) -> tuple[str, ...]:
+    """What the reader of tests leaves out, and how it reads those that are not plain."""
+    return _left_out(tests) + _readings(tests)
+
+
+def _left_out(tests: Sequence[DamperTest]) -> tuple[str, ...]:
+    return _by_tests(
+        (f"not read: {', '.join(f'`{header}`' for header in test.unread)}" if test.unread else "", test.name)
+        for test in tests
+    )
+
+
+def _readings(tests: Sequence[DamperTest]) -> tuple[str, ...]:
+    return _by_tests((f"read: {test.reading}" if test.reading else "", test.name) for test in tests)
 
 
 def _by_tests(told: Iterable[tuple[str, str]]) -> tuple[str, ...]:

@@ -23,6 +23,9 @@ _AT_REST = 5e-3
 zero leaves it after 0.0016 of a period, a fraction of a sample at 100 samples a cycle."""
 _FEWEST_AT_REST = 10
 """Samples: fewer are the beginning of a motion that starts slowly."""
+_GAP = 3.5
+"""Steps on either side: a longer one lacks three samples or more. Where two are dropped the spline through the others
+follows to 1e-4 of the amplitude at 50 samples a cycle."""
 
 DisplacementZero = Literal["as_recorded", "first_sample", "rest"]
 """What counts as no displacement: the zero of the transducer, the first sample, or the mean of the rest before."""
@@ -99,7 +102,7 @@ def read_test(
         tuple(unread),
         start,
         start_ramp,
-        "; ".join(part for part in (table.form.words, zero) if part),
+        "; ".join(part for part in (table.form.words, zero, _gaps(table, columns["time"])) if part),
     )
 
 
@@ -135,6 +138,18 @@ def rest_before(displacement: np.ndarray) -> int:
     moved = np.abs(displacement - displacement[0]) > _AT_REST * np.ptp(displacement)
     samples = int(np.argmax(moved))
     return samples if samples >= _FEWEST_AT_REST else 0
+
+
+def _gaps(table: Table, time: np.ndarray) -> str:
+    """Tell where samples are missing; a rate of sampling that changes and stays so is no gap."""
+    steps = np.diff(time)
+    around = np.pad(steps, 1, mode="edge")
+    found = np.flatnonzero(steps >= _GAP * np.maximum(around[:-2], around[2:]))
+    if not found.size:
+        return ""
+    first = int(found[0])
+    more = "" if found.size == 1 else f" and before {found.size - 1} more"
+    return f"no samples for {steps[first]:.3g} s before line {table.lines[first + 1]}{more}, interpolated"
 
 
 def _from_zero(

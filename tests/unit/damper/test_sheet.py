@@ -161,6 +161,20 @@ def test_the_command_writes_the_sheet(
     assert data["runs"][0]["energy"] == pytest.approx([np.pi * C * OMEGA * X0**2] * 5, rel=2e-5)
 
 
+def test_what_a_file_lacks_is_told_without_a_campaign_too(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A gap over a peak of the force hides it: the sheet must not look as one of a whole record."""
+    monkeypatch.chdir(tmp_path)
+    campaign(tmp_path)
+    lines = (tmp_path / "a.csv").read_text().splitlines()
+    kept = ["time_s,displacement_mm,force_kN,valve", *(line + ",1" for line in lines[1:440] + lines[470:])]
+    (tmp_path / "a.csv").write_text("\n".join(kept))
+    assert command.main(["sheet", "a.csv", "--temperature", "20 degC"]) == 0
+    shown = capsys.readouterr().out
+    assert "a: not read: `valve`" in shown and "a: read: no samples for 0.155 s before line 441, interpolated" in shown
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [

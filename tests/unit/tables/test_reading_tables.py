@@ -200,6 +200,19 @@ def test_clock_times_go_over_midnight(tmp_path: Path, before: str, after: str) -
     np.testing.assert_allclose(test.time, [0.0, 0.01, 0.03], atol=1e-9)  # to nanoseconds
 
 
+def test_a_gap_is_told_and_a_change_of_the_rate_is_none(tmp_path: Path) -> None:
+    time = np.arange(100) / 100.0
+    cut = np.delete(time, np.arange(40, 50))
+    slower = np.concatenate([time, 1.0 + np.arange(20) / 2.0])
+
+    def reading(of: np.ndarray) -> str:
+        rows = "".join(f"{t:.3f};{np.sin(6.0 * t):.6f};{t:.3f}\n" for t in of)
+        return read_test(write(tmp_path, HEAD + rows), temperature_C=20.0).reading
+
+    assert reading(cut).endswith("no samples for 0.11 s before line 42, interpolated")
+    assert "no samples" not in reading(time) + reading(slower)
+
+
 def test_headers_that_come_again_are_left_out_and_told(tmp_path: Path) -> None:
     text = HEAD + "0;0;0\n1;1;1\n" + HEAD + "2;2;2\n"
     test = read_test(write(tmp_path, text), temperature_C=20.0)
