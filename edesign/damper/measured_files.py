@@ -194,7 +194,9 @@ def _columns(
     if back.size:
         at = int(back[0]) + 1
         same = "is the time of the line before" if time[at] == time[at - 1] else f"is before {time[at - 1]:g} s"
-        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend")
+        again = time[at] <= time[0] and at >= FEWEST
+        another = "; does another test begin here? Each test needs a file of its own" if again else ""
+        raise InputError(f"{table.where(row=at)}: the time {time[at]:g} s {same}; times must ascend{another}")
     if np.ptp(columns["displacement"]) == 0.0:
         raise InputError(f"{table.where(row=0)}: the displacement is the same in all lines; nothing moved")
     return table, columns, unread

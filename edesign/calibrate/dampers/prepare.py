@@ -157,8 +157,8 @@ def _check_forces(problem: DamperProblem, campaign: Campaign) -> None:
             _told(
                 flipped,
                 campaign,
-                "the force is negative where the damper is stretched; a positive force "
-                "must go with a positive displacement: change the sign of one of the channels",
+                "the force is negative where the damper is stretched; a positive force must go with a positive "
+                "displacement: say `reversed: [force]`, or change the sign of one of the channels",
             )
         )
     wrong = [test for test, scale in zip(campaign.tests, scales, strict=True) if not 1 / _ABSURD < scale < _ABSURD]

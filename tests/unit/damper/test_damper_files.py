@@ -119,6 +119,7 @@ def test_a_file_without_force(tmp_path: Path) -> None:
         (GOOD.replace("force_kN", "time_ms"), "there is a time already in column 1"),
         (GOOD.replace("0.002", "0.001"), "a.csv:4: the time 0.001 s is the time of the line before"),
         (GOOD.replace("0.002", "0.0005"), "a.csv:4: the time 0.0005 s is before 0.001 s; times must ascend"),
+        (GOOD + GOOD, "a.csv:6: the time 0 s is before 0.002 s; times must ascend; does another test begin here?"),
         (GOOD.replace("3.5", "nan"), "a.csv:4, column 3 (`force_kN`): `nan` is not a finite number"),
         (GOOD.replace("1.5", ""), "a.csv:3, column 2 (`displacement_mm`): the cell is empty"),
         (GOOD.replace("1.5", "1.5 mm"), "`1.5 mm` is not a number"),
