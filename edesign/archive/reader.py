@@ -261,6 +261,19 @@ def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> Archive
     return Archive(path, damaged)
 
 
+def refuse_calibration(archive: Archive) -> None:
+    """Refuse the archive of a calibration, whose verdict, effects and law stand in the files beside it.
+
+    Raises:
+        ArchiveError: it is one.
+    """
+    if archive.attributes.get("kind") == "calibration":
+        raise ArchiveError(
+            f"{archive.path}: this archive has the motions and forces of a calibration, which `edesign export "
+            "--histories '*'` writes; its results are in calibration.json and calibration.html beside it"
+        )
+
+
 def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) -> tuple[Found, str]:
     """Use an archive, and of a damaged one what can be read.
 

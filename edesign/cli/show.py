@@ -40,7 +40,7 @@ def show(
 ) -> None:
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
     from edesign.archive.files import check_folder
-    from edesign.archive.reader import Archive, DamagedArchive, read_archive
+    from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
     from edesign.report.archive_tables import details, overview
     from edesign.report.drawing.style import check_format
     from edesign.report.short_tables import short_tables
@@ -48,6 +48,7 @@ def show(
     from edesign.report.tables.text import PAPER, print_tables
 
     def read(opened: Archive) -> Callable[[], None]:
+        refuse_calibration(opened)
         if member is not None:
             from edesign.report.building.checks import member_data, member_tables
             from edesign.report.building.results import building_results

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from edesign._version import __version__
 from edesign.archive.files import check_file, write_text
-from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive
+from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive, refuse_calibration
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import is_building_archive, is_substructure_archive
@@ -165,6 +165,8 @@ def page_of(
     if not isinstance(archive, Archive):
         with open_archive(archive) as opened:
             return page_of(opened, tell, tables_only)
+    if not tables_only:
+        refuse_calibration(archive)  # its own report has the name that this one would take
     source = Source(archive, tell, figures=not tables_only)
     own, others = building_sections(source), SECTIONS
     if is_building_archive(archive):

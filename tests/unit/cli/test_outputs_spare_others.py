@@ -15,9 +15,10 @@ from unit.archive.archive_samples import archived_groups, write_layout_1
 from unit.cli.small_project import Core, project
 from unit.project.conftest import SMALL
 
+from edesign.archive.dataset import Group
 from edesign.archive.files import check_own_yaml, write_whole, write_yaml
 from edesign.archive.reader import open_archive
-from edesign.archive.writer import partial_path
+from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
@@ -305,3 +306,17 @@ def test_any_first_line_is_read(tmp_path: Path) -> None:
         path.write_bytes(text)
         with pytest.raises(InputError, match="did not write"):
             check_own_yaml(path, tmp_path / "campaign.yaml")
+
+
+def test_the_report_of_a_calibration_is_not_replaced_by_an_empty_one(
+    lab: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """`edesign report` would write calibration.html, as `edesign calibrate` does, without any of its results."""
+    root = Group(attributes={"title": "Bars", "kind": "calibration", "source_file": "bars.yaml", "planned": []})
+    with ArchiveWriter("calibration.h5", root) as writer:
+        writer.finish({"status": "completed"})
+    Path("calibration.html").write_text("the effects")
+    for command in ("report", "show"):
+        assert "its results are in calibration.json" in refused(capsys, command, "calibration.h5", code=4)
+    assert Path("calibration.html").read_text() == "the effects"
+    assert main(["export", "calibration.h5", "--list"]) == 0
