@@ -61,7 +61,7 @@ def law_summary(path: Path) -> dict[str, str]:
             if described.tested
             else {}
         ),
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -97,7 +97,7 @@ def _campaign_summary(path: Path) -> dict[str, str]:
         **({"read": "\n".join(campaign.readings).replace(": read: ", ": ")} if campaign.readings else {}),
         "tests": f"{len(tests)}: {uses['fit']} to fit to, {uses['validate']} to validate",
         "range": _range(tests, specimen),
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -126,7 +126,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
         "range": _range(planned, specimen),
         "sampling": f"{programme.sampling_rate:g} Hz, {hours:.4g} s in all; "
         + (f"noise of the force {noise.force:.3g} of its peak" if noise is not None else "no noise"),
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -150,7 +150,7 @@ def property_campaign_summary(path: Path) -> dict[str, str]:
         "law": _law(campaign.law),
         "table": campaign.table.source,
         "rows": f"{rows['fit']} to fit to, {rows['validate']} held out; {table_range(campaign.table)}",
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -217,5 +217,6 @@ def _law(choice: LawChoice | None) -> str:
     return f"{choice.type} ({law_of(choice.type).title}), {shown}{held}"
 
 
-def _warnings(warnings: Sequence[str]) -> dict[str, str]:
+def warnings_of(warnings: Sequence[str]) -> dict[str, str]:
+    """Return warnings as an entry of a summary, a line each; none as nothing."""
     return {"warnings": "\n".join(warnings)} if warnings else {}

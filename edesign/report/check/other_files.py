@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import json
 from collections import Counter
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
 from edesign.errors import InputError
 from edesign.project.reading.file_bytes import read_file
+from edesign.report.check.damper_files import warnings_of
 
 
 def suite_summary(path: Path) -> dict[str, str]:
@@ -38,7 +38,7 @@ def suite_summary(path: Path) -> dict[str, str]:
         "recordings": f"{len(found)}: {', '.join(f'{count} {ORIGINS[origin]}' for origin, count in origins.items())}",
         "events": str(len({(entry.event, entry.year) for entry in suite.records if entry.event})) + " named",
         "PGA": f"{pgas[0]:.3g} to {pgas[-1]:.3g} g as recorded",
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -86,7 +86,7 @@ def rig_summary(path: Path) -> dict[str, str]:
         "rig": rig_text(file.rig),
         "encoder": f"noise {noise}",
         **({"source": file.source} if file.source else {}),
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
 
 
@@ -159,7 +159,7 @@ def archive_summary(path: Path) -> dict[str, str]:
             "archive": "; ".join(files) or path.name,
             "made by": f"edesign {about.get('edesign_version', 'of unknown version')}",
             "analyses": ", ".join(f"{count} {state}" for state, count in states.items()) or "none",
-            **_warnings(warnings),
+            **warnings_of(warnings),
         }
 
 
@@ -188,7 +188,7 @@ def _fit(found: dict[str, Any]) -> dict[str, str]:
     return {
         "fit": f"{found['law']}, {len(found.get('fitted', ()))} parameters fitted",
         "error": f"NRMS {nrms:.4g} %" if isinstance(nrms, (int, float)) else "not said",
-        **_warnings([str(text) for text in found.get("doubts", ())]),
+        **warnings_of([str(text) for text in found.get("doubts", ())]),
     }
 
 
@@ -209,9 +209,5 @@ def _calibration(found: dict[str, Any]) -> dict[str, str]:
         "verdict": str(found["verdict"]),
         "effects": names("effects"),
         "error": "validation NRMS: " + ", ".join(percent(model) for model in ("declared", "refit", "corrected")),
-        **_warnings(warnings),
+        **warnings_of(warnings),
     }
-
-
-def _warnings(warnings: Sequence[str]) -> dict[str, str]:
-    return {"warnings": "\n".join(warnings)} if warnings else {}

@@ -52,7 +52,7 @@ def draw_devices(
     Args:
         sheet, place: where.
         project: with the dampers.
-        design: which will find their sizes; "": they have them.
+        design: of which no sizes are known; "": they are known.
         tested: names of the dampers that stand in a laboratory.
     """
     found, frame, dampers = Drawn(), project.frame, project.dampers

@@ -119,7 +119,7 @@ def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = 
     Args:
         project: the frame with its dampers.
         heading: lines above the drawing; (): none.
-        design: which will find their sizes; "": they have them.
+        design: of which no sizes are known; "": they are known.
     """
 
     def draw(sheet: Sheet) -> None:

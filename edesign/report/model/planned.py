@@ -1,4 +1,4 @@
-"""The places of dampers whose sizes a design will find."""
+"""The places of dampers of a design that has found no sizes: before a run, or where it failed."""
 
 from __future__ import annotations
 

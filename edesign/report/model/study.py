@@ -29,7 +29,7 @@ class _Drawn:
 
     Attributes:
         project: of the first of them.
-        design: that will find the sizes of its dampers; "": they are known.
+        design: of its dampers, which has found no sizes; "": they are known.
         variants: their names.
         notes: what tells them apart, a clause each.
     """
@@ -84,7 +84,7 @@ def some_names_of(notes: Collection[str]) -> str:
 def _dampers(drawn: _Drawn, heading: Sequence[str]) -> Named:
     what = "where they act, laws and sizes"
     if drawn.design:
-        what = f"the places of the design {drawn.design}, which will find their sizes"
+        what = f"the places of the design {drawn.design}, which has found no sizes"
     isolated = drawn.project.isolation is not None
     caption = f"{'Isolated base and dampers' if isolated else 'Dampers'} of the {drawn.named}: {what}."
     above = (*heading, caption.rstrip(".")) if heading else ()
