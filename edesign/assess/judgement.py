@@ -40,7 +40,8 @@ def within(
         name: of the statistic, see `statistic`.
         values: by history; None: failed, or not run.
         not_run: names of those that have not run.
-        most, least: limits in the unit of the values.
+        most: upper limit in the unit of the values; None: `least` is the limit.
+        least: lower limit in the unit of the values.
 
     Returns:
         True, False, or None: not known yet, or no history has a value.

@@ -45,7 +45,7 @@ class HazardCurve:
 
     @property
     def exponents(self) -> np.ndarray:
-        """k of each line, (n - 1,): H = k0 im^-k, as in EN 1998-1, 2.1(4)."""
+        """Exponents k of each line, (n - 1,): H = k0 im^-k, as in EN 1998-1, 2.1(4)."""
         return -exponents(self.intensity, self.rate)
 
 

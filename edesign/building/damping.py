@@ -93,8 +93,12 @@ def rayleigh_coefficients(omega_i: float, omega_j: float, ratio: float) -> tuple
     """Return a0 (1/s) and a1 (s) of C = a0 M + a1 K that give two modes the same damping ratio.
 
     Args:
-        omega_i, omega_j: circular frequencies of the two modes, rad/s.
+        omega_i: circular frequency of the first of the two modes, rad/s.
+        omega_j: circular frequency of the other mode, rad/s.
         ratio: of critical damping, dimensionless.
+
+    Returns:
+        a0, 1/s, and a1, s.
 
     Raises:
         InputError: a frequency is not greater than zero, or both are the same.

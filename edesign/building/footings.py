@@ -109,8 +109,12 @@ def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprin
     """Return a footing as springs and dashpots.
 
     Args:
-        footing, soil: as the project gives them.
+        footing: as the project gives it.
+        soil: below it, as the project gives it.
         period: at which stiffness and damping are taken, s; infinite: static, without dashpots.
+
+    Returns:
+        Springs and dashpots, by direction.
 
     Raises:
         InputError: the tables of the code do not have the case of the soil.

@@ -41,11 +41,11 @@ def build_frame(
     footings: Mapping[str, FootingSprings] | None = None,
     weights: Mapping[str, float] | None = None,
 ) -> FrameModel:
-    """Build the model of a project's frame: nodes, supports, members, diaphragms, masses, leaning column and
-    gravity loads.
+    """Build the model of a project's frame with its masses and gravity loads.
 
-    A place of the grid where no member ends gets no node and no support. The rotation of a node at which only pin-ended
-    members end is fixed: nothing else would hold it, and nothing turns it.
+    The model has nodes, supports, members, diaphragms, masses, a leaning column and gravity loads. A place of the grid
+    where no member ends gets no node and no support. The rotation of a node at which only pin-ended members end is
+    fixed: nothing else would hold it, and nothing turns it.
 
     Args:
         project: the validated project.
@@ -57,6 +57,9 @@ def build_frame(
             the project.
         weights: on the feet of an isolated base under the gravity combination, N, by node, where its isolators need
             them; None: the base is held horizontally, and has no isolators.
+
+    Returns:
+        The model of the frame, with the numbers of its parts in the core.
 
     Raises:
         InputError: an unknown or impossible section, a soil that the tables of its code do not have, or loads upwards

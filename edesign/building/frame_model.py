@@ -117,8 +117,10 @@ class FrameModel:
 
     @property
     def brace_stiffness(self) -> np.ndarray | None:
-        """Of all dampers of the core the stiffness that they have in modes as buckling-restrained braces which have not
-        yielded, (n_dampers,) N/m; None: there are no such braces."""
+        """Stiffness of every damper of the core in modes if it is a buckling-restrained brace, (n_dampers,) N/m.
+
+        The braces have not yielded. None: there are no such braces.
+        """
         braces = {device.number: device.restrained.stiffness for device in self.devices if device.restrained}
         if not braces:
             return None

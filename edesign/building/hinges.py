@@ -299,10 +299,15 @@ class MemberBuilder:
             nodes: ids of its nodes.
             section: id in the core, elastic if there are hinges.
             EI: bending stiffness of the elastic section, N m2.
-            points, geometry, release: of the member.
+            points: of integration in a member of fibres.
+            geometry: transformation of the member: "linear", "p_delta" or "corotational".
+            release: whether its start and its end are free of moment.
             ends: what stands at its start and end.
             breaks: rising positions 0..1 between its nodes where loads begin, end or stand; the parts of a member with
                 hinges are elastic and need none.
+
+        Returns:
+            The parts of the member in the core, and the springs of its hinges.
         """
         model = self._model
         length = dist(*(self._places[node] for node in nodes))

@@ -69,6 +69,7 @@ class MemberLoads:
 
     @property
     def is_zero(self) -> bool:
+        """The member carries no load."""
         return self.uniform == 0.0 and not self.points and not self.parts
 
     def split(self, stretches: Stretches) -> tuple[list[MemberLoads], tuple[float, float]]:

@@ -73,8 +73,12 @@ def panel_of(beam: float, column: IShape, doubler: float, E: float, fy: float, h
         beam: depth d_b of the deeper beam, m.
         column: the column's section.
         doubler: thickness of doubler plates, together, m.
-        E, fy: of the column's steel, Pa.
+        E: modulus of elasticity of the column's steel, Pa.
+        fy: yield strength of the column's steel, Pa.
         hardening: slope beyond the full shear over that before yield.
+
+    Returns:
+        Sizes, stiffness and moments of the panel.
 
     Source: Krawinkler 1978, Engineering Journal AISC 15(3), 82-91; FEMA 355C, 2.4.2: V_y = 0.55 F_y d_c t_p (there 0.95
     d_c / sqrt 3), K_e = 0.95 d_c t_p G, V_p = V_y (1 + 3 K_p / K_e) with K_p = 0.95 b_c t_cf^2 G / d_b.
@@ -188,7 +192,8 @@ class PanelBuilder:
             joint: name of the node.
             member: its name.
             towards: unit vector from the joint into the member.
-            EI, length: of the member, for the stiffness of the arm.
+            EI: bending stiffness of the member, N m2, for the stiffness of the arm.
+            length: of the member, m.
             geometry: of the member.
         """
         panel = self._panels.get(joint)

@@ -115,11 +115,16 @@ def i_section(
     """Return a doubly symmetric I section of three rectangles, with fillets if `radius` is greater than zero.
 
     Args:
-        height, width: overall, m.
-        flange, web: thickness, m.
+        height: overall, m.
+        width: of the flanges, m.
+        flange: thickness of a flange, m.
+        web: thickness of the web, m.
         cut: numbers of fibres of flanges and web.
         radius: of the fillets between web and flanges, m.
         weak: it bends about its weak axis; the depth of its fibres is then that along the flanges.
+
+    Returns:
+        The section as strips of fibres and fillets.
 
     Raises:
         InputError: the flanges leave no web, the web is wider than the flange, or the fillets do not fit.

@@ -76,7 +76,11 @@ def section_class(
         section: by `steel_section`.
         yield_stress: f_y, Pa.
         N_Ed: axial force, positive in tension, N.
-        about_y, about_z: whether it is bent about the axis; without bending tension gives class 1.
+        about_y: whether it is bent about y; without bending tension gives class 1.
+        about_z: whether it is bent about z.
+
+    Returns:
+        The class of the section and of each flat part.
 
     Raises:
         InputError: the yield stress is not greater than zero.

@@ -109,9 +109,14 @@ def member_constants(
         stability: restraints.
         section_class: 1, 2 or 3, by `section_class`.
         V_M: V_Ed,M of EN 1998-1, 6.6.2(2), N.
-        modulus, shear_modulus: E, G, Pa.
-        gamma_M0, gamma_M1: partial factors.
+        modulus: E, Pa.
+        shear_modulus: G, Pa.
+        gamma_M0: partial factor of cross-sections.
+        gamma_M1: partial factor of stability.
         annex_a: k_ij of 6.3.3 by Annex A; otherwise by Annex B.
+
+    Returns:
+        Resistances, slendernesses and reduction factors, as `edesign.core` checks members with.
 
     Raises:
         InputError: the class is 4, or a length is not greater than zero.
@@ -175,7 +180,11 @@ def shear_resistance_z(section: SteelSection, yield_stress: float, gamma_M0: flo
     Args:
         section: by `steel_section`.
         yield_stress: f_y, Pa.
-        gamma_M0, gamma_M1: partial factors.
+        gamma_M0: partial factor of cross-sections.
+        gamma_M1: partial factor of stability, for slender webs.
+
+    Returns:
+        V_z,Rd, N.
 
     Source: EN 1993-1-1:2005, 6.2.6(2) and (6); EN 1993-1-5:2006, 5.2.
     """

@@ -72,14 +72,17 @@ class SteelSection:
 
     @property
     def i_y(self) -> float:
+        """Radius of gyration about the strong axis y, m."""
         return math.sqrt(self.I_y / self.A)
 
     @property
     def i_z(self) -> float:
+        """Radius of gyration about the weak axis z, m."""
         return math.sqrt(self.I_z / self.A)
 
     @property
     def mass(self) -> float:
+        """Mass of the section, kg/m."""
         return DENSITY * self.A
 
 

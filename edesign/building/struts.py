@@ -84,8 +84,12 @@ def strut(project: Project, section: str, material: str, length: float) -> Strut
 
     Args:
         project: the validated project.
-        section, material: names in it.
+        section: its name in the project.
+        material: its name in the project.
         length: L_cr about both axes, m.
+
+    Returns:
+        Length, slenderness and resistances of the strut, or None.
 
     Source: EN 1993-1-1:2005, 6.3.1.
     """
@@ -111,9 +115,13 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
 
     Args:
         project: the validated project.
-        section, material: names in it; the steel yields.
+        section: its name in the project.
+        material: name of its steel in the project; the steel yields.
         axis: about which the strut buckles; a stack of rectangles has its own only.
         length: L_cr, m.
+
+    Returns:
+        e_0 / length, dimensionless.
 
     Source: EN 1993-1-1:2005, 5.3.2(11) with 6.3.1.2: e_0 = alpha (lambda - 0.2) W_el / A.
     """

@@ -26,7 +26,9 @@ def support_springs(
 
     Args:
         model: of the core.
-        name, node, place: of the supported node, m.
+        name: of the supported node.
+        node: its number in the core.
+        place: x and y of the node, m.
         directions: what holds ux, uy, rz; "fixed" and "free" get no spring.
 
     Returns:
@@ -66,7 +68,9 @@ def add_footing(
 
     Args:
         model: of the core.
-        name, node, place: of the supported node, m.
+        name: of the supported node.
+        node: its number in the core.
+        place: x and y of the node, m.
         footing: its springs.
         turns: whether anything but the footing holds the rotation of the node; without, it is fixed.
 

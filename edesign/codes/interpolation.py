@@ -20,7 +20,11 @@ def log_log(at: np.ndarray, x: np.ndarray, y: np.ndarray) -> np.ndarray:
 
     Args:
         at: places.
-        x, y: points of the curve, as of `exponents`.
+        x: places of the points of the curve, see `exponents`.
+        y: ordinates of the points, see `exponents`.
+
+    Returns:
+        Ordinates in the shape of `at`.
     """
     line = np.clip(np.searchsorted(x, at) - 1, 0, x.size - 2)
     return np.asarray(y[line] * (at / x[line]) ** exponents(x, y)[line])

@@ -328,6 +328,7 @@ class Analysis:
 
         Args:
             ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.
+            dt: step of the samples, s.
             method: integrator.
             channels: what to record.
             every: every so many steps are kept, extremes and the balance of the energies count every step. 0: only the

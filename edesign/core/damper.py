@@ -233,11 +233,15 @@ class CoreDamper:
     def moments(
         self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike, of: Term
     ) -> tuple[np.ndarray, float]:
-        """What a term of an MGMM does over each step, from which its force with any relaxation time that is not shorter
-        than this one follows: 1/h integral of g(s) T_k(2 s/h - 1), T_k Chebyshev's polynomials.
+        """Return the moments of a term of an MGMM over each step.
+
+        From them follows its force with any relaxation time that is not shorter than this one: 1/h integral of g(s)
+        T_k(2 s/h - 1), T_k Chebyshev's polynomials.
 
         Args:
-            time, deformation, velocity: (n,) each, as of `force`.
+            time: (n,) s, ascending.
+            deformation: (n,) m.
+            velocity: (n,) m/s.
             of: g: k_mod u, N; c_mod v, N; |v|^alpha sgn v, (m/s)^alpha.
 
         Returns:
@@ -245,6 +249,7 @@ class CoreDamper:
 
         Raises:
             CoreError: samples that are not finite or not ascending, or another law.
+            ValueError: the samples are not equally many, or none.
         """
         t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
         if not t.size == u.size == v.size >= 1:

@@ -8,11 +8,15 @@ from edesign.core._edcore import ffi, lib
 
 
 def fading(decay: np.ndarray, made: np.ndarray, before: complex) -> np.ndarray:
-    """q (n,) with q_0 = before, q_i = decay_i q_(i-1) + made_i; what is not finite is passed on.
+    """Return q (n,) with q_0 = before, q_i = decay_i q_(i-1) + made_i; what is not finite is passed on.
 
     Args:
-        decay, made: (n - 1,) each, real or complex.
+        decay: (n - 1,) share of q that is left after each step, real or complex.
+        made: (n - 1,) contribution of each step, real or complex, in the unit of q.
         before: q of the first sample.
+
+    Returns:
+        q (n,), complex where an argument is.
 
     Raises:
         ValueError: they are not equally long.

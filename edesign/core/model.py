@@ -132,12 +132,18 @@ class Model:
         """Add a beam-column: force-based for fibre sections, closed form for an elastic one.
 
         Args:
+            name: of the element.
+            i: number of the node at its start.
+            j: number of the node at its end.
             section: one id, or one id for each Gauss-Lobatto point.
             points: Gauss-Lobatto points, 2 to 10.
             geometry: "linear", "p_delta" or "corotational".
             release: moment-free ends i, j.
             breaks: rising positions 0..1 of its length, between which a force-based member of one section is integrated
                 piece by piece, by `points` in each: where loads begin, end or stand.
+
+        Returns:
+            Number of the element.
         """
         ids = [section] * points if isinstance(section, int) else list(section)
         if isinstance(section, int) and 0 <= section and lib.ed_model_section_layers(self._c, section) == 0:
@@ -178,14 +184,21 @@ class Model:
         """Add a brace that buckles between its ends: fibre beams with camber, condensed to one bar of the frame.
 
         Args:
+            name: of the element.
+            i: number of the node at its start.
+            j: number of the node at its end.
             section: of fibres, bending as the brace buckles.
-            material, area: of the straight bar that the rest of the brace is (m2).
+            material: of the straight bar that the rest of the brace is.
+            area: of that bar, m2.
             camber: of the first mode / buckling length.
             elements: over the buckling length, even, 2 to 16.
             points: Gauss-Lobatto points of each of them, 3 to 10.
             buckling_length: / length between the nodes, above 0, at most 1.
             end_stiffness: rotational, of each end, N m/rad; 0 pinned, infinite fixed. It is held to the chord.
             geometry: of the chord.
+
+        Returns:
+            Number of the element.
 
         Source: Uriz, Filippou & Mahin (2008), J. Struct. Eng. 134(4), 619-628.
         """
@@ -218,9 +231,15 @@ class Model:
         """Add a spring without length.
 
         Args:
-            terms: coefficients of ux, uy, rz at i and of those at j (6,) whose sum is its deformation; between turns
-                of two nodes at one place (0, 0, -1, 0, 0, 1).
+            name: of the element.
+            i: number of the first node.
+            j: number of the second node.
+            terms: coefficients of ux, uy, rz at i and of those at j (6,) whose sum is its deformation; between turns of
+                two nodes at one place (0, 0, -1, 0, 0, 1).
             law: of its force and deformation.
+
+        Returns:
+            Number of the element.
         """
         kind, values = law.parameters()
         result = lib.ed_model_spring(self._c, name.encode(), i, j, [float(c) for c in terms], kind, len(values), values)
@@ -249,15 +268,20 @@ class Model:
         """Add a damper; it carries nothing before `Analysis.install_dampers` unless it carries from the beginning.
 
         Args:
+            name: of the damper.
             law: the law with its parameters and amendments.
-            terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux,
-                1 uy, 2 rz. They should have mass.
+            terms: (coefficient, node, degree) of each displacement that its deformation is the sum of; degrees 0 ux, 1
+                uy, 2 rz. They should have mass.
             brace: stiffness in series at the size of the device, N/m; 0: rigid.
-            force_scale, deformation_scale: F = force_scale * law(deformation_scale * u).
+            force_scale: force of the device over that of the law, F = force_scale * law(deformation_scale * u).
+            deformation_scale: deformation of the law over that of the device.
             play: of the pins of the brace, from end to end, m.
             carries: whether it acts from the beginning, gravity included: a bearing that holds what stands on it.
-            pressed_by: a spring and a weight (N): in histories the force is multiplied by the compression of the
-                spring over the weight, none where it is pulled.
+            pressed_by: a spring and a weight (N): in histories the force is multiplied by the compression of the spring
+                over the weight, none where it is pulled.
+
+        Returns:
+            Number of the damper.
         """
         number = lib.ed_model_damper(
             self._c,

@@ -114,15 +114,19 @@ def damped_eigenvalue(
     omega: float,
     shape: np.ndarray,
 ) -> complex:
-    """The eigenvalue of (lambda^2 M + lambda C + K) phi = 0 that a natural mode becomes with damping, rad/s.
+    """Return the eigenvalue of (lambda^2 M + lambda C + K) phi = 0 that a natural mode becomes with damping, rad/s.
 
     Newton's method on the pair of value and vector from the natural mode on converges quadratically.
 
     Args:
-        stiffness, damping: (n, n) N/m, N s/m.
+        stiffness: K, (n, n) N/m.
         mass: (n,) kg.
+        damping: C, (n, n) N s/m.
         omega: circular frequency of the mode, rad/s.
         shape: (n,) of the mode.
+
+    Returns:
+        lambda, rad/s, complex.
 
     Raises:
         ValueError: it does not converge: damping is near critical or above.

@@ -208,8 +208,12 @@ class SpaceModel:
         Args:
             end_forces: (c, m, 12) as of `Static`.
             stations: (s,) fractions of the length.
-            uniform, points: the loads of these cases. Of a force at a station what is just before it counts, at the end
-                of the member what is behind it.
+            uniform: (c, m, 3) force a length of these cases, N/m, global axes.
+            points: point loads of these cases. Of a force at a station what is just before it counts, at the end of the
+                member what is behind it.
+
+        Returns:
+            (c, m, s, 6) N, V_y, V_z, T, M_y, M_z; N and N m.
 
         Raises:
             CoreError: a station is not from 0 to 1, or a load is wrong.

@@ -52,12 +52,14 @@ def peak_responses(
 def rotated_peak_displacement(
     first: np.ndarray, second: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray, angles: int
 ) -> np.ndarray:
-    """Largest relative displacement in directions from the first towards the second of two components.
+    """Return largest relative displacements in directions from the first of two components towards the second.
 
     Args:
-        first, second: (n,) m/s2 each.
+        first: (n,) m/s2, first component.
+        second: (n,) m/s2, component at right angles to it.
         time_step: s.
-        period, damping: (m,) as for `peak_displacement`.
+        period: (m,) s, as for `peak_displacement`.
+        damping: (m,) ratio of critical, as for `peak_displacement`.
         angles: how many directions in half a turn, evenly spaced from the first component on.
 
     Returns:

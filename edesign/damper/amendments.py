@@ -1,7 +1,8 @@
 """Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
 
 The force is phi F_law + parallel forces, phi the product of the factors, + what acts inside the law
-(docs/reference/laws/effects.md)."""
+(docs/reference/laws/effects.md).
+"""
 
 from __future__ import annotations
 
@@ -87,11 +88,17 @@ def parameters_at(
     model: TemperatureModel | None = None,
     reference_C: float = REFERENCE_C,
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Parameters of an amended law at a temperature: those of the law, on which amendments act whatever they are.
+    """Return the parameters of an amended law at a temperature.
+
+    Amendments act on the parameters of the law, whatever these are.
 
     Args:
-        law, values, temperature_C, model, reference_C: as of `temperature.at`.
+        law: see `temperature.at`.
+        values: parameters at the reference temperature, SI units, see `temperature.at`.
         amendments: of the law; with one that changes with temperature a law need not.
+        temperature_C: degC.
+        model: what the temperature changes, see `temperature.at`.
+        reference_C: temperature of the values, degC.
 
     Returns:
         All parameters at that temperature, SI units; warnings.

@@ -48,7 +48,9 @@ class Run:
 
     @property
     def storage_stiffness(self) -> np.ndarray:
-        """k' of each cycle, N/m: forces at the largest and smallest displacement over the distance of these.
+        """Storage stiffness k' of each cycle, N/m.
+
+        It is the difference of the forces at the largest and smallest displacement over that of these displacements.
 
         Source: thesis Eq. 3.1; the effective stiffness of EN 1998-1:2004, 10.9.2 and ASCE/SEI 7-16, Eq. 17.8-3.
         """
@@ -56,7 +58,7 @@ class Run:
 
     @property
     def loss_stiffness(self) -> np.ndarray:
-        """k'' = W / (pi x0^2) of each cycle, N/m."""
+        """Loss stiffness k'' = W / (pi x0^2) of each cycle, N/m."""
         return self.loops.loss
 
     @property

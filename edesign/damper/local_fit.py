@@ -32,8 +32,16 @@ class Estimate:
 
 
 def noise(values: np.ndarray) -> float:
-    """Standard deviation of white noise on a smooth history, from its third differences (median, so corners count
-    little)."""
+    """Return the standard deviation of white noise on a smooth history, from its third differences.
+
+    The median is taken, so that corners count little.
+
+    Args:
+        values: (n,) samples at an even step.
+
+    Returns:
+        Standard deviation in the unit of the values.
+    """
     if values.size < 4:
         return 0.0
     return float(np.median(np.abs(np.diff(values, 3)))) / 0.6745 / np.sqrt(20.0)
@@ -42,10 +50,11 @@ def noise(values: np.ndarray) -> float:
 def peak(
     time: np.ndarray, values: np.ndarray, near: float, omega: float, within: tuple[float, float], spread: float
 ) -> Estimate:
-    """The maximum of a history.
+    """Find the maximum of a history by a fit around its largest sample.
 
     Args:
-        time, values: (n,).
+        time: (n,) s.
+        values: (n,) of the history.
         near: time of the largest sample, s.
         omega: circular frequency of the history, rad/s.
         within: times between which samples are used, s.
@@ -71,8 +80,20 @@ def peak(
 
 
 def zero(time: np.ndarray, values: np.ndarray, before: int, after: int, spread: float) -> float:
-    """Time at which a history passes zero between two samples of opposite sign, by a straight line through those
-    between them; the widest that the noise warrants."""
+    """Find the time at which a history passes zero between two samples of opposite sign.
+
+    A straight line is fitted through the samples between them, the widest line that the noise warrants.
+
+    Args:
+        time: (n,) s.
+        values: (n,) of the history.
+        before: number of the sample before.
+        after: number of the sample after.
+        spread: standard deviation of the noise.
+
+    Returns:
+        Time, s.
+    """
     middle = 0.5 * (before + after)
     spread = max(spread, _ROUNDING * float(np.max(np.abs(values))))
 
@@ -96,17 +117,21 @@ def zero(time: np.ndarray, values: np.ndarray, before: int, after: int, spread: 
 
 
 def value_at_reversal(time: np.ndarray, values: np.ndarray, at: float, omega: float, spread: float) -> Estimate:
-    """The value of a force where the deformation reverses.
+    """Find the value of a force at a reversal of the deformation.
 
     Forces that change sign with the velocity jump there, or pass with any slope: the fit has an odd jump and odd
     roots beside 1, cos and sin, and gives the even part, which is half way. Where such a force relaxes, as in series
     with a spring, the even part has a cusp: so the sine is there with either sign on the two sides.
 
     Args:
-        time, values: (n,).
+        time: (n,) s.
+        values: (n,) of the force.
         at: time of the reversal, s.
         omega: circular frequency, rad/s.
         spread: standard deviation of the noise.
+
+    Returns:
+        Time, s, and value.
 
     Raises:
         InputError: there are too few samples.

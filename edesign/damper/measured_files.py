@@ -73,8 +73,12 @@ def read_test(
         use: whether laws are fitted to it.
         needs_force: whether a file without force is refused.
         name: of the test; the file name without ending by default.
-        start, start_ramp: as of DamperTest.
+        start: how the test begins, see `DamperTest`.
+        start_ramp: s, see `DamperTest`.
         said: of how the file is read.
+
+    Returns:
+        The test.
 
     Raises:
         InputError: the file cannot be read or is wrong, or no temperature is known.

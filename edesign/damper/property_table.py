@@ -143,12 +143,17 @@ class PropertyTable:
         temperature_C: ArrayLike,
         outside: Literal["refuse", "edge"] = "refuse",
     ) -> Interpolated:
-        """Properties between the rows: linear in strain, logarithm of frequency, and temperature.
+        """Interpolate properties between the rows, linearly in strain, logarithm of frequency, and temperature.
 
         Args:
-            strain, frequency (Hz), temperature_C: scalars or arrays that broadcast.
+            strain: amplitude of the shear strain, a scalar or an array; all three broadcast.
+            frequency: Hz.
+            temperature_C: degC.
             outside: what becomes of points outside the table: "refuse", or "edge" takes the nearest value inside and
                 says so in `inside`.
+
+        Returns:
+            The properties, and whether each point lies inside the table.
 
         Raises:
             InputError: a point is outside, or the rows make no complete grid.

@@ -52,7 +52,8 @@ def sine(
         amplitude: m.
         frequency: Hz.
         cycles: of full amplitude.
-        ramp_up, ramp_down: cycles before and after these, multiples of a half.
+        ramp_up: cycles before these, a multiple of a half.
+        ramp_down: cycles after these, a multiple of a half.
         sampling_rate: Hz.
 
     Returns:
@@ -147,7 +148,8 @@ def random(
         duration: s.
         band: lowest and highest frequency, Hz.
         seed: of the noise.
-        peak, rms: of the whole history, m; one of them.
+        peak: largest magnitude of the whole history, m; either this or `rms`.
+        rms: root mean square of the whole history, m.
         taper: share of the duration at each end over which it fades (half a cosine).
         sampling_rate: Hz.
 

@@ -77,14 +77,18 @@ def in_series(damper: complex | np.ndarray, brace: float | np.ndarray) -> comple
 def equivalent_stiffness(
     k_d: float, c_d: float, k_b: float, omega: float, alpha_d: float = 1.0, alpha_b: float = 1.0
 ) -> float:
-    """What brace and damper add to the stiffness of a storey, N/m.
+    """Return what brace and damper add to the stiffness of a storey, N/m.
 
     Args:
         k_d: stiffness of the damper, N/m.
         c_d: its damping coefficient, N s/m.
         k_b: stiffness of a brace, N/m.
         omega: rad/s.
-        alpha_d, alpha_b: attachment coefficients, e.g. 1 and 2 cos^2 theta of a chevron.
+        alpha_d: attachment coefficient of the damper, e.g. 1 of a chevron.
+        alpha_b: attachment coefficient of the braces, e.g. 2 cos^2 theta of a chevron.
+
+    Returns:
+        Stiffness, N/m.
 
     Source: thesis Eq. 5.10 without k_S.
     """

@@ -163,15 +163,19 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
 def extremes_before(
     test: Recorded, first: int, weight: np.ndarray, force_of: Callable[[Extremes], np.ndarray]
 ) -> Extremes:
-    """What the specimen went through before a test, as its force asks for: a motion either way, or one to the side of
-    the first sample, whichever suits better. It is the least that is within one standard error of the best, and
-    nothing where that is no better by more than chance.
+    """Find the extremes of a specimen's motion before a test, as its force asks for.
+
+    It is a motion either way, or one to the side of the first sample, whichever suits better. The least that is within
+    one standard error of the best is taken, and nothing where that is no better by more than chance.
 
     Args:
         test: the record.
         first: sample that is judged.
         weight: (n,) factors of the residuals that make noise as strong at all times.
         force_of: force (n,) N of the test after extremes.
+
+    Returns:
+        The extremes of deformation and velocity.
     """
     side = math.copysign(1.0, test.displacement[0])
 
@@ -270,16 +274,21 @@ def _jerked(test: Recorded) -> bool:
 
 
 def _moved(test: Recorded, left: np.ndarray, moving: np.ndarray) -> bool:
-    """Whether the force is surely nearer to that of a motion that went on before than to that after rest, of which it
-    leaves so much (n,) N.
+    """Say whether the force is surely nearer to that of a motion that went on before than to that after rest.
+
+    Args:
+        test: the record.
+        left: (n,) N, what the force leaves of that after rest.
+        moving: (n,) N, the difference that a motion before makes.
     """
     power = float(moving @ moving)
     return math.sqrt(power) * (1.0 - _NEARER) > _SURE * test.noise and float(moving @ left) > _NEARER * power
 
 
 def _as_much_as_is_left(most: np.ndarray, left: np.ndarray, noise: float) -> np.ndarray:
-    """What two ways to the first sample make differ (n,) N, as many times larger as the force that is left (n,) N is
-    while that lasts: the specimen may have come from farther away.
+    """Return the difference (n,) N of two ways to the first sample, made as large as the force that is left.
+
+    It is made larger where it lasts: the specimen may have come from farther away.
     """
     lasts = most > noise
     if not np.any(lasts):

@@ -149,8 +149,18 @@ def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:
 
 
 def passed(temperature_C: float | np.ndarray, middle: float, width: float, reference_C: float) -> float | np.ndarray:
-    """Share (n,) of a transition over a temperature (n,), degC, that lies beyond a reference: S(T) - S(T0), S(T) =
-    1/(1 + exp(-(T - middle)/width)).
+    """Return the share of a transition over a temperature that lies beyond a reference.
+
+    It is S(T) - S(T0) with S(T) = 1/(1 + exp(-(T - middle)/width)).
+
+    Args:
+        temperature_C: (n,) or a scalar, degC.
+        middle: of the transition, degC.
+        width: of the transition, degC.
+        reference_C: T0, degC.
+
+    Returns:
+        The share, (n,) or a scalar.
     """
     return scipy.special.expit((temperature_C - middle) / width) - scipy.special.expit((reference_C - middle) / width)
 

@@ -45,7 +45,8 @@ def combined_spectrum(
     """Return the spectrum of two components at right angles together.
 
     Args:
-        first, second: with the same time axis.
+        first: component in one direction.
+        second: component at right angles to it, with the same time axis.
         periods: shape (n,), s.
         damping: ratio of critical.
         spectrum: the geometric mean of both, or the median or largest ordinate over all directions.
@@ -70,10 +71,14 @@ def fit_pair(
     """Find the one factor on both components that is best in least squares of ln(combined / target), within bounds.
 
     Args:
-        first, second: as recorded, with the same time axis.
+        first: component as recorded.
+        second: component at right angles to it, with the same time axis.
         target: of the damping of the options.
         options: band and bounds.
         spectrum: what of the components is compared.
+
+    Returns:
+        The factor and the combined spectrum that it gives.
 
     Raises:
         InputError: a component is zero throughout, or does not reach over the band.

@@ -47,13 +47,17 @@ def read_csv(
 
     Args:
         path: the file.
-        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2", also with a number ("g/10"); a table does not
-            say it, so it must be declared.
+        acceleration_unit: "g", "m/s^2", "cm/s^2" or "mm/s^2", also with a number ("g/10"); a table does not say it, so
+            it must be declared.
         time_step: s; needed without a time column, and checked against it otherwise.
-        time_column, acceleration_column: header, or number from 1.
+        time_column: its header, or its number from 1.
+        acceleration_column: its header, or its number from 1.
         name: of the record; its file name without ending by default.
         layout: "columns", or "rows" of several samples in turn; found from the file by default.
         given: what is said of how the table stands in its file.
+
+    Returns:
+        The record, in m/s2.
 
     Raises:
         InputError: unreadable file, unknown unit, column or layout, something else than finite numbers, lines of

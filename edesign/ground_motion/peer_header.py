@@ -67,9 +67,13 @@ def contradictions(
 
     Args:
         header: of the file.
-        event, station: names; spelling and additions may differ, all words or all numbers may not.
+        event: name of the earthquake; spelling and additions may differ, all words or all numbers may not.
         year: of the earthquake.
+        station: its name, compared in this way too.
         component: PEER's code, whose last three digits are the azimuth in degrees: H-E07140 is 140.
+
+    Returns:
+        One text a contradiction.
     """
     found = []
     if event and header.event and _differ(header.event, event):

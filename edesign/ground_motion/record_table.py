@@ -207,7 +207,8 @@ def check_units(table: RecordTable, when: int | None, at: int, unit: str) -> Non
 
     Args:
         table: with a line of units, or without.
-        when, at: columns of times, if there are any, and of accelerations.
+        when: column of times, if there is one.
+        at: column of accelerations.
         unit: that is declared.
 
     Raises:

@@ -18,7 +18,8 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
 
     Args:
         where: the file, for messages.
-        times, values: shape (n,), the former in s.
+        times: shape (n,), s.
+        values: shape (n,).
         digit: one unit in the last digit of the times, s.
 
     Returns:

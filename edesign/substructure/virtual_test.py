@@ -198,7 +198,8 @@ def lost_in_noise(test: str, sensors: Sensors, deformation: float, force: float)
     Args:
         test: its name.
         sensors: of the laboratory.
-        deformation, force: largest of the specimen, m and N; 0: it has none.
+        deformation: largest of the specimen, m; 0: it has none.
+        force: largest of the specimen, N; 0: it has none.
     """
     for channel, largest, noise, quantum, scale, unit in (
         ("displacement", deformation, sensors.displacement_noise, sensors.displacement_quantum, 1e3, "mm"),

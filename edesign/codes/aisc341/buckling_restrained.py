@@ -43,8 +43,15 @@ class RestrainedBrace:
         return cls(area, yield_stress, modulus, length, yielding_length, factor, alpha, overstrength, points)
 
     def at(self, force_scale: float, length: float) -> RestrainedBrace:
-        """The brace with `force_scale` times the area and at another length between work points, m, whose parts keep
-        their shares."""
+        """Return the brace with another area and another length, whose parts keep their shares.
+
+        Args:
+            force_scale: factor on the area.
+            length: between work points, m.
+
+        Returns:
+            The other brace.
+        """
         share = length / self.length
         return replace(self, area=force_scale * self.area, length=length, yielding_length=share * self.yielding_length)
 
@@ -70,12 +77,12 @@ class RestrainedBrace:
 
     @property
     def adjusted_tension(self) -> float:
-        """omega R_y P_ysc, N, at the largest strain that omega is known at (F4.2a)."""
+        """Adjusted strength in tension omega R_y P_ysc, N, at the largest strain that omega is known at (F4.2a)."""
         return self.points[-1][1] * self.overstrength * self.yield_force
 
     @property
     def adjusted_compression(self) -> float:
-        """beta omega R_y P_ysc, N, at the largest strain that they are known at (F4.2a)."""
+        """Adjusted strength in compression beta omega R_y P_ysc, N, at the largest strain of the tests (F4.2a)."""
         return self.points[-1][2] * self.adjusted_tension
 
     @property

@@ -137,7 +137,11 @@ def target_displacement(
         storeys: of the frame.
         spectrum: of the hazard level.
         site_class: a key of `SITE_FACTORS`.
-        factor, second_order: as of `strength_limit`.
+        factor: see `strength_limit`.
+        second_order: see `strength_limit`.
+
+    Returns:
+        The target displacement with its coefficients; the limit of strength.
 
     Source: ASCE/SEI 41-17, 7.4.3.3.2, Eqs. 7-27 to 7-34.
     """

@@ -31,10 +31,14 @@ def rolled_i_curve(height: float, width: float, flange: float, axis: Axis, yield
     """Return the buckling curve of a rolled I section.
 
     Args:
-        height, width: h and b, overall, m.
+        height: h, overall, m.
+        width: b, overall, m.
         flange: t_f, m.
         axis: about which it buckles.
         yield_stress: f_y, Pa; from 460 MPa on the steel counts as S460.
+
+    Returns:
+        Name of the buckling curve.
 
     Source: EN 1993-1-1:2005, Table 6.2. Flanges above 100 mm with h/b > 1.2 are not in it; they take the curve of those
         with h/b <= 1.2.
@@ -108,11 +112,16 @@ def torsional_critical_force(
     """Return N_cr,T = A / (I_y + I_z) (G I_t + pi2 E I_w / L_T2), N, of a doubly symmetric section.
 
     Args:
-        modulus, shear_modulus: E, G, Pa.
+        modulus: E, Pa.
+        shear_modulus: G, Pa.
         area: A, m2.
         polar_inertia: I_y + I_z, m4.
-        I_t, I_w: torsion (m4) and warping (m6) constants.
+        I_t: torsion constant, m4.
+        I_w: warping constant, m6.
         length: L_T, between restraints of twisting, m.
+
+    Returns:
+        N_cr,T, N.
 
     Raises:
         InputError: a value that must be greater than zero is not.

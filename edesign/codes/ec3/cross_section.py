@@ -23,6 +23,10 @@ def axial_resistance(area: float, yield_stress: float, gamma_M0: float = GAMMA_M
     Args:
         area: A, m2.
         yield_stress: f_y, Pa.
+        gamma_M0: partial factor.
+
+    Returns:
+        N_pl,Rd, N.
 
     Source: EN 1993-1-1:2005, 6.2.3(2)a, Eq. 6.6, and 6.2.4(2), Eq. 6.10.
     """
@@ -35,6 +39,10 @@ def moment_resistance(modulus: float, yield_stress: float, gamma_M0: float = GAM
     Args:
         modulus: W_pl of class 1 and 2, W_el of class 3, m3.
         yield_stress: f_y, Pa.
+        gamma_M0: partial factor.
+
+    Returns:
+        M_c,Rd, N m.
 
     Source: EN 1993-1-1:2005, 6.2.5(2), Eqs. 6.13 and 6.14.
     """
@@ -47,6 +55,10 @@ def shear_resistance(shear_area: float, yield_stress: float, gamma_M0: float = G
     Args:
         shear_area: A_v, m2.
         yield_stress: f_y, Pa.
+        gamma_M0: partial factor.
+
+    Returns:
+        V_pl,Rd, N.
 
     Source: EN 1993-1-1:2005, 6.2.6(2), Eq. 6.18.
     """
@@ -57,8 +69,12 @@ def web_is_slender(web_height: float, web_thickness: float, yield_stress: float)
     """Return whether h_w / t_w > 72 epsilon / eta with eta = 1, so that shear may buckle the web.
 
     Args:
-        web_height, web_thickness: h_w, between the flanges, and t_w, m.
+        web_height: h_w, between the flanges, m.
+        web_thickness: t_w, m.
         yield_stress: f_y, Pa.
+
+    Returns:
+        True where shear may buckle the web.
 
     Source: EN 1993-1-1:2005, 6.2.6(6), Eq. 6.22.
     """
@@ -69,7 +85,12 @@ def web_slenderness(web_height: float, web_thickness: float, yield_stress: float
     """Return lambda_w = h_w / (86.4 t_w epsilon) of a web with stiffeners at the supports alone.
 
     Args:
-        web_height, web_thickness, yield_stress: as of `web_is_slender`.
+        web_height: h_w, between the flanges, m.
+        web_thickness: t_w, m.
+        yield_stress: f_y, Pa.
+
+    Returns:
+        lambda_w, dimensionless.
 
     Source: EN 1993-1-5:2006, 5.3(3)a, Eq. 5.5.
     """
@@ -93,8 +114,13 @@ def shear_buckling_resistance(web_height: float, web_thickness: float, yield_str
     What the flanges add (5.4) is left out, which is on the safe side.
 
     Args:
-        web_height, web_thickness, yield_stress: as of `web_is_slender`.
+        web_height: h_w, between the flanges, m.
+        web_thickness: t_w, m.
+        yield_stress: f_y, Pa.
         gamma_M1: partial factor of stability.
+
+    Returns:
+        V_bw,Rd, N.
 
     Source: EN 1993-1-5:2006, 5.2(1), Eq. 5.2.
     """
@@ -122,6 +148,10 @@ def moment_of_shear_area(
         web_height: h_w, between the flanges, m.
         web_thickness: t_w, of all webs together, m.
         yield_stress: f_y, Pa.
+        gamma_M0: partial factor.
+
+    Returns:
+        The moment, N m.
 
     Source: EN 1993-1-1:2005, 6.2.8(5), Eq. 6.30.
     """
@@ -149,7 +179,13 @@ def axial_resistance_with_shear(
 
     Args:
         N_pl_Rd: without shear, N.
-        rho_y, V_pl_y_Rd, rho_z, V_pl_z_Rd: of the shear along y and along z.
+        rho_y: reduction by the shear along y, 0 to 1, by `shear_reduction`.
+        V_pl_y_Rd: resistance to shear along y, N.
+        rho_z: reduction by the shear along z, 0 to 1.
+        V_pl_z_Rd: resistance to shear along z, N.
+
+    Returns:
+        N_V,Rd, N.
 
     Source: EN 1993-1-1:2005, 6.2.10(3), Eq. 6.45.
     """
@@ -235,7 +271,12 @@ def linear_interaction(n: float, m_y: float, m_z: float) -> float:
     """Return N_Ed/N_Rd + M_y,Ed/M_y,Rd + M_z,Ed/M_z,Rd: for class 3 the stress by f_y, for class 1 and 2 a safe check.
 
     Args:
-        n, m_y, m_z: the three ratios, magnitudes.
+        n: N_Ed / N_Rd, magnitude.
+        m_y: M_y,Ed / M_y,Rd, magnitude.
+        m_z: M_z,Ed / M_z,Rd, magnitude.
+
+    Returns:
+        The sum of the ratios.
 
     Source: EN 1993-1-1:2005, 6.2.1(7), Eq. 6.2, and 6.2.9.2(1), Eq. 6.42.
     """
@@ -251,8 +292,13 @@ def plastic_interaction(shape: Shape, n: float, m_y: float, m_z: float, reduced_
     Args:
         shape: I, RHS or CHS.
         n: N_Ed / N_pl,Rd, magnitude.
-        m_y, m_z: M_Ed / M_Rd, magnitudes.
-        reduced_y, reduced_z: M_N,Rd / M_Rd, 0 to 1.
+        m_y: M_y,Ed / M_y,Rd, magnitude.
+        m_z: M_z,Ed / M_z,Rd, magnitude.
+        reduced_y: M_N,y,Rd / M_y,Rd, 0 to 1.
+        reduced_z: M_N,z,Rd / M_z,Rd, 0 to 1.
+
+    Returns:
+        The utilisation; at most 1 is safe.
 
     Source: EN 1993-1-1:2005, 6.2.9.1(2), Eq. 6.31, (6), Eq. 6.41, and 6.2.1(7), Eq. 6.2.
     """

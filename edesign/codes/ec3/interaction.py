@@ -27,9 +27,13 @@ def member_interaction(
 
     Args:
         factors: by `annex_a_factors` or `annex_b_factors`.
-        n_y, n_z: N_Ed / (chi N_Rk / gamma_M1) about each axis.
+        n_y: N_Ed / (chi_y N_Rk / gamma_M1).
+        n_z: N_Ed / (chi_z N_Rk / gamma_M1).
         m_y: M_y,Ed / (chi_LT M_y,Rk / gamma_M1).
         m_z: M_z,Ed / (M_z,Rk / gamma_M1).
+
+    Returns:
+        The left sides of Eq. 6.61 and of Eq. 6.62.
 
     Source: EN 1993-1-1:2005, 6.3.3(4), Eqs. 6.61 and 6.62.
     """
@@ -54,13 +58,20 @@ def annex_b_factors(
     """Return the factors of Annex B.
 
     Args:
-        C_my, C_mz, C_mLT: equivalent uniform moment factors, Table B.3.
-        lambda_y, lambda_z: slendernesses in flexural buckling.
-        n_y, n_z: N_Ed / (chi N_Rk / gamma_M1) about each axis.
+        C_my: equivalent uniform moment factor about y, Table B.3.
+        C_mz: equivalent uniform moment factor about z.
+        C_mLT: equivalent uniform moment factor for lateral-torsional buckling.
+        lambda_y: slenderness in flexural buckling about y.
+        lambda_z: slenderness in flexural buckling about z.
+        n_y: N_Ed / (chi_y N_Rk / gamma_M1).
+        n_z: N_Ed / (chi_z N_Rk / gamma_M1).
         plastic: class 1 or 2; otherwise class 3.
         hollow: an RHS, whose k_zz is that of k_yy; circular sections are taken as these.
         twists: the member is susceptible to torsional deformation (Table B.2); hollow sections and members whose
             twisting is prevented are not (Table B.1).
+
+    Returns:
+        k_yy, k_yz, k_zy and k_zz.
 
     Source: EN 1993-1-1:2005, Annex B, Tables B.1 and B.2; SCI P362, Designers' Guide to EN 1993-1-1 (Gardner &
         Nethercot), 6.3.3.
@@ -151,8 +162,13 @@ def annex_a_terms(
     Args:
         member: its constants.
         N_Ed: compression, N; below N_cr,z and N_cr,T.
-        M_y_Ed, M_z_Ed: largest moments along the member, N m.
-        C_my_0, C_mz_0: by Table A.2.
+        M_y_Ed: largest moment about y along the member, N m.
+        M_z_Ed: largest moment about z along the member, N m.
+        C_my_0: factor of the moments about y by Table A.2.
+        C_mz_0: factor of the moments about z by Table A.2.
+
+    Returns:
+        The terms of Table A.1.
 
     Source: EN 1993-1-1:2005 + AC:2009, Table A.1; ECCS publication 119, Rules for member stability in EN 1993-1-1.
         Below the limit of lambda_0 the terms b_LT to e_LT vanish, as in ECCS 119. Public programs differ in C_zz: two

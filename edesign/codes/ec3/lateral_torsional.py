@@ -84,12 +84,20 @@ def critical_moment(
     """Return M_cr, N m, of a doubly symmetric section.
 
     Args:
-        modulus, shear_modulus: E, G, Pa.
-        I_z, I_t, I_w: m4, m4, m6.
+        modulus: E, Pa.
+        shear_modulus: G, Pa.
+        I_z: second moment of area about the weak axis, m4.
+        I_t: torsion constant, m4.
+        I_w: warping constant, m6.
         length: L, between lateral restraints, m.
-        C1, C2: of the moment diagram and of the height of the load.
+        C1: factor of the moment diagram.
+        C2: factor of the height of the load.
         z_g: height of the load above the shear centre; positive where it makes the section tip over, m.
-        k, k_w: effective lengths in lateral bending and in warping, by L.
+        k: effective length in lateral bending, by L.
+        k_w: effective length in warping, by L.
+
+    Returns:
+        M_cr, N m.
 
     Raises:
         InputError: a value that must be greater than zero is not.
@@ -126,9 +134,14 @@ def buckling_moments(
         M_max: the largest moment along the member; magnitude.
         M_quarters: (3, ...) at the quarter points; magnitudes.
         tipping: L / pi2 times the sum of z_g P sin2(pi x / L), N m2; not negative.
-        euler, squared: pi2 E I_z / L2, N, and I_w / I_z + G I_t L2 / (pi2 E I_z), m2.
+        euler: pi2 E I_z / L2, N.
+        squared: I_w / I_z + G I_t L2 / (pi2 E I_z), m2.
         imperfection: alpha_LT.
-        plateau, beta: as for `reduction_factor`.
+        plateau: lambda_LT,0, see `reduction_factor`.
+        beta: see `reduction_factor`.
+
+    Returns:
+        chi_LT,mod M_y,Rk, N m, in the shape of the arguments.
 
     Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3, Eqs. 6.57 and 6.58; k_c as `correction_of_factor`. M_cr: NCCI SN003,
         Eq. 1; C2 by the energy of one half-wave (Timoshenko & Gere, Theory of Elastic Stability, 6.3).
@@ -201,7 +214,11 @@ def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA
     Args:
         slenderness: lambda_LT.
         curve: b, c or d, by `rolled_curve`.
-        lambda_LT_0, beta: as the National Annex has them.
+        lambda_LT_0: largest slenderness without reduction, as the National Annex has it.
+        beta: correction factor for rolled sections, as the National Annex has it.
+
+    Returns:
+        chi_LT, dimensionless.
 
     Raises:
         InputError: there is no such curve, or the slenderness is negative.

@@ -41,8 +41,12 @@ def alpha_ratio(system: str, storeys: int, bays: int, regular_in_plan: bool = Tr
 
     Args:
         system: one of `SYSTEMS`.
-        storeys, bays: of the frame.
+        storeys: number of storeys of the frame.
+        bays: number of bays of the frame.
         regular_in_plan: otherwise the mean of 1 and the default.
+
+    Returns:
+        alpha_u / alpha_1, dimensionless.
 
     Raises:
         InputError: there is no such system, or it has no storey or bay.
@@ -101,10 +105,20 @@ def behaviour_factor(
     regular_in_elevation: bool = True,
     low_ductility_q: float = 1.5,
 ) -> float:
-    """Return the upper limit of q; arguments and errors as `reference_q`.
+    """Return the upper limit of the behaviour factor q, regularity in elevation included.
 
     Args:
+        system: one of `SYSTEMS`.
+        ductility: ductility class: `low`, `medium` or `high`.
+        alpha_ratio: alpha_u / alpha_1.
         regular_in_elevation: otherwise q is reduced by 20 %.
+        low_ductility_q: q of ductility class low.
+
+    Returns:
+        q, dimensionless.
+
+    Raises:
+        InputError: as `reference_q`.
 
     Source: EN 1998-1:2004, 6.3.2(1) and (2), 4.2.3.1(7); 6.1.2(3): in class low no less than 1.5 is needed.
     """

@@ -32,9 +32,13 @@ def asymmetry(A_plus: float, A_minus: float, storey: int) -> Criterion:
     """Check that a braced frame behaves alike in both senses of a direction: |A+ - A-| / (A+ + A-) <= 0.05.
 
     Args:
-        A_plus, A_minus: sum over the diagonals of a storey that are in tension under an action in the positive, and in
-            the negative sense: cross-section area times cosine of the slope against the horizontal, m2.
+        A_plus: sum over the diagonals of a storey that are in tension under an action in the positive sense:
+            cross-section area times cosine of the slope against the horizontal, m2.
+        A_minus: the sum over those in tension under an action in the negative sense, m2.
         storey: its number, for the text.
+
+    Returns:
+        The criterion with its value and its limit.
 
     Raises:
         InputError: an area is negative, or both are zero.

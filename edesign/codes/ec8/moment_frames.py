@@ -23,8 +23,15 @@ def hinge_shear(M_pl_A: ArrayLike, M_pl_B: ArrayLike, L: ArrayLike) -> np.ndarra
     """Return V_Ed,M = (M_pl,Rd,A + M_pl,Rd,B) / L, N: shear of a beam with hinges of opposite sign at both ends.
 
     Args:
-        M_pl_A, M_pl_B: plastic resistances at the ends, N m.
+        M_pl_A: plastic resistance at the start of the beam, N m.
+        M_pl_B: plastic resistance at its end, N m.
         L: distance of the hinges, m.
+
+    Returns:
+        V_Ed,M, N, in the shape of the arguments.
+
+    Raises:
+        InputError: a resistance or a distance is not greater than zero.
 
     Source: EN 1998-1:2004, 6.6.2(2), Eq. 6.5.
     """

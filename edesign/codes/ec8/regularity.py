@@ -51,7 +51,14 @@ def slenderness(L_x: float, L_y: float) -> Criterion:
     """Check L_max / L_min <= 4 of the plan.
 
     Args:
-        L_x, L_y: dimensions of the building in plan, m.
+        L_x: dimension of the building in plan along x, m.
+        L_y: dimension along y, m.
+
+    Returns:
+        The criterion with its value and its limit.
+
+    Raises:
+        InputError: a dimension is not greater than zero.
 
     Source: EN 1998-1:2004, 4.2.3.2(5).
     """
@@ -158,7 +165,8 @@ def setbacks(lower: ArrayLike, upper: ArrayLike, top: ArrayLike) -> tuple[Criter
     """Check the setbacks of the building in one horizontal direction.
 
     Args:
-        lower, upper: (n_storeys,) coordinates of the two faces of each storey, from the lowest up, m.
+        lower: (n_storeys,) coordinate of the lower face of each storey, from the lowest storey up, m.
+        upper: (n_storeys,) coordinate of the upper face of each storey, m.
         top: (n_storeys,) level of the top of each storey, m.
 
     Returns:

@@ -35,7 +35,11 @@ def accidental_moments(F: ArrayLike, L: ArrayLike, ratio: float = ECCENTRICITY) 
 
     Args:
         F: (n_floors,) horizontal forces of 4.3.3.2.3 in the direction of the action, N (`lateral_forces`).
-        L, ratio: as in `accidental_eccentricity`.
+        L: floor dimension at right angles to the action, m, see `accidental_eccentricity`.
+        ratio: of the accidental eccentricity to L, see `accidental_eccentricity`.
+
+    Returns:
+        (n_floors,) M_ai, N m.
 
     Source: EN 1998-1:2004, 4.3.3.3.3(1), Eq. 4.17, and (2).
     """

@@ -132,9 +132,13 @@ def seismic(
     The seismic action contains gamma_I already, so its factor is 1 in the direction that leads.
 
     Args:
-        cases, psi: as `fundamental`.
+        cases: see `fundamental`.
+        psi: see `fundamental`.
         directions: `30 %` or `srss`.
         vertical: the vertical component acts too.
+
+    Returns:
+        The combinations, each once.
 
     Raises:
         InputError: as `fundamental`, or there is no such rule of directions.

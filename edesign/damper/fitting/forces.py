@@ -159,8 +159,9 @@ def core_predict(law: Law) -> Predict:
 
 
 def _residual(setup: Setup, loadings: Sequence[Loading], predict: Predict) -> Residual:
-    """Errors relative to the tests' forces; half the sum of their squares is half the mean over tests. Those of samples
-    that are not judged are none.
+    """Return the function of errors relative to the tests' forces.
+
+    Half the sum of their squares is half the mean over tests. Samples that are not judged have no errors.
     """
     factors = [np.sqrt(a.weight / ((a.time.size - a.first) * len(loadings))) for a in loadings]
 

@@ -78,16 +78,20 @@ def descend(
     workers: int = 1,
     tolerance: float = _TOLERANCE,
 ) -> Descent:
-    """Minimise from one start.
+    """Find the minimum that a descent from one start leads to.
 
     Args:
         problem: what is minimised.
         start: coordinates (n,), moved inside the bounds.
-        loss, f_scale: as of scipy.optimize.least_squares.
+        loss: see scipy.optimize.least_squares.
+        f_scale: residual from which the loss is no longer quadratic, see scipy.optimize.least_squares.
         most: iterations.
         central: whether derivatives are central differences: twice the work, errors of second order.
         workers: threads for the derivatives.
         tolerance: relative change of the cost at which the search ends.
+
+    Returns:
+        The minimum, its cost and the work that it took.
     """
     seen: dict[bytes, np.ndarray] = {}
     count = 0

@@ -39,17 +39,28 @@ class PropertyColumns(Protocol):
     """Columns (n,) of a property table, SI units."""
 
     @property
-    def strain(self) -> np.ndarray: ...
+    def strain(self) -> np.ndarray:
+        """Amplitude of the shear strain of each row, (n,), dimensionless."""
+
     @property
-    def frequency(self) -> np.ndarray: ...
+    def frequency(self) -> np.ndarray:
+        """Frequency of each row, (n,) Hz."""
+
     @property
-    def temperature_C(self) -> np.ndarray: ...
+    def temperature_C(self) -> np.ndarray:
+        """Temperature of each row, (n,) degC."""
+
     @property
-    def G_storage(self) -> np.ndarray: ...
+    def G_storage(self) -> np.ndarray:
+        """Storage modulus G' of each row, (n,) Pa."""
+
     @property
-    def G_eq(self) -> np.ndarray: ...
+    def G_eq(self) -> np.ndarray:
+        """Equivalent modulus of each row, (n,) Pa."""
+
     @property
-    def loss_factor(self) -> np.ndarray: ...
+    def loss_factor(self) -> np.ndarray:
+        """Loss factor eta of each row, (n,), dimensionless."""
 
 
 def fit_properties(
@@ -79,10 +90,24 @@ def fit_properties(
         law: the law.
         table: the properties.
         specimen: the layers that were tested.
+        start: parameters to begin from, see `fit_forces`.
         quantities: what is fitted.
-        cycles, samples: of the simulated tests, as of steady_state.predict.
-        start, bounds, fixed, fit_also, loss, starts, seed, temperature, reference_C, branches, workers, progress: as of
-            fit_forces.
+        bounds: of parameters, see `fit_forces`.
+        fixed: parameters that are kept, see `fit_forces`.
+        fit_also: further parameters that are fitted, see `fit_forces`.
+        loss: of the residuals, see `fit_forces`.
+        starts: number of starting points, see `fit_forces`.
+        seed: of the starting points.
+        temperature: what the temperature changes, see `fit_forces`.
+        reference_C: reference temperature, degC.
+        branches: number of branches of the law, see `fit_forces`.
+        cycles: first and last full cycle that is averaged, see `steady_state.predict`.
+        samples: of a simulated cycle, see `steady_state.predict`.
+        workers: number of threads.
+        progress: told of the starts.
+
+    Returns:
+        The fitted parameters with their uncertainty and errors.
 
     Raises:
         InputError: something is wrong with table or options, or the rows cannot carry so many parameters.

@@ -28,8 +28,19 @@ ValuesAt = Callable[[float], Mapping[str, float]]
 def with_starts(
     loadings: Sequence[Loading], tests: Sequence[DamperTest], law: Law, values_at: ValuesAt, predict: Predict
 ) -> tuple[Loading, ...]:
-    """Tests with their starts, as a law with parameters says; those that they have where it has no force for another
-    beginning.
+    """Return tests with the state at their first sample that a law with its parameters says.
+
+    A test keeps the start that it has where the law has no force for another beginning.
+
+    Args:
+        loadings: of the tests.
+        tests: the records, as many.
+        law: the law.
+        values_at: gives its parameters at a temperature.
+        predict: gives the force of a loading.
+
+    Returns:
+        The loadings with their starts.
     """
 
     def started(loading: Loading, test: DamperTest) -> Loading:

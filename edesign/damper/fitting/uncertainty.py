@@ -59,14 +59,18 @@ def uncertainty(
     slopes: np.ndarray,
     loss_weight: np.ndarray | None = None,
 ) -> Uncertainty:
-    """Covariances at a solution of least squares.
+    """Return covariances at a solution of least squares.
 
     Args:
         jacobian: (m, n) derivatives of the residual to the coordinates.
         residual: (m,).
-        tests, blocks: (m,) number of the test and block of every sample.
+        tests: (m,) number of the test of every sample.
+        blocks: (m,) number of the block of every sample.
         slopes: (n, n) derivatives of the unknowns to the coordinates.
         loss_weight: (m,) derivative of the loss; None: 1.
+
+    Returns:
+        Covariances of the unknowns, and what they rest on.
 
     Source: White (1980) with clusters: H^-1 (sum over blocks of g g^T) H^-1 with g = J_b^T r_b, times G / (G - n).
     """

@@ -44,7 +44,11 @@ class Step:
             state: motion and peaks.
             ordinates: what is matched.
             width_factor: of the wavelets.
+            lags: of the peak behind the centres of wavelets, in widths.
             time_step: s.
+
+        Returns:
+            The linear equations of the amplitudes of the wavelets.
         """
         watched = np.abs(state.peaks.value) > NEAR * ordinates.target[state.peaks.ordinate]
         if ordinates.with_ground:

@@ -19,7 +19,11 @@ def taper(record: Record, start: float, end: float) -> Record:
 
     Args:
         record: the record.
-        start, end: length of the tapers, s; 0 for none; together at most the length of the record.
+        start: length of the taper at the start, s; 0 for none.
+        end: length of the taper at the end, s; 0 for none; together at most the length of the record.
+
+    Returns:
+        The tapered record.
 
     Raises:
         InputError: a length is negative, or both together are longer than the record.
@@ -40,7 +44,8 @@ def trim(record: Record, start: float, end: float, taper_length: float = 0.5) ->
 
     Args:
         record: the record.
-        start, end: s from the first sample; moved outwards to whole steps, and to the record's ends.
+        start: s from the first sample; moved back to a whole step, and to the record's start.
+        end: s from the first sample; moved on to a whole step, and to the record's end.
         taper_length: s at each end; where the record itself begins or ends too.
 
     Returns:
@@ -74,7 +79,8 @@ def trim_to_significant(
     Args:
         record: the record.
         bounds: shares of the Husid diagram, 0 <= lower < upper <= 1.
-        lead, tail: s kept before and after as well, where the record has them.
+        lead: s kept before the part as well, where the record has them.
+        tail: s kept after the part as well, where the record has them.
         taper_length: s at each end.
 
     Returns:
@@ -104,7 +110,11 @@ def pad(record: Record, before: float = 0.0, after: float = 0.0) -> Record:
 
     Args:
         record: the record.
-        before, after: s.
+        before: s in front.
+        after: s behind.
+
+    Returns:
+        The longer record.
 
     Raises:
         InputError: a length is negative, or so many zeros are no record any more.

@@ -15,37 +15,85 @@ Check = tuple[tuple[str, ...], Callable[[], object]]
 
 
 class SeismicAction(Protocol):
-    """Spectra of a hazard. A level of None is what records are fitted to: the action of which all levels are multiples,
-    or the only level of an action whose levels have spectra of their own."""
+    """Spectra of a hazard.
+
+    A level of None is what records are fitted to: the action of which all levels are multiples, or the only level of an
+    action whose levels have spectra of their own.
+    """
 
     def checks(self) -> Iterator[Check]:
         """Yield what only the code can check, in the order in which it is told."""
 
     def elastic(self, level: str | None) -> Spectrum:
-        """Return the horizontal elastic spectrum."""
+        """Return the horizontal elastic spectrum.
+
+        Args:
+            level: its name in the hazard; None: see the class.
+
+        Returns:
+            Spectrum, m/s2 over s.
+        """
 
     def vertical(self, level: str | None) -> Spectrum:
         """Return the vertical elastic spectrum.
+
+        Args:
+            level: its name in the hazard; None: see the class.
+
+        Returns:
+            Spectrum, m/s2 over s.
 
         Raises:
             InputError: the code has none here.
         """
 
     def design(self, level: str | None, q: float | None) -> DesignOrdinates | None:
-        """Return the horizontal spectrum reduced by q; None for q takes what the hazard says, and gives None without.
+        """Return the horizontal spectrum reduced by q.
+
+        Args:
+            level: its name in the hazard; None: see the class.
+            q: behaviour factor; None takes what the hazard says.
+
+        Returns:
+            The ordinates; None: neither `q` nor the hazard says a behaviour factor.
 
         Raises:
             InputError: the code has no such thing.
         """
 
     def vertical_design(self, level: str | None, q: float) -> DesignOrdinates:
-        """Return the vertical spectrum reduced by q; errors as `design`."""
+        """Return the vertical spectrum reduced by q.
+
+        Args:
+            level: its name in the hazard; None: see the class.
+            q: behaviour factor of the vertical component.
+
+        Returns:
+            The ordinates.
+
+        Raises:
+            InputError: the code has no such thing.
+        """
 
     def factor(self, level: str) -> float:
-        """Return the spectrum of a level over that of None; 1 where levels have spectra of their own."""
+        """Return the spectrum of a level over that of None; 1 where levels have spectra of their own.
+
+        Args:
+            level: its name in the hazard.
+
+        Returns:
+            The factor, dimensionless.
+        """
 
     def facts(self, level: str) -> str:
-        """Return how rare a level is and what it follows from, for people; empty where nothing is known."""
+        """Return how rare a level is and what it follows from, for people; empty where nothing is known.
+
+        Args:
+            level: its name in the hazard.
+
+        Returns:
+            Text for people.
+        """
 
 
 def check_level(hazard: Hazard, level: str) -> None:

@@ -35,6 +35,10 @@ def effective_distance(magnitude: float, distance: float, crust: Crust) -> float
     Args:
         magnitude: moment magnitude.
         distance: closest distance R to the rupture, m.
+        crust: whose pseudo-depth h is taken.
+
+    Returns:
+        R_ps, m.
 
     Source: Boore & Thompson (2015), after Atkinson & Silva (2000, BSSA 90, 255-274).
     """

@@ -58,6 +58,7 @@ def fourier_amplitude(
         magnitude: moment magnitude.
         distance: closest distance to the rupture, m.
         v_s30: of the site, m/s; None is the crust's reference rock.
+        crust: whose source, path and site are taken.
 
     Returns:
         Shape (n,), m/s.

@@ -82,8 +82,12 @@ class FreeBeams:
             frame: with the sections of the members, and the load cases.
             effects: of the actions.
             spectral: (d, n_members, n_stations, 6) magnitudes of the responses.
-            static_factors, spectral_factors: (k, n_cases), (k, d) of k combinations.
+            static_factors: (k, n_cases) factors of the load cases in k combinations.
+            spectral_factors: (k, d) factors of the responses in them.
             M_Rk: (n_beams,) W_y f_y, N m.
+
+        Returns:
+            M_b,Rd by combination and beam, with what it follows from.
         """
         steady = np.tensordot(static_factors, effects.static[..., _M_Y][:, self.members], 1)  # (k, beams, stations)
         swing = np.tensordot(np.abs(spectral_factors), spectral[..., _M_Y][:, self.members], 1)

@@ -114,11 +114,16 @@ def overstrength(
     """Return Omega of one direction: the least of M_pl,Rd / M_Ed of beams, or of N_pl,Rd / N_Ed of diagonals.
 
     Args:
-        frame, materials: of the building.
+        frame: of the building.
+        materials: its steels, by name.
         acting: (n_members, n_stations, 6) largest effects in the seismic design situation, by `largest`.
         members: numbers of the dissipative members of this direction.
-        axis, system: direction and its structural type.
+        axis: direction.
+        system: structural type in this direction.
         gamma_M0: partial factor.
+
+    Returns:
+        Omega and the ratio of every dissipative member.
 
     Source: EN 1998-1:2004, 6.6.3(1)P for moment frames, 6.7.4(1) for concentric bracings.
     """
@@ -148,11 +153,17 @@ def joints(
     The resistance of a column is the least within the axial forces of the seismic design situation (4.4.2.3(4)).
 
     Args:
-        frame, materials: of the building.
+        frame: of the building.
+        materials: its steels, by name.
         acting: as for `overstrength`.
         beams: numbers of the beams with hinges in this direction.
         axis: direction.
         gamma_M0: partial factor.
+
+    Returns:
+        The joints in the order of their nodes.
+
+    Source: EN 1998-1:2004, 4.4.2.3(4), Eq. 4.29.
     """
     start, end = frame.ends
     force = acting[:, :, N].max(axis=1)
@@ -201,11 +212,17 @@ def column_moments(
     """Return M_N,Rd of columns about the axis that horizontal forces bend them about, (n_columns,) N m.
 
     Args:
-        frame, materials: of the building.
+        frame: of the building.
+        materials: its steels, by name.
         columns: (n_columns,) numbers.
         axis: of the horizontal forces.
         force: (n_members,) largest axial forces, N, without sign.
         gamma_M0: partial factor.
+
+    Returns:
+        M_N,Rd, (n_columns,) N m.
+
+    Source: EN 1993-1-1:2005, 6.2.9.1.
     """
     pairs, of_members = frame.sections
     kinds, found = 2 * of_members[columns] + bend_about_y(frame, columns, axis), np.zeros(columns.size)

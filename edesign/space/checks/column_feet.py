@@ -49,7 +49,8 @@ def feet_criteria(
     the length. N_Ed, which the class depends on, is that of the amplified combinations.
 
     Args:
-        frame, materials: of the building.
+        frame: of the building.
+        materials: its steels, by name.
         effects: of the actions.
         amplified: combinations for members that must not yield.
         feet: numbers of the columns, by `hinged_feet`.

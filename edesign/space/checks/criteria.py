@@ -72,11 +72,18 @@ def behaviour_criteria(
     """Return whether q, and the class of the dissipative sections in one direction, are allowed.
 
     Args:
-        building, frame: with the members.
-        q, limit: behaviour factors and their upper limits.
+        building: with the design block of the file.
+        frame: with the members.
+        q: behaviour factor of each direction.
+        limit: upper limit of q in each direction.
         axis: direction.
         dissipative: numbers of the dissipative members.
         regular: whether the building is.
+
+    Returns:
+        The criterion of q, and those of the sections.
+
+    Source: EN 1998-1:2004, 6.3.2(1), 6.5.3(2).
     """
     found = [at_most("6.3.2(1)", f"behaviour factor q, direction {axis}", limit[axis], q[axis])]
     design = design_of(building)
@@ -98,8 +105,12 @@ def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> i
 
     Args:
         design: block of the file.
-        q, limit: behaviour factor of a direction and its upper limit.
+        q: behaviour factor of a direction.
+        limit: its upper limit.
         regular: whether the building is.
+
+    Returns:
+        The class, 1 to 4.
     """
     reference = limit if regular.elevation else limit / IRREGULAR_Q
     return largest_section_class(design.ductility_class, min(q, reference))
@@ -147,7 +158,13 @@ def connection_criteria(design: Design, axis: Axis, q: float) -> list[Criterion]
 
     Args:
         design: block of the file.
-        axis, q: direction and its behaviour factor.
+        axis: direction.
+        q: its behaviour factor.
+
+    Returns:
+        One criterion, or none where the class of ductility asks for no rotation.
+
+    Source: EN 1998-1:2004, 6.6.4(3).
     """
     rotation = rotation_capacity(design.ductility_class, q)
     text = f"rotation capacity of beam to column connections, direction {axis}, rad"
@@ -158,8 +175,12 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
     """Return the non-dimensional slenderness of diagonals, (n,), the larger one of both axes.
 
     Args:
-        building, frame: with the members.
+        building: with buckling lengths and steels.
+        frame: with the members.
         members: (n,) numbers of the diagonals.
+
+    Returns:
+        lambda, (n,), dimensionless.
     """
     factor = design_of(building).members.buckling_length.braces
     of_one_metre = by_section(frame, building.materials, slenderness_of_one_metre)
@@ -181,8 +202,12 @@ def bracing_criteria(building: Building, frame: SpaceFrame, overstrength: Overst
     """Return the rules for diagonals of one direction: slenderness, homogeneous overstrength, symmetry.
 
     Args:
-        building, frame: with the members.
+        building: with the design block of the file.
+        frame: with the members.
         overstrength: of this direction.
+
+    Returns:
+        The criteria; none where the direction has no diagonals.
     """
     axis, number = overstrength.axis, AXES.index(overstrength.axis)
     if not overstrength.members.size:

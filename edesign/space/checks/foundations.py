@@ -150,10 +150,15 @@ def foundation_factors(
     elsewhere that of the dissipative members of the direction.
 
     Args:
-        building, frame: with the members.
+        building: with the design block of the file.
+        frame: with the members.
         of: supports.
         acting: (n_members, n_stations, 6) largest effects in the seismic design situation.
-        overstrength, q: of both directions.
+        overstrength: of both directions.
+        q: behaviour factors of both directions.
+
+    Returns:
+        gamma_Rd Omega, (2, s); whether Omega is that of the foot, (2, s).
 
     Source: EN 1998-1:2004, 4.4.2.6(4)-(6).
     """
@@ -192,10 +197,15 @@ def foundations(
     Args:
         frame: of the building.
         of: its supports.
-        static, response: effects of load cases and of the seismic action.
+        static: effects of load cases.
+        response: effects of the seismic action, by direction.
         storeys: with the factors for second-order effects, of which that of the lowest storey counts.
         seismic: combinations.
-        factor, of_foot: by `foundation_factors`.
+        factor: gamma_Rd Omega, by `foundation_factors`.
+        of_foot: whether it is that of the foot, by `foundation_factors`.
+
+    Returns:
+        Reactions and design actions at the supports.
 
     Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30.
     """

@@ -140,10 +140,15 @@ class MemberChecker:
         Args:
             frame: with the sections of the members.
             effects: of the actions.
-            fundamental, seismic: combinations for persistent and for seismic design situations.
-            overstrength, q: Omega and behaviour factors of both directions.
+            fundamental: combinations for persistent design situations.
+            seismic: combinations for seismic design situations.
+            overstrength: Omega of both directions.
+            q: behaviour factors of both directions.
             yielded: combinations for beams beside buckled braces.
             vertical: seismic combinations with the vertical component.
+
+        Returns:
+            Utilisations of all members with what governs them.
         """
         raised, raised_vertical = (
             amplified_combinations(self._design, rows, overstrength, q) for rows in (seismic, vertical)
@@ -175,7 +180,11 @@ class MemberChecker:
 
         Args:
             frame: with the sections.
-            effects, results: of the other sections.
+            effects: of the other sections.
+            results: of the other sections.
+
+        Returns:
+            (n_members,), dimensionless.
         """
         checked = self._members(frame, effects, results.rows)
         found, _ = self._checked(frame, *checked, effects, results.rows, results.counts)

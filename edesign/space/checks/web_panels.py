@@ -65,12 +65,16 @@ def web_panels(
     (6.6.3(6)).
 
     Args:
-        frame, materials: of the building.
+        frame: of the building.
+        materials: its steels, by name.
         seismic: (n_members, n_stations, 6) effects of the seismic action along the axis.
         beams: numbers of the beams with hinges in this direction.
         Omega: overstrength of the beams.
         axis: direction.
         gamma_M0: partial factor.
+
+    Returns:
+        The panels.
     """
     start, end = frame.ends
     n = len(frame.node_names)

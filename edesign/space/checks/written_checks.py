@@ -71,7 +71,7 @@ def _moment(of: int) -> Callable[[Calculation, int], None]:
 
 
 def _reduction(w: Calculation, along: int, station: int) -> float:
-    """rho of the shear at a station; written where it counts."""
+    """Return rho of the shear at a station, written where it counts."""
     resistance = w.member.constants.V_y_Rd if along == V_Y else w.member.constants.V_z_Rd
     rho = cross_section.shear_reduction(float(w.forces.size[station, along]), resistance)
     if rho > 0.0:

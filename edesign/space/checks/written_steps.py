@@ -109,19 +109,44 @@ class Calculation:
 
     @property
     def section(self) -> SteelSection:
+        """Section of the member."""
         return self.member.section
 
     @property
     def plastic(self) -> bool:
+        """The section may be used to its plastic resistance: it is of class 1 or 2."""
         return self.member.section_class < 3
 
     def add(self, symbol: str, value: float, unit: str, expression: str = "", clause: str = "") -> float:
+        """Write a step with a number, once.
+
+        Args:
+            symbol: of the quantity.
+            value: in `unit`.
+            unit: SI.
+            expression: in symbols; "" for a given value.
+            clause: of EN 1993-1-1, or with its code.
+
+        Returns:
+            The value.
+        """
         step = Step(symbol, float(value), unit, expression, clause)
         if step not in self.steps:
             self.steps.append(step)
         return float(value)
 
     def word(self, symbol: str, value: str, expression: str = "", clause: str = "") -> str:
+        """Write a step whose result is a word.
+
+        Args:
+            symbol: of the quantity.
+            value: the word.
+            expression: why.
+            clause: of EN 1993-1-1.
+
+        Returns:
+            The word.
+        """
         self.steps.append(Step(symbol, value, "", expression, clause))
         return value
 
@@ -161,14 +186,36 @@ class Calculation:
             self.add("gamma_M0", self.member.gamma_M0, "1", "", "6.1(1)")
 
     def area(self) -> float:
+        """Write the area A, m2.
+
+        Returns:
+            A, m2.
+        """
         return self.add("A", self.section.A, "m2")
 
     def N_pl_Rd(self) -> float:
+        """Write N_pl,Rd with the area.
+
+        Returns:
+            N_pl,Rd, N.
+
+        Source: EN 1993-1-1:2005, 6.2.4(2), Eq. 6.10.
+        """
         self.area()
         value = cross_section.axial_resistance(self.section.A, self.member.fy, self.member.gamma_M0)
         return self.add("N_pl,Rd", value, "N", "A f_y / gamma_M0", "6.2.4(2), Eq. 6.10")
 
     def V_Rd(self, along: int) -> float:
+        """Write the resistance to shear along an axis; slender webs have V_b,Rd where that is less.
+
+        Args:
+            along: V_Y or V_Z.
+
+        Returns:
+            V_Rd, N.
+
+        Source: EN 1993-1-1:2005, 6.2.6(2), Eq. 6.18; EN 1993-1-5:2006, 5.2(1).
+        """
         axis = "y" if along == V_Y else "z"
         area = self.add(f"A_v,{axis}", self.section.A_vy if along == V_Y else self.section.A_vz, "m2", "", "6.2.6(3)")
         value = cross_section.shear_resistance(area, self.member.fy, self.member.gamma_M0)
@@ -197,12 +244,31 @@ class Calculation:
 
     @property
     def theory(self) -> str:
+        """ "pl" for plastic and "el" for elastic moduli, as in symbols."""
         return "pl" if self.plastic else "el"
 
     def modulus(self, axis: str) -> float:
+        """Write the section modulus that the class of the section permits.
+
+        Args:
+            axis: "y" or "z".
+
+        Returns:
+            W_pl or W_el, m3.
+        """
         return self.add(f"W_{self.theory},{axis}", getattr(self.section, f"W_{self.theory}_{axis}"), "m3")
 
     def M_Rd(self, axis: str) -> float:
+        """Write the resistance to bending about an axis without other forces.
+
+        Args:
+            axis: "y" or "z".
+
+        Returns:
+            M_c,Rd, N m.
+
+        Source: EN 1993-1-1:2005, 6.2.5(2), Eqs. 6.13 and 6.14.
+        """
         modulus = self.modulus(axis)
         value = cross_section.moment_resistance(modulus, self.member.fy, self.member.gamma_M0)
         clause = "6.2.5(2), Eq. 6.13" if self.plastic else "6.2.5(2), Eq. 6.14"
@@ -210,6 +276,7 @@ class Calculation:
         return self.add(f"M_{self.theory},{axis},Rd", value, "N*m", expression, clause)
 
     def section_class(self) -> None:
+        """Write the class of the section."""
         self.word("class", str(self.member.section_class), "plastic" if self.plastic else "elastic", "5.5.2, Table 5.2")
 
     # ---- stability --------------------------------------------------------------------------------------------------
@@ -220,6 +287,16 @@ class Calculation:
         return self.section.kind == "I" and self.member.stability.L_LT > 0.0
 
     def flexural(self, axis: str) -> Flexural:
+        """Write the resistance to buckling about an axis; I sections may twist where that is governing.
+
+        Args:
+            axis: "y" or "z".
+
+        Returns:
+            Slenderness, critical force, reduction factors and resistance.
+
+        Source: EN 1993-1-1:2005, 6.3.1.
+        """
         s, member = self.section, self.member
         length = getattr(member.stability, f"L_cr_{axis}")
         self.add(f"L_cr,{axis}", length, "m", "" if length > 0.0 else "held all along")
@@ -271,6 +348,16 @@ class Calculation:
         self.add("I_w", self.section.I_w, "m6")
 
     def buckling_curve(self, axis: str) -> str:
+        """Write the buckling curve about an axis.
+
+        Args:
+            axis: "y" or "z".
+
+        Returns:
+            Name of the curve.
+
+        Source: EN 1993-1-1:2005, 6.3.1.2(2), Table 6.2.
+        """
         s = self.section
         if s.kind == "I":
             which = "y" if axis == "y" else "z"
@@ -363,7 +450,7 @@ class Calculation:
 
 
 def _reduction_formula(symbol: str, slenderness: float, curve: str, plateau: float, beta: float) -> str:
-    """chi by its slenderness, in symbols."""
+    """Return the formula of chi by its slenderness, in symbols."""
     if slenderness <= plateau:
         return f"no buckling up to {symbol} = {plateau:g}"
     square = f"{symbol}^2" if beta == 1.0 else f"{beta:g} {symbol}^2"

@@ -32,6 +32,7 @@ class FrameRow:
 
     @property
     def building(self) -> Building:
+        """Building that the frames are taken from."""
         return self.frames[0].building
 
     @property

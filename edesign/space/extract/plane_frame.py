@@ -49,6 +49,7 @@ class PlaneFrame:
 
     @property
     def name(self) -> str:
+        """Name of the frame by direction and number of its grid line."""
         return frame_name(self.along, self.number)
 
     @cached_property

@@ -46,9 +46,13 @@ def bay_shares(load: float, width_x: float, width_y: float, spans: Span, seconda
 
     Args:
         load: N/m2, downwards.
-        width_x, width_y: of the bay, m.
+        width_x: of the bay along x, m.
+        width_y: of the bay along y, m.
         spans: the way of the floor: `x` rests on the beams along y.
         secondary_beams: across the span at equal distances; they rest on the beams along the span.
+
+    Returns:
+        Loads on the beams along x and along y.
     """
     if spans == "two_way":
         short = min(width_x, width_y)

@@ -112,6 +112,7 @@ class SpaceFrame:
 
     @property
     def n_floors(self) -> int:
+        """Number of floors above the ground."""
         return len(self.levels) - 1
 
     @cached_property
@@ -170,7 +171,11 @@ class SpaceFrame:
 
         Args:
             members: as they are, but for their sections.
-            cases, node_mass: loads and masses.
+            cases: load cases with the weight of these sections.
+            node_mass: masses of the nodes with them.
+
+        Returns:
+            The other frame.
         """
         found = replace(self, members=members, cases=dict(cases), node_mass=node_mass)
         for name in (*PLACES, "sections") if members is self.members else PLACES:

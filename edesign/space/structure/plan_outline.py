@@ -15,7 +15,11 @@ def recess_areas(bays: Iterable[tuple[int, int]], x: Sequence[float], y: Sequenc
 
     Args:
         bays: that the floor covers, from 1 along x and along y; they hang together.
-        x, y: places of the grid lines, m.
+        x: places of the grid lines along x, m.
+        y: places of the grid lines along y, m.
+
+    Returns:
+        Area of each set-back and area of the floor, m2.
 
     Source: EN 1998-1:2004, 4.2.3.2(3).
     """

@@ -101,12 +101,16 @@ def phase_lead(lead: float, lag: float, step: float) -> DifferenceEquation:
 
 
 def fixed_alpha(alpha: Sequence[float], step: float) -> DifferenceEquation:
-    """Return alpha_0 x + alpha_1 v + alpha_2 a + alpha_3 a', the last by a backward difference: Taylor's series of the
-    inverse rig.
+    """Return alpha_0 x + alpha_1 v + alpha_2 a + alpha_3 a', Taylor's series of the inverse rig.
+
+    The derivative a' is a backward difference.
 
     Args:
         alpha: two to four values, s to the power of their place.
         step: main step, s.
+
+    Returns:
+        The compensator as a difference equation.
 
     Source: thesis Eq. 6.16; as feed-forward of a model, Phillips & Spencer (2013), J. Struct. Eng. 139, 04013001.
     """
@@ -123,9 +127,14 @@ def smith(delay: float, gain: float, stiffness: float, damping: float, step: flo
     A model of rig and specimen says what is missing in it: k (x - g x_late) + c (v - g v_late).
 
     Args:
-        delay, gain: of the rig, s.
-        stiffness, damping: of the specimen, N/m and N s/m.
+        delay: of the rig, s.
+        gain: g of the rig, dimensionless.
+        stiffness: k of the specimen, N/m.
+        damping: c of the specimen, N s/m.
         step: main step, s.
+
+    Returns:
+        The compensator as a difference equation.
 
     Source: Smith (1957), Chem. Eng. Prog. 53, 217-219.
     """
@@ -167,8 +176,12 @@ def pi_phase_lead(proportional: float, integral: float, lead: float, lag: float,
     Args:
         proportional: p, dimensionless.
         integral: i, 1/s.
-        lead, lag: of the filter before the loop, s.
+        lead: time constant of the numerator of the filter before the loop, s.
+        lag: time constant of its denominator, s.
         step: main step, s.
+
+    Returns:
+        The compensator as a difference equation.
 
     Source: sample controller of the virtual RTHS benchmark, Silva, Gomez, Maghareh, Dyke & Spencer (2020).
     """

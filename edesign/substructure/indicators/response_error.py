@@ -25,7 +25,11 @@ def peak_error(found: np.ndarray, direct: np.ndarray) -> float:
     """Return the relative error of the largest magnitude; NaN: that of the direct response is zero.
 
     Args:
-        found, direct: (n,), in the same unit.
+        found: (n,) response of the test.
+        direct: (n,) response without a test, in the same unit.
+
+    Returns:
+        The relative error, dimensionless.
     """
     peak = float(np.max(np.abs(direct)))
     return float(np.max(np.abs(found))) / peak - 1.0 if peak > 0.0 else math.nan

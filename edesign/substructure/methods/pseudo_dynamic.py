@@ -184,7 +184,11 @@ def step_poles(
         specimen_stiffness: N/m.
         specimen_damping: N s/m in the time of the earthquake: the loss stiffness that the test sees over omega.
         undershoot: share of each increment.
-        feedback, physical: as of `pseudo_dynamic_test`.
+        feedback: see `pseudo_dynamic_test`.
+        physical: see `pseudo_dynamic_test`.
+
+    Returns:
+        (2 d,), complex, by falling magnitude.
     """
     integration = _Integration(part, step, ControlError(undershoot=undershoot), feedback, physical)
     d = len(part.names)

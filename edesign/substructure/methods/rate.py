@@ -98,7 +98,11 @@ def motion_frequency(deformation: np.ndarray, step: float) -> float:
     """Return rms velocity / (2 pi rms deformation) in Hz: of a sine its frequency, otherwise a mean one.
 
     Args:
-        deformation: (n,) m, sampled at `step` (s).
+        deformation: (n,) m.
+        step: of the samples, s.
+
+    Returns:
+        Frequency, Hz.
     """
     rate = np.gradient(deformation, step)
     return float(np.sqrt(np.mean(rate**2) / np.mean(deformation**2))) / (2.0 * math.pi)

@@ -125,8 +125,12 @@ def servo_hydraulic(gain: float, valve_lag: float, delay: float, specimen_to_oil
 
     Args:
         gain: 1/s.
-        valve_lag, delay: s.
+        valve_lag: time constant of the valve, s.
+        delay: s.
         specimen_to_oil: stiffness of the specimen over that of the oil.
+
+    Returns:
+        The transfer function.
     """
     soft = 1.0 + specimen_to_oil
     return RigTransfer((gain,), (valve_lag * soft, soft, gain), delay)

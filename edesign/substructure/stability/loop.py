@@ -77,11 +77,15 @@ class Loop:
             return np.asarray(over / under)
 
     def parts(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """A and B of L = A / B, which are finite where L is not; (m,) each.
+        """Return A and B of L = A / B, which are finite where L is not; (m,) each.
 
         Args:
-            actuation, share: `actuation` and the share T of the specimen at s, (m,) each.
+            actuation: (m,), what `actuation` gives at s.
+            share: (m,), the share T of the specimen at s.
             s: (m,), 1/s.
+
+        Returns:
+            A and B, (m,) each.
         """
         return actuation * share, 1.0 - share
 

@@ -13,7 +13,7 @@ from edesign.substructure.stability.sweep import sweep
 def stable_delays(
     loop: Loop, least: float, largest: float, highest_frequency: float | None = None
 ) -> tuple[tuple[float, float], ...]:
-    """Intervals of a further delay of the rig, s, in which the loop is stable; rising, without common points.
+    """Return the intervals of a further delay of the rig, s, in which the loop is stable.
 
     A delay d multiplies L by exp(-i omega d), so a root meets the imaginary axis only where |L| = 1: at the same few
     frequencies for all delays, once a turn, and always in the same direction. The unstable roots at d = 0, counted by
@@ -22,8 +22,12 @@ def stable_delays(
 
     Args:
         loop: at d = 0; a `RigDelayLoop` where the delay does not multiply all of k_E H G C.
-        least, largest: between which d is looked at, s; least <= 0 <= largest.
+        least: smallest delay that is looked at, s; at most 0.
+        largest: largest delay that is looked at, s; at least 0.
         highest_frequency: Hz, see `sweep`.
+
+    Returns:
+        Intervals, s, rising, without common points.
 
     Raises:
         InputError: a part of the loop is not finite at a frequency.

@@ -221,8 +221,12 @@ def growth(numerical: Recursion, stiffness: float, damping: float, step: float) 
 
     Args:
         numerical: the numerical part.
-        stiffness, damping: of the specimen, N/m and N s/m.
+        stiffness: of the specimen, N/m.
+        damping: of the specimen, N s/m.
         step: s.
+
+    Returns:
+        Largest magnitude of an eigenvalue of the step; infinite where the step overflows.
     """
     A, B, states = numerical.A, numerical.B, len(numerical.A)
     unit = np.eye(states + 3)
