@@ -44,7 +44,11 @@ def stoppable(wish: Wish | None) -> Iterator[None]:
 
 
 def wished() -> bool:
-    """Whether a wish of this thread is true."""
+    """Say whether the thread is to stop.
+
+    Returns:
+        True if a wish of this thread is true.
+    """
     return _wishes.wish is not None and _wishes.wish()
 
 

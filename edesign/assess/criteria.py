@@ -29,7 +29,7 @@ _STATIC = "states at target displacements have no such result"
 
 @dataclass(frozen=True)
 class Verdict:
-    """Whether one criterion is met by one variant at one hazard level.
+    """Verdict on one criterion for one variant at one hazard level.
 
     Attributes:
         name: of the criterion, or `objective h, by drift`.
@@ -91,7 +91,7 @@ class Verdict:
 
     @property
     def negligible(self) -> bool:
-        """Whether the value is 0 but for rounding, and has an upper limit: then no place and no history governs."""
+        """True if the value is 0 but for rounding, and has an upper limit: then no place and no history governs."""
         return self.value is not None and abs(self.value) < NEGLIGIBLE and not self.from_below and self.met is not False
 
     @property

@@ -51,7 +51,7 @@ class HazardCurve:
 
 @dataclass(frozen=True)
 class Exceedance:
-    """How often a limit is passed.
+    """Rate at which a limit is passed.
 
     Attributes:
         rate: a year.
@@ -135,7 +135,7 @@ def _over_line(curve: HazardCurve, i: int, low: float, high: float, theta: float
 
 @dataclass(frozen=True)
 class Loss:
-    """What passing limits costs, as shares of the value of the building.
+    """Loss when limits are passed, as shares of the value of the building.
 
     Attributes:
         annual: expected loss a year.

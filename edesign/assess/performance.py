@@ -39,7 +39,7 @@ class Usage:
 
     @property
     def of_force(self) -> str:
-        """What is to be said of a force-controlled column: it has to stay elastic; "" of anything else."""
+        """Remark on a force-controlled column, which has to stay elastic; "" for anything else."""
         if self.axial_ratio is None:
             return ""
         column = f"column {self.member} is force-controlled (P/P_CL = {self.axial_ratio:.2f})"

@@ -88,7 +88,7 @@ def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], pro
 
 
 def _limits_beams(criterion: MeasureCriterion | HingeCriterion | QuantityCriterion) -> bool:
-    """Whether beams are among what a criterion limits the moments, shears or rotations of."""
+    """Say whether beams are among what a criterion limits the moments, shears or rotations of."""
     if isinstance(criterion, HingeCriterion):
         return "beam" in KINDS[criterion.of]
     if isinstance(criterion, MeasureCriterion):
@@ -97,7 +97,7 @@ def _limits_beams(criterion: MeasureCriterion | HingeCriterion | QuantityCriteri
 
 
 def _chosen(name: str, storeys: tuple[int, ...] | None, members: tuple[str, ...]) -> bool:
-    """Whether a member is among those that a criterion chooses; all without `storeys` or `members`."""
+    """Say whether a member is among those that a criterion chooses; all without `storeys` or `members`."""
     return (storeys is None or storey_of(name) in storeys) and (not members or name in members)
 
 

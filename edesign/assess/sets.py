@@ -44,7 +44,7 @@ class HistorySet:
 
     @property
     def completed(self) -> dict[str, Group]:
-        """Those with all their results."""
+        """Histories with all their results, by name."""
         return {name: group for name, group in self.histories.items() if _status(group) == "completed"}
 
     @cached_property
@@ -54,12 +54,12 @@ class HistorySet:
 
     @property
     def not_run(self) -> tuple[str, ...]:
-        """Those whose results are still to come."""
+        """Names of histories whose results are still to come."""
         return tuple(name for name, group in self.histories.items() if _status(group) == NOT_RUN)
 
     @property
     def motions(self) -> int:
-        """How many motions they are of: a record and its reverse are one, shaking to both sides."""
+        """Number of ground motions: a record and its reverse, shaking to both sides, are one."""
         about = [
             (str(group.attributes.get("record_checksum")), str(group.attributes.get("record_source")))
             for group in self.histories.values()
@@ -72,7 +72,7 @@ class HistorySet:
 
     @property
     def failed(self) -> tuple[str, ...]:
-        """Those that did not come to their end."""
+        """Names of histories that did not come to their end."""
         return tuple(name for name in self.histories if name not in self.completed and name not in self.not_run)
 
     def statistics(self, measure: Callable[[Group], float | None]) -> Statistics:

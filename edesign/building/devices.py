@@ -72,7 +72,7 @@ class BraceBar:
 
 @dataclass(frozen=True)
 class DeviceSize:
-    """What a damper says of its size: how many stand side by side, and what replaces the size of a law's prototype.
+    """Size of a damper: how many devices stand side by side, and what replaces the size of a law's prototype.
 
     Attributes:
         number: side by side.
@@ -88,7 +88,7 @@ class DeviceSize:
 
     @property
     def resized(self) -> bool:
-        """Whether anything replaces the size of a prototype."""
+        """True if anything replaces the size of a prototype."""
         return any(one is not None for one in (self.layers, self.layer_area, self.layer_thickness))
 
     def scales(self, law: DeviceLaw) -> tuple[float, float, float | None]:

@@ -56,7 +56,7 @@ class Member:
 
     @property
     def yields(self) -> bool:
-        """Whether it can yield, in bending."""
+        """True if the member can yield in bending."""
         return self.layers is not None or any(spring.yields for end in self.springs for spring in end)
 
     @property

@@ -55,13 +55,13 @@ class EndSpring:
 
     @property
     def yields(self) -> bool:
-        """Whether it can."""
+        """True if the spring can yield."""
         return self.M_y < inf
 
 
 @dataclass(frozen=True)
 class MemberEnd:
-    """What stands at one end of a member.
+    """Hinge and joint at one end of a member.
 
     Attributes:
         hinge: the moment and rotation of a hinge, None: none.

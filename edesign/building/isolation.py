@@ -28,7 +28,7 @@ UX = 0
 
 @dataclass(frozen=True)
 class IsolatedFeet:
-    """What an isolated base is in a model.
+    """Devices of an isolated base in a model.
 
     Attributes:
         devices: all that acts between the ground and the base, isolators first.

@@ -23,7 +23,7 @@ def combined(load: BeamLoad | FloorLoad | ColumnLoad | NodeLoad | PointOnMember,
 
 @dataclass(frozen=True)
 class Stretches:
-    """What stands along a member between its nodes.
+    """Elements and rigid arms along a member between its nodes.
 
     Attributes:
         arms: lengths that belong to the joints at its start and end, as halves of panel zones do, m.
@@ -35,7 +35,7 @@ class Stretches:
 
     @cached_property
     def length(self) -> float:
-        """Of all, m."""
+        """Length of all elements and arms together, m."""
         return self._edges[-1] + self.arms[1]
 
     @cached_property

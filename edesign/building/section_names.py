@@ -170,7 +170,7 @@ class SectionNames(Collection[str]):
 
 
 def _is_named(parts: SectionName, asked: SectionName, exact: bool) -> bool:
-    """Whether a section of the catalogue goes by a name: by all its sizes, or, a W shape, by depth and mass."""
+    """Say whether a section of the catalogue goes by a name: by all its sizes, or, a W shape, by depth and mass."""
     sizes = parts.sizes
     if parts.family == "W" and len(asked.sizes) == 2:
         sizes = (sizes[0], sizes[-1])

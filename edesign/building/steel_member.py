@@ -18,7 +18,7 @@ from edesign.errors import InputError
 
 @dataclass(frozen=True)
 class Stability:
-    """How a member is held against buckling, and the shape of its moments.
+    """Restraints of a member against buckling, and the shape of its moments.
 
     Attributes:
         L_cr_y, L_cr_z: buckling lengths, m; 0: held all along, chi = 1.

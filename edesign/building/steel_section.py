@@ -62,7 +62,7 @@ class SteelSection:
 
     @property
     def webs(self) -> int:
-        """How many plane webs carry shear along z."""
+        """Number of plane webs that carry shear along z."""
         return {"I": 1, "RHS": 2, "CHS": 0}[self.kind]
 
     @property

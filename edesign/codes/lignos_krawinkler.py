@@ -25,7 +25,7 @@ CAPPING_RATIO = {"other": 1.11, "reduced": 1.09}
 
 @dataclass(frozen=True)
 class RotationCapacity:
-    """What the regressions give.
+    """Rotations and deterioration of a plastic hinge by the regressions.
 
     Attributes:
         plastic: theta_p, rad.

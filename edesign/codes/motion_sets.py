@@ -60,7 +60,7 @@ class SetCheck:
 
     @property
     def passed(self) -> bool | None:
-        """Whether all criteria that apply hold; None where none fails but the mean spectrum could not be checked."""
+        """True if all criteria that apply hold; None where none fails but the mean spectrum could not be checked."""
         if self.failed:
             return False
         return None if self.worst_ratio is None else True
@@ -73,7 +73,7 @@ class SetCheck:
 
 @dataclass(frozen=True)
 class SetRules:
-    """What a code asks of a set of motions of one direction.
+    """Rules of a code for a set of motions of one direction.
 
     Attributes:
         code: its title, for tables.
@@ -105,7 +105,7 @@ class SetRules:
 
     @property
     def has_zero_period(self) -> bool:
-        """Whether the mean peak acceleration must reach that of the spectrum."""
+        """True if the mean peak acceleration must reach that of the spectrum."""
         return bool(self.clauses.zero_period)
 
     def of(self, matched: bool) -> SetRules:

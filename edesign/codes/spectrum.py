@@ -36,7 +36,7 @@ class Spectrum(Protocol):
 
     @property
     def set_rules(self) -> SetRules:
-        """What the code asks of a set of motions that stands for the spectrum."""
+        """Rules of the code for a set of motions that stands for the spectrum."""
 
     def with_damping(self, damping: float) -> Self:
         """Return the spectrum of the same action for another ratio of critical damping.

@@ -24,7 +24,7 @@ Correction = Literal["ec8", "asce7"]
 
 @dataclass(frozen=True)
 class CorrectionLaw:
-    """How the ordinates of a code change with damping.
+    """Law by which the ordinates of a code change with damping.
 
     Attributes:
         factor: on the ordinates of 5 % damping, of a ratio of critical.
@@ -137,7 +137,7 @@ class TabulatedSpectrum:
 
     @property
     def set_rules(self) -> SetRules:
-        """Those of the code that the user names."""
+        """Rules of the code that the user names."""
         return self.rules
 
     def with_damping(self, damping: float) -> Self:

@@ -95,7 +95,7 @@ class Analysis:
 
     @property
     def handle(self) -> Any:
-        """Of the core, for substructure tests; it lives as long as this object."""
+        """Handle of the core for substructure tests; it lives as long as this object."""
         return self._c
 
     @property
@@ -181,7 +181,10 @@ class Analysis:
         return scipy.sparse.csc_matrix(self._stiffness_columns(), shape=(n, n))
 
     def dense_stiffness(self) -> np.ndarray:
-        """The same as a full matrix (n_equations, n_equations); of small structures, scipy.sparse stays unloaded."""
+        """Return the stiffness as a full matrix (n_equations, n_equations), for small structures.
+
+        The function does not load scipy.sparse.
+        """
         n = self.n_equations
         value, row, start = self._stiffness_columns()
         dense = np.zeros((n, n))

@@ -22,7 +22,7 @@ _NAMES = {
 
 @dataclass(frozen=True)
 class Sizes:
-    """What a compensator needs of the sizes that the header leaves open.
+    """Sizes that the header leaves open and a compensator needs.
 
     Attributes:
         memory: ED_COMPENSATOR_MEMORY, main steps, a power of 2.

@@ -68,7 +68,7 @@ def mask(*checks: Check) -> int:
 
 @dataclass(frozen=True)
 class MemberConstants:
-    """What the checks need to know of a member, in SI; the order is that of the core.
+    """Constants of a member for its checks, in SI; the order is that of the core.
 
     Attributes:
         N_Rd: A f_y / gamma_M0.

@@ -18,7 +18,12 @@ PIECE = 4096
 
 
 class Recording:
-    """What is recorded of a run while it goes on.
+    """Recorder of the channels of a run while it goes on.
+
+    Attributes:
+        end: abscissa of the last row, nan without any.
+        balance: of the energies.
+        energy_final: J of each of ENERGIES in the last row; empty without any.
 
     Args:
         channels: in the order of the core's.
@@ -29,11 +34,6 @@ class Recording:
         tail: how many of the last rows are kept of channels with a tail.
         energies: whether the energies of the kept rows are kept; their balance counts every row.
         whole: whether the core writes all rows before the first is taken over.
-
-    Attributes:
-        end: abscissa of the last row, nan without any.
-        balance: of the energies.
-        energy_final: J of each of ENERGIES in the last row; empty without any.
     """
 
     def __init__(

@@ -117,7 +117,7 @@ class Response:
 
     @property
     def finite(self) -> bool:
-        """Whether every extreme and every energy is a finite number."""
+        """True if every extreme and every energy is a finite number."""
         extremes = [*self.maximum.values(), *self.minimum.values(), *self.final.values(), *self.energy_final.values()]
         return bool(np.all(np.isfinite(extremes)) and all(np.all(np.isfinite(e)) for e in self.energy.values()))
 

@@ -27,7 +27,7 @@ SATURATED = {1: "stroke", 2: "velocity", 4: "force", 8: SENSOR}
 
 @dataclass(frozen=True)
 class RigLimits:
-    """What the rig can do; a motion beyond stroke or velocity is held there.
+    """Limits of the rig; a motion beyond stroke or velocity is held there.
 
     Attributes:
         stroke: m; velocity: m/s; force: N.
@@ -98,7 +98,7 @@ class ServoHydraulicRig:
 
 @dataclass(frozen=True)
 class Sensors:
-    """What is read of displacement (m) and force (N).
+    """Noise, resolution, range and delay of the sensors of displacement (m) and force (N).
 
     Attributes:
         displacement_noise, force_noise: standard deviations.
@@ -140,7 +140,7 @@ class Recursion:
 
 @dataclass(frozen=True)
 class LoopRecord:
-    """What a virtual test recorded, at the beginnings of main steps and the end of the last: n samples, SI.
+    """Record of a virtual test, at the beginnings of main steps and the end of the last: n samples, SI.
 
     Attributes:
         target, target_velocity, target_acceleration: of the interface.
@@ -180,7 +180,7 @@ class LoopRecord:
 
     @property
     def force_is_corrected(self) -> bool:
-        """Whether the compensator adds something to the force."""
+        """True if the compensator adds something to the force."""
         return not np.array_equal(self.applied_force, self.force)
 
     @property

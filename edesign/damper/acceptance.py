@@ -32,7 +32,7 @@ _LEAST = 1e-3  # of the largest force: a force at zero displacement below it is 
 
 
 class Acceptance(Model):
-    """What a device is accepted by.
+    """Limits by which a device is accepted.
 
     Attributes:
         device: kind of the device, which decides on the clauses.
@@ -62,7 +62,7 @@ class Acceptance(Model):
 
 @dataclass(frozen=True)
 class Quantity:
-    """What is compared of a cycle: its name for people, and its value in each cycle of a run (n,), SI."""
+    """Quantity of a cycle that is compared: its name for people, and its value in each cycle of a run (n,), SI."""
 
     name: str
     of: Callable[[Run], np.ndarray]

@@ -36,11 +36,11 @@ class AmendmentKind(Law):
 
     @property
     def core_name(self) -> str:
-        """What the core calls it, beside the law or inside."""
+        """Name of the amendment in the core, beside the law or inside."""
         return self.name.removesuffix(_INSIDE) if self.inside else self.name
 
     def complete(self, values: Mapping[str, float]) -> dict[str, float]:
-        """As of a law; a side is 1 or -1."""
+        """Return all parameters by name, as `Law.complete`; a side must be 1 or -1."""
         found = super().complete(values)
         if found.get("side", 1.0) not in (1.0, -1.0):
             raise InputError(f"effect {self.name}: side = {found['side']:g} is neither 1 nor -1")

@@ -127,22 +127,27 @@ class Campaign:
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """What the reader of the files leaves out: columns of other quantities, one line for tests with the same."""
+        """Columns of other quantities that the reader of the files leaves out, one line for tests with the same."""
         return _left_out(self.tests)
 
     @property
     def readings(self) -> tuple[str, ...]:
-        """How files were read that are not plain, and where motions begin; one line for tests with the same."""
+        """Ways in which files were read that are not plain, and where motions begin; one line for tests with the same.
+        """
         return _readings(self.tests)
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the reader of the files leaves out, and how it reads the others."""
+        """Notes on what the reader of the files leaves out, and how it reads the others."""
         return notes_of(self.tests)
 
 
 def notes_of(tests: Sequence[DamperTest]) -> tuple[str, ...]:
-    """What the reader of tests leaves out, and how it reads those that are not plain."""
+    """Return notes on what the reader of tests leaves out, and how it reads those that are not plain.
+
+    Args:
+        tests: the tests.
+    """
     return _left_out(tests) + _readings(tests)
 
 

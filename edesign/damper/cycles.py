@@ -38,9 +38,9 @@ class Block:
 
     @property
     def steady(self) -> bool:
-        """Whether the motion is one of a steady frequency: periods differ by 5 % at most, from the first to the last.
+        """True if the motion has a steady frequency: periods differ by 5 % at most, from the first to the last.
 
-        Of a sweep several cycles may be a block, as each of them is like those before it.
+        Several cycles of a sweep may be a block, as each of them is like those before it.
         """
         periods = np.diff(self.bounds)
         return float(np.ptp(periods)) <= SAME_PERIOD * float(np.mean(periods))
@@ -84,7 +84,7 @@ def find_blocks(time: np.ndarray, displacement: np.ndarray) -> tuple[Block, ...]
 
 
 def _alike(amplitudes: np.ndarray, lengths: np.ndarray) -> bool:
-    """Whether the last half cycle belongs to those before it."""
+    """Say whether the last half cycle belongs to those before it."""
     amplitude, length = np.mean(amplitudes[:-1]), np.mean(lengths[:-1])
     return bool(
         abs(amplitudes[-1] - amplitude) <= SAME_AMPLITUDE * amplitude

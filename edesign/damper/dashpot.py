@@ -60,9 +60,12 @@ def dashpot(law: LawValues) -> Dashpot:
 
 
 def locks_when_small(law: LawValues) -> bool:
-    """Whether the force of a dashpot over its amplitude grows without bound in ever smaller vibrations: alpha < 1.
+    """Say whether the force of a dashpot over its amplitude grows without bound in ever smaller vibrations: alpha < 1.
 
     Its stiffness in series with a spring then is that of the spring in small vibrations and nothing in large ones.
+
+    Args:
+        law: law and parameters of the dashpot.
     """
     if law.law not in _POWER_LAWS:
         return False

@@ -43,7 +43,7 @@ class Run:
 
     @property
     def frequency(self) -> np.ndarray:
-        """Of each cycle, Hz."""
+        """Frequency of each cycle, Hz."""
         return 1.0 / self.loops.period
 
     @property
@@ -63,7 +63,7 @@ class Run:
 
     @property
     def equivalent_stiffness(self) -> np.ndarray:
-        """Of each cycle, N/m: largest and smallest force over the distance of the extremes of the displacement."""
+        """Stiffness of each cycle, N/m: range of the force over the range of the displacement."""
         return self.loops.equivalent
 
     @property
@@ -83,7 +83,7 @@ class Run:
 
     @property
     def gives_energy(self) -> bool:
-        """Whether the device gives energy in a cycle, as no damper does: a channel has the other sign."""
+        """True if the device gives energy in a cycle, as no damper does: a channel has the other sign."""
         return bool(np.any(self.loss_stiffness < -_STORES * np.abs(self.equivalent_stiffness)))
 
     def from_third(self, values: np.ndarray) -> np.ndarray:

@@ -36,7 +36,11 @@ class Parameter:
     fitted: bool = True
 
     def allows(self, value: float) -> bool:
-        """Whether a finite value is inside the bounds."""
+        """Say whether a value is finite and inside the bounds.
+
+        Args:
+            value: SI.
+        """
         above = value >= self.lower if self.lower_allowed else value > self.lower
         below = value <= self.upper if self.upper_allowed else value < self.upper
         return math.isfinite(value) and above and below
@@ -96,7 +100,11 @@ class Law:
         return self.with_branches(max(count, 1) if self.branch else 0)
 
     def depends_on_speed(self, values: Mapping[str, float]) -> bool:
-        """Whether the force depends on the speed of the deformation with these parameters, by name."""
+        """Say whether the force depends on the speed of the deformation with these parameters.
+
+        Args:
+            values: parameters by name, SI.
+        """
         return self.rate_dependent and (not self.speed or any(values[name] != 0.0 for name in self.speed))
 
     def complete(self, values: Mapping[str, float]) -> dict[str, float]:

@@ -50,7 +50,7 @@ class TestUnits(Model):
 
 
 class ReadingKeys(Model):
-    """What a campaign file says of how tests are read: of all, or of one.
+    """Keys of a campaign file on how all tests, or one, are read.
 
     Attributes:
         table: how the table stands in its file, where the file does not show it.

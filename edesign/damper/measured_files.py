@@ -33,7 +33,7 @@ DisplacementZero = Literal["as_recorded", "first_sample", "rest"]
 
 @dataclass(frozen=True)
 class TestReading:
-    """What is said of how the file of a test is read; what is not said is found.
+    """Declared form of the file of a test; what is not declared is found.
 
     Attributes:
         table: of the format of the table.

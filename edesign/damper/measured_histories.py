@@ -127,5 +127,9 @@ class DamperTest:
         return force
 
     def with_force(self, force: np.ndarray) -> DamperTest:
-        """The same test with another force (n,) N."""
+        """Return the test with another force.
+
+        Args:
+            force: (n,) N.
+        """
         return replace(self, force=force)

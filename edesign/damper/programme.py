@@ -30,7 +30,7 @@ Progress = Callable[[int, int, str], None]
 
 @dataclass(frozen=True)
 class ProgrammeRun:
-    """What a programme gave.
+    """Results of a test programme.
 
     Attributes:
         campaign: as written.

@@ -100,7 +100,15 @@ def equivalent_stiffness(
 def equivalent_damping(
     k_d: float, c_d: float, k_b: float, omega: float, alpha_d: float = 1.0, alpha_b: float = 1.0
 ) -> float:
-    """What brace and damper add to the damping coefficient of a storey, N s/m; arguments as `equivalent_stiffness`.
+    """Return what brace and damper add to the damping coefficient of a storey, N s/m.
+
+    Args:
+        k_d: stiffness of the damper, N/m.
+        c_d: its damping coefficient, N s/m.
+        k_b: stiffness of a brace, N/m.
+        omega: rad/s.
+        alpha_d: attachment coefficient of the damper.
+        alpha_b: attachment coefficient of the braces.
 
     Source: thesis Eq. 5.11 without c_S. For rigid braces it becomes alpha_d c_d (Eq. 5.13, printed alpha_d k_d).
     """

@@ -50,7 +50,7 @@ _PASSES = 2  # over deformation and velocity in turn
 
 @dataclass(frozen=True)
 class Start:
-    """How the record of a test starts away from rest.
+    """Start of the record of a test that begins away from rest.
 
     Attributes:
         displacement, velocity: of the first sample, m, m/s.
@@ -69,7 +69,7 @@ class Start:
 
     @property
     def words(self) -> str:
-        """What of the test is not judged, and what softened the law before, for people."""
+        """Description, for people, of what is not judged and of what softened the law before."""
         longer = "" if self.dies_away else ", though what went before matters longer"
         texts = [f"its first {self.judged_from:.3g} s are not judged{longer}"]
         softened = [f"{1e3 * size:.3g} {unit}" for size, unit in zip(self.before, ("mm", "mm/s"), strict=True) if size]
@@ -79,7 +79,11 @@ class Start:
         return "; ".join(texts)
 
     def first(self, time: np.ndarray) -> int:
-        """Of samples at times (n,) s, the first that is judged."""
+        """Return the number of the first sample that is judged.
+
+        Args:
+            time: (n,) s.
+        """
         return int(np.searchsorted(time, time[0] + self.judged_from * (1.0 - _ROUNDING)))
 
     @property
@@ -125,7 +129,7 @@ def one_way(deformation: float, velocity: float) -> Extremes:
 
 
 def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) -> Start | None:
-    """How a test starts; None: at rest as a law has it, in motion from there.
+    """Find how a test starts; None: at rest as a law has it, in motion from there.
 
     Unless it is said, a test starts away from rest if its first sample is displaced, or if it moves and its force is
     nearer to that of a motion that went on before as it goes on after, mirrored at the first sample, than to the force
@@ -268,7 +272,7 @@ def _least(left: Callable[[float], float], value: float, most: float) -> float:
 
 
 def _jerked(test: Recorded) -> bool:
-    """Whether the first sample is faster than the test's largest acceleration makes it in one interval from rest."""
+    """Say whether the first sample is too fast for the test's largest acceleration in one interval from rest."""
     largest = float(np.max(np.abs(np.diff(test.velocity) / np.diff(test.time))))
     return abs(float(test.velocity[0])) > largest * float(test.time[1] - test.time[0])
 

@@ -26,7 +26,7 @@ Result = tuple[Values, tuple[str, ...]]
 
 
 class TemperatureModel(Protocol):
-    """How parameters of laws change with temperature."""
+    """Change of the parameters of laws with temperature."""
 
     @property
     def reference_C(self) -> float:
@@ -111,7 +111,11 @@ class GammaT:
         return gamma
 
     def about(self, reference_C: float) -> GammaT:
-        """The same change with temperature for parameters that hold at another one: gamma_T / gamma_T there."""
+        """Return the change with temperature for parameters that hold at another reference: gamma_T / gamma_T there.
+
+        Args:
+            reference_C: degC.
+        """
         gamma = self.gamma(reference_C)
         rows = {temperature: value / gamma for temperature, value in self.table} | {reference_C: 1.0}
         return replace(self, table=tuple(sorted(rows.items())))

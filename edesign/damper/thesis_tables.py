@@ -67,7 +67,12 @@ def prototype_damper() -> Damper:
 
 
 def predicted(damper: Damper | None = None, temperature_model: TemperatureModel | None = TABLE_4_4) -> PropertyRows:
-    """What a law says to the 120 tests; without arguments the MGMM with Tables 4.2 and 4.4."""
+    """Return the properties that a law predicts for the 120 tests.
+
+    Args:
+        damper: law with its parameters; None: the MGMM with Table 4.2.
+        temperature_model: how they change with temperature; by default Table 4.4.
+    """
     rows = measured()
     return predict(
         damper or prototype_damper(), PROTOTYPE, rows.strain, rows.frequency, rows.temperature_C, temperature_model

@@ -51,7 +51,7 @@ def upsampled(acceleration: np.ndarray, factors: Iterable[int]) -> Iterator[np.n
 
 
 def band_limited_at(acceleration: np.ndarray, positions: np.ndarray) -> np.ndarray:
-    """The same motion at any positions between the first and the last of the given samples.
+    """Interpolate a band-limited motion at any positions between the first and the last of the given samples.
 
     Args:
         acceleration: (n,).

@@ -59,7 +59,7 @@ def data_line(line: str) -> re.Match[str] | None:
 
 
 def has_data(lines: list[str]) -> bool:
-    """Whether lines announce evenly spaced accelerations, or are those of a file of volume 3."""
+    """Say whether lines announce evenly spaced accelerations, or are those of a file of volume 3."""
     return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(data_line(line) for line in lines))
 
 

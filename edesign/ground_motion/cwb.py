@@ -28,7 +28,7 @@ _NAMES = {"U": ("Z", "V", "Up"), "N": ("NS", "N-S", "HNN"), "E": ("EW", "E-W", "
 
 
 def has_header(lines: list[str]) -> bool:
-    """Whether lines have the header of such a file."""
+    """Say whether lines have the header of such a file."""
     keys = {match[1] for line in lines if (match := _KEY.match(line))}
     return {SEQUENCE, RATE, UNIT} <= keys
 

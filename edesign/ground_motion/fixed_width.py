@@ -26,7 +26,11 @@ class FieldFormat:
     whole: bool
 
     def lines(self, count: int) -> int:
-        """How many lines hold `count` values."""
+        """Return the number of lines that hold `count` values.
+
+        Args:
+            count: number of values.
+        """
         return -(-count // self.fields)
 
 
@@ -75,7 +79,7 @@ def read_fields(
 
 
 def is_end_of_data(line: str) -> bool:
-    """Whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
+    """Say whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
     return _END.match(line) is not None
 
 

@@ -23,7 +23,7 @@ _NUMBER = re.compile(r"\s*([-+]?[0-9]*\.[0-9]+(?:[EeDd][-+]?[0-9]{2})?)")
 
 
 def has_header(lines: list[str]) -> bool:
-    """Whether lines have the header of such a file."""
+    """Say whether lines have the header of such a file."""
     keys = {match[1] for line in lines if (match := _KEY.match(line))}
     return {_STEP, _COUNT, "waveform code"} <= keys
 

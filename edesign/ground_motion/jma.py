@@ -25,7 +25,7 @@ _NAMES = {"NS": ("N-S", "N"), "EW": ("E-W", "E"), "UD": ("U-D", "U")}
 
 
 def has_header(lines: list[str]) -> bool:
-    """Whether lines begin as such a table does."""
+    """Say whether lines begin as such a table does."""
     keys = {match[1] for line in lines[:10] if (match := _KEY.match(line))}
     return {_SITE, _UNIT} <= keys and any(rate in keys for rate in _RATES)
 

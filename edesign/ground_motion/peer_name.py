@@ -40,13 +40,13 @@ class PeerName:
         return f"{number}{self.event}_{self.component}.AT2"
 
     def is_complete(self, name: str) -> bool:
-        """Whether a file's name says earthquake and component; RSNn_ may be missing on either side."""
+        """Say whether a file's name says earthquake and component; RSNn_ may be missing on either side."""
         number = "[0-9]+" if self.rsn is None else f"0*{self.rsn}"
         endings = "|".join(re.escape(suffix) for suffix in _SUFFIXES)
         return _matches(rf"(rsn{number}_)?{re.escape(f'{self.event}_{self.component}')}({endings})", name)
 
     def is_short(self, name: str) -> bool:
-        """Whether an AT2 file's name ends with the component, but does not say the earthquake in the same way.
+        """Say whether an AT2 file's name ends with the component, but does not say the earthquake in the same way.
 
         I-ELC180.at2, IMPVALL_I-ELC180.AT2 and NGA_no_6_I-ELC180.AT2 are such names, of older editions of the data base.
         """
@@ -55,7 +55,7 @@ class PeerName:
 
 
 def may_be_peer(name: str) -> bool:
-    """Whether a file's name ends like one that is looked for."""
+    """Say whether a file's name ends like one that is looked for."""
     return name.lower().endswith(tuple(suffix.lower() for suffix in _SUFFIXES))
 
 

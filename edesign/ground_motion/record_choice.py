@@ -23,7 +23,7 @@ from edesign.project.records.chosen_records import ChosenRecords, FolderSource
 
 @dataclass(frozen=True)
 class RecordChoice:
-    """What was chosen for a record of a project.
+    """Recording that was chosen for a record of a project, and how it is scaled.
 
     Attributes:
         candidates: the chosen ones by name, in the order of the names.
@@ -53,7 +53,11 @@ class RecordChoice:
         return dict(zip(self.candidates, self.selection.factors.tolist(), strict=True))
 
     def facts(self) -> dict[str, Any]:
-        """What an archive keeps of it."""
+        """Return what an archive keeps of the choice.
+
+        Returns:
+            Values by attribute.
+        """
         return {
             "T_1_s": self.T_1,
             "T_1_given": self.T_1_given,
@@ -109,7 +113,7 @@ def choice_lines(facts: Mapping[str, Any]) -> list[str]:
 
 @dataclass(frozen=True)
 class EarlierChoice:
-    """What an archive says of a choice: if nothing has changed that it depends on, it need not be looked for again.
+    """Choice that an archive holds: if nothing has changed that it depends on, it need not be looked for again.
 
     Attributes:
         checksum: of the choice.

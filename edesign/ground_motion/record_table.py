@@ -184,7 +184,7 @@ def _is_row(row: list[str]) -> bool:
 
 
 def _units(row: list[str]) -> bool:
-    """Whether words below headers are units of times and accelerations, at least one of them."""
+    """Say whether words below headers are units of times and accelerations, at least one of them."""
     return any(_plain(cell) in (*_SECONDS, *ACCELERATION_UNITS) for cell in row)
 
 

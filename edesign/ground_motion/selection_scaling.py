@@ -16,7 +16,7 @@ _MARGIN = 1e-9  # relative: what the common factor adds so that rounding cannot 
 
 @dataclass(frozen=True)
 class SelectionOptions:
-    """How records may be scaled and how choices are compared.
+    """Options for scaling records and comparing choices.
 
     Attributes:
         scaling: `none`; `individual`, each record by its own factor to the geometric mean ratio of 1 over the band;

@@ -23,7 +23,7 @@ Rank = tuple[float, float, Choice]
 
 @dataclass(frozen=True)
 class Cap:
-    """How many records of one kind may be chosen.
+    """Largest number of records of one kind that may be chosen.
 
     Attributes:
         labels: kind of each candidate.

@@ -142,7 +142,14 @@ def _check_lists(building: Building) -> None:
 
 
 def building_warnings(building: Building) -> list[str]:
-    """What is allowed and may not be meant: unusual values and ends, columns that grow upwards."""
+    """List what is allowed and may not be meant: unusual values and ends, columns that grow upwards.
+
+    Args:
+        building: the building.
+
+    Returns:
+        Sentences, each with its place in the file.
+    """
     found = [f"{building.where(*keys)}: {text}" for keys, text in unusual(building)] + unusual_ends(building)
     at = building.layout.column_at
     larger = [

@@ -111,7 +111,7 @@ class ElasticDesign:
 
     @property
     def passed(self) -> bool:
-        """Whether all checks and rules are met."""
+        """True if all checks and rules are met."""
         return not bool((self.members.utilisation > 1.0).any()) and all(
             rule.passed is not False for rule in self.criteria
         )

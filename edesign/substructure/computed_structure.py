@@ -44,7 +44,7 @@ class Direct:
 
 
 class ComputedStructure:
-    """What the computer does of a test.
+    """Part of a test that the computer integrates.
 
     Args:
         file: of the tests.
@@ -195,7 +195,7 @@ class ComputedStructure:
             )
 
     def _grows(self, numerical: Recursion, step: float, steps: int) -> bool:
-        """Whether small vibrations grow in a test, even with an ideal rig, by more than its response may be wrong."""
+        """Say whether small vibrations grow in a test, even with an ideal rig, by more than the allowed error."""
         factor = growth(numerical, *tangent_of(self.damper), step)
         return steps * np.log(max(factor, 1.0)) > np.log1p(self.file.criteria.response_error)
 

@@ -16,7 +16,7 @@ from edesign.substructure.commands import command_motion
 
 @dataclass(frozen=True)
 class Drive:
-    """What drives a test.
+    """Ground motion or commands that drive a test.
 
     Attributes:
         time: (n,) s at main steps.

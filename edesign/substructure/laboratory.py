@@ -86,7 +86,7 @@ class TestedStructure:
 
 @dataclass(frozen=True)
 class Laboratory:
-    """What all tests of a file share.
+    """Laboratory, structure and damper that all tests of a file share.
 
     Attributes:
         structure: None: there are only given targets.
@@ -107,7 +107,7 @@ class Laboratory:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Of structure and damper."""
+        """Warnings of the structure and the damper."""
         of_structure = self.structure.warnings if self.structure is not None else ()
         return (*of_structure, *(self.damper.warnings if self.damper is not None else ()))
 

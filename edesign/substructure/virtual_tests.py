@@ -66,7 +66,7 @@ class VirtualLaboratory:
 
     @cached_property
     def drives(self) -> dict[str, Drive]:
-        """What drives each test, by its name; errors as `drive`."""
+        """Drive of each test, by its name; errors as `drive`."""
         return {test.name: self.drive(test) for test in self.file.tests}
 
     def run(self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None) -> Iterator[TestResults]:

@@ -31,7 +31,7 @@ NEAR_FAULT = 0.6
 
 @dataclass(frozen=True)
 class StrengthLimit:
-    """Whether a negative slope after yielding leaves the frame stable.
+    """Check that a negative slope after yielding leaves the frame stable.
 
     Attributes:
         alpha_2: slope from the largest base shear down to 60 % of V_y over K_e; None without a descent.

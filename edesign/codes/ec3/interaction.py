@@ -93,7 +93,7 @@ def annex_b_factors(
 
 @dataclass(frozen=True)
 class AnnexAMember:
-    """What Annex A needs to know of a member.
+    """Constants of a member for Annex A.
 
     Attributes:
         N_Rk: A f_y by gamma_M1, N.

@@ -92,7 +92,7 @@ class LongPeriodSpectrum:
 
     @property
     def set_rules(self) -> SetRules:
-        """Those of the elastic spectrum."""
+        """Rules for sets of motions of the elastic spectrum."""
         return self.elastic.set_rules
 
     def with_damping(self, damping: float) -> Self:

@@ -23,7 +23,11 @@ def correction_factor(period: float, T_C: float, storeys: int) -> float:
 
 
 def is_applicable(period: float, T_C: float) -> bool:
-    """Whether the first period allows the method: T_1 <= 4 T_C and 2 s.
+    """Say whether the first period allows the method: T_1 <= 4 T_C and 2 s.
+
+    Args:
+        period: T_1 in the direction of the action, s.
+        T_C: upper corner period of the constant acceleration, s.
 
     Source: EN 1998-1:2004, 4.3.3.2.1(2) a, Eq. 4.4.
     """

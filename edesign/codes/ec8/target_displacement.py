@@ -55,7 +55,7 @@ class Idealisation:
 
 @dataclass(frozen=True)
 class TargetDisplacement:
-    """What the N2 method finds.
+    """Target displacement by the N2 method, with the steps that lead to it.
 
     Attributes:
         S_e: ordinate of the elastic spectrum at T*, m/s2.

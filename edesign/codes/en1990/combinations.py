@@ -224,7 +224,7 @@ def _distinct(rows: Iterator[Combination], favourable: bool) -> tuple[Combinatio
 
 
 def _covers(other: Combination, row: Combination) -> bool:
-    """Whether each action of a row acts at least as much in the other one, and something more."""
+    """Say whether each action of a row acts at least as much in the other one, and something more."""
     comparable = other.equation in (row.equation, _PAIR) and other.seismic == row.seismic
     if other is row or not comparable:
         return False

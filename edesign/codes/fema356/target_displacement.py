@@ -109,7 +109,7 @@ def strength_ratio(S_a: float, V_y: float, mass: float, C_m: float) -> float:
 
 @dataclass(frozen=True)
 class Demand:
-    """What the coefficients of a target displacement are taken from; attributes as of `CoefficientTarget`."""
+    """Demand that the coefficients of a target displacement are taken from; attributes as of `CoefficientTarget`."""
 
     idealisation: Bilinear
     T_e: float

@@ -38,7 +38,7 @@ class Compared:
 
     @property
     def parameters(self) -> int:
-        """How many were fitted, those at bounds included."""
+        """Number of parameters that were fitted, those at bounds included."""
         return len(self.fit.free) + len(self.fit.at_bound)
 
 

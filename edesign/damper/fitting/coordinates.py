@@ -123,7 +123,12 @@ class Coordinates:
         )
 
     def is_bound(self, name: str, value: float) -> bool:
-        """Whether a value (SI) is at a bound of the law or the user, not at an end that the search has without one."""
+        """Say whether a value is at a bound of the law or the user, not at an end that the search has without one.
+
+        Args:
+            name: of the parameter.
+            value: SI.
+        """
         axis = self.axes[self.names.index(name)]
         scale = self._scale(axis, self.start)
         return any(

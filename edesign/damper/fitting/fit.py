@@ -15,7 +15,7 @@ from edesign.damper.law import Law
 
 @dataclass(frozen=True)
 class Tested:
-    """What the tests of a fit went through; beyond it a law is extrapolated.
+    """Range of motions and temperatures of the tests of a fit; beyond it a law is extrapolated.
 
     Attributes:
         deformation: smallest and largest amplitude, m (of a property table: shear strain, as `strain` says).
@@ -117,7 +117,7 @@ class Fit:
 
     @property
     def follows(self) -> bool:
-        """Whether the law follows the tests that it was fitted to."""
+        """True if the law follows the tests that it was fitted to."""
         return self.mean_rms_error <= FOLLOWS
 
     def correlation_of(self, first: str, second: str) -> float:

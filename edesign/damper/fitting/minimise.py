@@ -20,7 +20,7 @@ _TOLERANCE = 1e-8
 
 @dataclass(frozen=True)
 class Problem:
-    """What is minimised.
+    """Problem of least squares that is minimised.
 
     Attributes:
         residual: (m,) of coordinates (n,).

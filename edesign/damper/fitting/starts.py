@@ -53,7 +53,14 @@ def with_starts(
 
 
 def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: ValuesAt, predict: Predict) -> bool:
-    """Whether tests start alike: the force of a law is the same but for a tenth of what noise there is at least."""
+    """Say whether tests start alike: the force of a law is the same but for a tenth of the least noise.
+
+    Args:
+        some: loadings of the tests.
+        others: loadings of the same tests with other starts.
+        values_at: gives the parameters of the law at a temperature.
+        predict: gives the force of a loading.
+    """
     for one, other in zip(some, others, strict=True):
         if (one.start is None) != (other.start is None) or abs(one.first - other.first) > _SOON * one.time.size:
             return False
@@ -66,7 +73,14 @@ def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: V
 
 
 def start_doubts(loadings: Sequence[Loading]) -> list[str]:
-    """What the user should know of tests that start away from rest."""
+    """List what the user should know of tests that start away from rest.
+
+    Args:
+        loadings: of the tests.
+
+    Returns:
+        One sentence a test.
+    """
     return [
         f"test {loading.name} starts away from rest: {loading.start.words}"
         for loading in loadings

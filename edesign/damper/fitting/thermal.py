@@ -22,7 +22,7 @@ _FERRY_AWAY = 2  # temperatures besides the reference that two unknowns need
 
 @dataclass(frozen=True)
 class Thermal:
-    """How a fit treats tests at several temperatures.
+    """Treatment of tests at several temperatures in a fit.
 
     Attributes:
         kind: "gamma": gamma_T of each temperature besides the reference (Eq. 4.34); "ferry": p1 and p2 (Eq. 4.33);

@@ -17,7 +17,7 @@ _SMALLEST = 1e-9  # singular value, of the largest: what is below comes from err
 
 @dataclass(frozen=True)
 class Uncertainty:
-    """What the data say about the unknowns at the solution; n unknowns.
+    """Uncertainty of the n unknowns at the solution, as the data give it.
 
     Attributes:
         white: standard errors (n,) if errors of samples are independent, each test with its own variance.

@@ -20,7 +20,7 @@ _PLAIN = re.compile(r"[^a-z0-9]+")
 
 @dataclass(frozen=True)
 class Facts:
-    """What is known of a recording beside its samples; None where it is not.
+    """Facts on a recording beside its samples; None where one is not known.
 
     Attributes:
         event, year, station: what was recorded, and where.
@@ -94,7 +94,7 @@ class Candidate:
 
 @dataclass(frozen=True)
 class Refusal:
-    """What was left out, and why."""
+    """Recording that was left out, and the reason."""
 
     name: str
     reason: str

@@ -32,13 +32,18 @@ _FILE_HEADERS = {
 
 @dataclass(frozen=True)
 class Flatfile:
-    """What a flatfile knows: facts by record sequence number, and by the name of a file in lower case."""
+    """Facts of a flatfile by record sequence number, and by the name of a file in lower case."""
 
     by_number: Mapping[int, Facts]
     by_file: Mapping[str, Facts]
 
     def facts(self, path: Path, rsn: int | None) -> Facts:
-        """What it knows of a file."""
+        """Return the facts on a file; none are known of a file that is not listed.
+
+        Args:
+            path: of the file.
+            rsn: record sequence number, if it has one.
+        """
         found = self.by_file.get(path.name.lower()) or self.by_file.get(path.stem.lower())
         return found or (self.by_number.get(rsn, Facts()) if rsn is not None else Facts())
 

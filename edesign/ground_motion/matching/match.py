@@ -144,7 +144,7 @@ def _fits(
     options: MatchOptions,
     zero_period: float,
 ) -> bool:
-    """Whether a scaled record is within the tolerance as it is, so that its shape is left alone."""
+    """Say whether a scaled record is within the tolerance as it is, so that its shape is left alone."""
     closeness = Closeness(target, periods, scaled.time_step, options.damping, zero_period)
     return closeness(scaled.acceleration) <= options.tolerance
 

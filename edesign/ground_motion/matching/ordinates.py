@@ -32,7 +32,7 @@ class Ordinates:
 
     @property
     def with_ground(self) -> bool:
-        """Whether the peak of the ground is matched."""
+        """True if the peak of the ground is matched."""
         return bool(np.isfinite(self.target[-1]))
 
 

@@ -19,7 +19,7 @@ LARGEST_END_VELOCITY = 1e-3  # m/s
 
 @dataclass(frozen=True)
 class Misfit:
-    """How far a response spectrum is from its target: of psa/target - 1 over the periods given.
+    """Misfit of a response spectrum, psa/target - 1 over the periods given.
 
     Attributes:
         rms: root mean square.
@@ -47,7 +47,7 @@ def misfit(psa: np.ndarray, target: np.ndarray, periods: np.ndarray) -> Misfit:
 
 @dataclass(frozen=True)
 class Adjusted:
-    """What a matching method returns.
+    """Result of a matching method.
 
     Attributes:
         acceleration: as many samples as were given, end velocity and displacement corrected, m/s2; those given if no
@@ -142,7 +142,7 @@ class Match:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What the user should know; empty if all went well."""
+        """Notes that the user should read; empty if all went well."""
         found = list(self.told)
         off, end_velocity = self.misfit_after, self.after.end_velocity
         if self.method != "scale" and off.rms > GOOD:

@@ -39,7 +39,11 @@ class Shape:
     correlation: float
 
     def notes(self) -> tuple[str, ...]:
-        """What is outside the bounds, in words."""
+        """Describe what is outside the bounds.
+
+        Returns:
+            One sentence for each quantity outside them.
+        """
         low, high = 1.0 / GREATEST_RATIO, GREATEST_RATIO
         found = []
         if not low <= self.arias_ratio <= high:

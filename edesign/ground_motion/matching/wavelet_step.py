@@ -18,7 +18,7 @@ _SAME = 0.15  # of the period: peaks nearer than that are one
 
 @dataclass(frozen=True)
 class Step:
-    """What is known to choose amplitudes from one state.
+    """Linear equations at one state, from which amplitudes are chosen.
 
     Attributes:
         peaks: those watched; `largest` are those to be brought to their targets.

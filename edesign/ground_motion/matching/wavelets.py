@@ -66,7 +66,7 @@ def adjust(
 
 
 def _within(state: State, tolerance: float) -> bool:
-    """Whether the rms is within the tolerance and no ordinate stays far behind."""
+    """Say whether the rms is within the tolerance and no ordinate stays far behind."""
     return state.rms <= tolerance and state.largest <= SPREAD * tolerance
 
 
@@ -89,7 +89,7 @@ class _Way:
 
     @property
     def over(self) -> bool:
-        """Whether the last steps were of no use."""
+        """True if the last steps were of no use."""
         return self._idle >= self.PATIENCE
 
     def go(self, state_of: Callable[[np.ndarray], State]) -> float:

@@ -47,7 +47,7 @@ class EC8Action:
 
     @property
     def title(self) -> str:
-        """Of the code."""
+        """Title of the code."""
         return find_code(self.hazard.code).title
 
     @property

@@ -53,7 +53,7 @@ class VerticalComponent:
 
     @property
     def note(self) -> str:
-        """What an engineer should know of it."""
+        """Note on the vertical component for the engineer."""
         named = ", ".join(self.spans[:NAMED])
         of = named if len(self.spans) <= NAMED else f"{named} and {len(self.spans) - NAMED} more"
         return (

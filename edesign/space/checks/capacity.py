@@ -69,7 +69,7 @@ class Joint:
 
     @property
     def passed(self) -> bool:
-        """Whether the columns are strong enough, or the joint is exempt."""
+        """True if the columns are strong enough, or the joint is exempt."""
         return self.exempt or self.ratio >= LEAST_RATIO
 
 
@@ -186,7 +186,7 @@ def joints(
 
 
 def bends_about_y(member: Member, axis: Axis) -> bool:
-    """Whether a column bends about its strong axis under horizontal forces along an axis."""
+    """Say whether a column bends about its strong axis under horizontal forces along an axis."""
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 

@@ -92,7 +92,7 @@ class Foundations:
 
     @property
     def uplift(self) -> list[str]:
-        """What an engineer should know of supports that are pulled upwards: a sentence, or none."""
+        """Sentence on supports that are pulled upwards, or none."""
         least = self.least[:, :, 2].min(axis=0)
         lifted = int((least < 0.0).sum())
         if not lifted:

@@ -283,7 +283,7 @@ class Calculation:
 
     @property
     def twists(self) -> bool:
-        """Whether it can buckle by twisting: not a hollow section, and not held all along."""
+        """True if the member can buckle by twisting: not a hollow section, and not held all along."""
         return self.section.kind == "I" and self.member.stability.L_LT > 0.0
 
     def flexural(self, axis: str) -> Flexural:

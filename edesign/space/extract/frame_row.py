@@ -52,7 +52,7 @@ class FrameRow:
 
     @property
     def name(self) -> str:
-        """What it is, for titles: `frame X2`, `frames along x`."""
+        """Name for titles: `frame X2`, `frames along x`."""
         return f"frame {self.frames[0].name}" if self.alone is not None else f"frames along {self.along}"
 
     @cached_property

@@ -84,7 +84,7 @@ class PlaneFrame:
 
     @property
     def resists(self) -> bool:
-        """Whether braces, or beams with a moment at an end, resist horizontal forces in it."""
+        """True if braces, or beams with a moment at an end, resist horizontal forces in it."""
         return bool(self.braces) or any(not _pinned(run.ends) for run in self.beams.values())
 
     def beam_load(self, factors: Mapping[str, float]) -> dict[tuple[int, int], float]:

@@ -42,7 +42,7 @@ OBJECTIVES = ("h", "l")
 
 @dataclass(frozen=True)
 class StudyNames:
-    """How the files of a study name each other.
+    """Names by which the files of a study refer to each other.
 
     Attributes:
         project: the project file, from the study's folder.

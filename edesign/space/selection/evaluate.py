@@ -34,7 +34,7 @@ Choice = tuple[int, ...]
 
 @dataclass(frozen=True)
 class Evaluation:
-    """What was found for one choice of sections.
+    """Evaluation of one choice of sections.
 
     Attributes:
         choice: of the sections.
@@ -85,7 +85,7 @@ class Evaluator:
 
     @property
     def count(self) -> int:
-        """How many choices were asked for, each counted once."""
+        """Number of choices that were asked for, each counted once."""
         return len(self._asked)
 
     def close(self) -> None:

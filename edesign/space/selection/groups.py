@@ -130,7 +130,7 @@ def _prices(analysis: ElasticAnalysis) -> Callable[[str], float]:
 
 
 def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highest: int) -> bool:
-    """Whether a section is of a class that its group may have, and no thicker than its steel is made."""
+    """Say whether a section is of a class that its group may have, and no thicker than its steel is made."""
     try:
         _, steel = analysis.steel_of(group, section)
     except InputError:
@@ -139,7 +139,7 @@ def _fits(analysis: ElasticAnalysis, group: str, section: str, bent: bool, highe
 
 
 def _slender(analysis: ElasticAnalysis, group: str, members: Sequence[int]) -> Callable[[SteelSection], bool]:
-    """Whether diagonals of a section would have a slenderness that EN 1998-1, 6.7.3(1) to (4) allows."""
+    """Say whether diagonals of a section would have a slenderness that EN 1998-1, 6.7.3(1) to (4) allows."""
     frame, design = analysis.frame, design_of(analysis.building)
     factor = max(design.members.buckling_length.braces.y, design.members.buckling_length.braces.z)
     ranges: list[tuple[float, float]] = []  # of the slenderness of one metre, the lower end excluded

@@ -33,7 +33,7 @@ Listener = Callable[[str], None]
 
 @dataclass(frozen=True)
 class Found:
-    """What a search found.
+    """Result of a search.
 
     Attributes:
         best: the lightest choice that meets all checks; without one that with the least excess.
@@ -385,7 +385,7 @@ class Search:
 
 
 def _less(one: float, other: float) -> bool:
-    """Whether a cost is less by more than rounding of its sum."""
+    """Say whether a cost is less by more than rounding of its sum."""
     return one < other * (1.0 - 1e-12)
 
 

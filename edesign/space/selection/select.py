@@ -48,7 +48,7 @@ class Governing:
 
 @dataclass(frozen=True)
 class GroupChoice:
-    """What was chosen for a group.
+    """Choice of a section for a group.
 
     Attributes:
         group: with its list.

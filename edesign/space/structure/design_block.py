@@ -19,7 +19,7 @@ MOMENT_FRAME = "moment_frame"
 
 @dataclass(frozen=True)
 class Regular:
-    """Whether a building counts as regular, as the file says, or as it is found where the file leaves it open.
+    """Regularity of a building, as the file says, or as it is found where the file leaves it open.
 
     Attributes:
         plan, elevation: EN 1998-1:2004, 4.2.3.2 and 4.2.3.3.

@@ -65,7 +65,7 @@ class TestAdvice:
 
 @dataclass(frozen=True)
 class Advice:
-    """What `edesign rts check` says.
+    """Findings of `edesign rts check`.
 
     Attributes:
         tests: in the order of the file, those with a given command too.

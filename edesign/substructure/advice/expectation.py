@@ -116,7 +116,7 @@ class ModeAdvice:
 
 @dataclass(frozen=True)
 class ExpectedTest:
-    """What is to be expected of a test with a compensator.
+    """Expected behaviour of a test with a compensator.
 
     Attributes:
         compensator: its name.
@@ -424,7 +424,11 @@ class LinearModel:
         return _tracking(target, measured), wrong
 
     def seen(self, compensator: CompensatorTransfer) -> Transfer:
-        """What the numerical part gets of the force, over the force of the target."""
+        """Return the force that the numerical part gets, over the force of the target, as a transfer function.
+
+        Args:
+            compensator: of the test.
+        """
         file = self.laboratory.file
         sensor = self.laboratory.laboratory.sensors.force_delay
         over_step = force_over_step(file.loop.force, file.loop.main_step)

@@ -49,7 +49,11 @@ def _poles(plant: ServoHydraulicRig, specimen: ComplexStiffness, omega: float) -
 
 
 def swings(poles: np.ndarray) -> bool:
-    """Whether a pole lies to the right."""
+    """Say whether the first pole, by its real part, lies to the right of the imaginary axis or on it.
+
+    Args:
+        poles: (n,), the rightmost first, 1/s.
+    """
     return bool(poles.size) and bool(poles[0].real >= 0.0)
 
 

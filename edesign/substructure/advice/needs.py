@@ -24,7 +24,7 @@ of it, and a loop that feeds the structure passes it within some cycles, before 
 
 @dataclass(frozen=True)
 class Need:
-    """What the rig must do in a test, without the error of the loop.
+    """Demand on the rig in a test, without the error of the loop.
 
     Attributes:
         test: its name.
@@ -47,12 +47,12 @@ class Need:
 
     @property
     def possible(self) -> bool:
-        """Whether the rig can do it."""
+        """True if the rig can do it."""
         return max(self.stroke_use, self.velocity_use, self.force_use) <= 1.0
 
     @property
     def beyond(self) -> str:
-        """What is beyond a limit of the rig, in words; empty: nothing."""
+        """Demands beyond a limit of the rig, in words; empty: there are none."""
         uses = (("stroke", self.stroke_use), ("velocity", self.velocity_use), ("force", self.force_use))
         return ", ".join(f"{what} {100.0 * use:.0f} % of its limit" for what, use in uses if use > 1.0)
 

@@ -75,7 +75,7 @@ class StabilityMap:
         return tuple(one.compensator for one in self.regions if self._alike(one) is stable)
 
     def _alike(self, region: StableRegion) -> bool | None:
-        """Whether the test is stable all over the map; None: it is in one place and is not in another."""
+        """Say whether the test is stable all over the map; None: it is in one place and is not in another."""
         inside = [
             sum(max(min(end, self.largest) - max(begin, self.least), 0.0) for begin, end in column)
             for column in region.delays
@@ -86,7 +86,7 @@ class StabilityMap:
         return True if all(one >= height for one in inside) else None
 
     def is_stable(self, compensator: str) -> bool:
-        """Whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
+        """Say whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
         region = next((one for one in self.regions if one.compensator == compensator), None)
         if region is None or region.stable is not None:
             return region is not None and bool(region.stable)

@@ -188,7 +188,7 @@ def _sum(terms: Iterable[Term], signals: Iterable[str], s: np.ndarray, step: flo
 
 
 def settles(equation: DifferenceEquation, rig: RigTransfer, step: float) -> bool:
-    """Whether a compensator with the rig comes to rest for a target at rest.
+    """Say whether a compensator with the rig comes to rest for a target at rest.
 
     Args:
         equation: of the compensator.

@@ -10,7 +10,7 @@ ORDER, CUTOFF = 6, 20.0
 
 
 def filtered(step: float) -> bool:
-    """Whether a record with samples a step (s) apart goes through the filter: it is fast enough for it."""
+    """Say whether a record with samples a step (s) apart goes through the filter: it is fast enough for it."""
     return CUTOFF < 0.5 / step
 
 

@@ -30,7 +30,7 @@ def _indicator(long_name: str, unit: str) -> Any:
 
 @dataclass(frozen=True)
 class Tracking:
-    """How well a rig followed its target; delays are above zero where the measured channel is late.
+    """Quality of a rig's tracking; delays are above zero where the measured channel is late.
 
     `definitions` tells meaning, unit and source of each indicator. One that cannot be told is NaN.
 

@@ -30,7 +30,7 @@ class HalfCycles:
 
     @property
     def rising(self) -> np.ndarray:
-        """Whether each crossing goes from below to above zero, (k - 1,)."""
+        """True for each crossing that goes from below to above zero, (k - 1,)."""
         return np.asarray(self.sign[1:] > 0.0)
 
     @property

@@ -38,7 +38,7 @@ or channel leaves all of it.
 
 @dataclass(frozen=True)
 class JudgedResponse:
-    """What a test says of the response of the structure.
+    """Judgement of the response of the structure that a test gives.
 
     Attributes:
         test: of the file.
@@ -97,18 +97,18 @@ class Criterion:
 
     @property
     def determined(self) -> bool:
-        """Whether the test tells the value."""
+        """True if the test tells the value."""
         return not math.isnan(self.value)
 
     @property
     def met(self) -> bool:
-        """Whether it is kept; not if the value is not known."""
+        """True if the criterion is kept; not if the value is not known."""
         return self.value >= self.limit if self.at_least else self.value <= self.limit
 
 
 @dataclass(frozen=True)
 class Judgement:
-    """How good a test was.
+    """Judgement of a test, by responses and criteria.
 
     Attributes:
         source: the record.
@@ -132,7 +132,7 @@ class Judgement:
 
     @property
     def good(self) -> bool | None:
-        """Whether all criteria are met; None: there are none."""
+        """True if all criteria are met; None: there are none."""
         return all(one.met for one in self.criteria) if self.criteria else None
 
     @property

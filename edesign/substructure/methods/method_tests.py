@@ -39,7 +39,7 @@ of the response that criteria accept by default."""
 
 @dataclass(frozen=True)
 class MethodResults:
-    """What a test by another method showed.
+    """Results of a test by another method.
 
     Attributes:
         name, kind: of the test.

@@ -30,7 +30,7 @@ _ROUNDING = 1e-6  # of a growth: a double eigenvalue is known to the root of the
 
 @dataclass(frozen=True)
 class ControlError:
-    """What the actuators do wrong in each step of the integration; the parts add up.
+    """Errors of the actuators in each step of the integration; the parts add up.
 
     Attributes:
         undershoot: they stop short by this share of the increment that the integration asks for.

@@ -37,7 +37,11 @@ class RateEffect:
         return abs(self.slow_stiffness - self.stiffness) / size if size else math.nan
 
     def valid(self, tolerance: float) -> bool:
-        """Whether the change of the force is within a tolerance (dimensionless, e.g. that of the response error)."""
+        """Say whether the change of the force is within a tolerance.
+
+        Args:
+            tolerance: dimensionless, e.g. that of the response error.
+        """
         return self.change <= tolerance
 
     def sentence(self, tolerance: float) -> str:

@@ -53,7 +53,7 @@ class ShakingTable:
 
     @property
     def oil_stiffness(self) -> float:
-        """Of the oil column, N/m."""
+        """Stiffness of the oil column, N/m."""
         return self.mass * (2.0 * math.pi * self.oil_frequency) ** 2
 
     @cached_property
@@ -88,7 +88,7 @@ class ShakingTableRecord(MethodRecord):
 
     @property
     def response_error(self) -> float:
-        """As of any method, against the direct response as late as the table."""
+        """Error of the response against the direct one, which is taken as late as the table."""
         step = float(self.time[1] - self.time[0])
         return response_error(self.deformation, _later(self.direct_deformation, self.delay, step))
 

@@ -41,7 +41,7 @@ _AT_BOUND = 0.99
 
 @dataclass(frozen=True)
 class IdentifiedRig:
-    """What a record says of a rig.
+    """Properties of a rig that a record shows.
 
     Attributes:
         source: the file.

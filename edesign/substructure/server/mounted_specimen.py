@@ -42,7 +42,7 @@ class MountedSpecimen:
 
     @property
     def under_way(self) -> bool:
-        """Whether a step is begun and not committed."""
+        """True if a step is begun and not committed."""
         return self.trial.time > self.committed.time
 
     def move(self, motion: Motion) -> None:

@@ -36,7 +36,7 @@ _CONTROLLED = ("displacements", "velocities", "accelerations", "forces", "times"
 
 
 class Code(Enum):
-    """What a message is about: its first number."""
+    """Subject of a message: its first number."""
 
     TRIAL = 3.0
     COMMIT = 5.0
@@ -58,7 +58,7 @@ QUESTIONS = tuple(code for code in Code if code not in (Code.TRIAL, Code.COMMIT,
 
 
 class NotTheProtocol(AnalysisError):
-    """What was received is no greeting of a genericClient."""
+    """Error: what was received is no greeting of a genericClient."""
 
 
 class RefusedClient(AnalysisError):
@@ -97,7 +97,7 @@ class Motion:
 
 @dataclass(frozen=True)
 class Measured:
-    """What the laboratory measures.
+    """Quantities that the laboratory measures.
 
     Attributes:
         time: s.

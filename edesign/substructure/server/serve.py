@@ -40,7 +40,7 @@ OnEvent = Callable[[str], None]
 
 @dataclass(frozen=True)
 class SessionSummary:
-    """What happened in a session.
+    """Summary of a session.
 
     Attributes:
         client: its address; empty: none came.

@@ -20,7 +20,7 @@ MOST_SAMPLES = 2**22
 
 @dataclass(frozen=True)
 class Change:
-    """What an error of the force changes, during the record.
+    """Changes of the motions that an error of the force makes, during the record.
 
     Attributes:
         target: in the loop, (n,) m.

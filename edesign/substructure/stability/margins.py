@@ -38,7 +38,7 @@ class Crossing:
 
 @dataclass(frozen=True)
 class LoopMode:
-    """What the loop makes of a mode of the structure.
+    """Frequency and damping of a mode of the structure in the loop.
 
     Attributes:
         number: from 1.
@@ -67,7 +67,10 @@ class LoopMode:
 
     @property
     def simple_damping_error(self) -> float:
-        """The same by the formula of small delays, -p omega tau / 2 (thesis Eq. 6.6 for the specimen's part)."""
+        """Error of the damping by the formula of small delays, -p omega tau / 2.
+
+        Source: thesis Eq. 6.6, for the specimen's part.
+        """
         return -self.share * math.pi * self.frequency * self.delay
 
 
@@ -112,7 +115,7 @@ class LoopStability:
 def loop_stability(
     loop: Loop, highest_frequency: float | None = None, delayed: RigDelayLoop | None = None
 ) -> LoopStability:
-    """Whether a substructure test is stable, and with what margins.
+    """Find whether a substructure test is stable, and with what margins.
 
     Args:
         loop: with rig and compensator as they are; without them: the partition itself.

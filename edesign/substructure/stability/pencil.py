@@ -164,7 +164,7 @@ def follow(pencil: Pencil, starts: np.ndarray, shapes: np.ndarray) -> tuple[np.n
 def _continue(
     found: np.ndarray, predicted: np.ndarray, before: np.ndarray, found_forms: np.ndarray, forms: np.ndarray
 ) -> np.ndarray:
-    """Whether roots are the same modes a step on, (m,)."""
+    """Say whether roots are the same modes a step on, (m,)."""
     reach = FARTHEST_MOVE * np.abs(before)
     sizes = np.linalg.norm(found_forms, axis=1) * np.linalg.norm(forms, axis=1)
     likeness = np.abs(np.sum(found_forms.conj() * forms, axis=1)) / sizes

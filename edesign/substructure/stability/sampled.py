@@ -134,7 +134,7 @@ class SampledStability:
 
     @property
     def stable(self) -> bool:
-        """Whether no motion grows."""
+        """True if no motion grows."""
         return self.unstable_roots == 0
 
 
@@ -257,7 +257,7 @@ class SampledLoop:
 
 
 def _too_far(values: np.ndarray) -> np.ndarray:
-    """Whether the determinant changes too much from each frequency to the next, (m - 1,)."""
+    """Say whether the determinant changes too much from each frequency to the next, (m - 1,)."""
     size = np.abs(values[0])
     return np.asarray(np.abs(np.diff(values[0])) > LARGEST_CHANGE * np.minimum(size[1:], size[:-1]))
 

@@ -141,7 +141,7 @@ def _values(loop: Loop, omega: np.ndarray, share: np.ndarray | None = None) -> n
 
 
 def _too_far(values: np.ndarray) -> np.ndarray:
-    """Whether L or R changes too much from each frequency to the next, (m - 1,)."""
+    """Say whether L or R changes too much from each frequency to the next, (m - 1,)."""
     size = np.abs(values)
     with np.errstate(invalid="ignore"):
         change = np.abs(np.diff(values, axis=1)) > LARGEST_CHANGE * np.minimum(size[:, 1:], size[:, :-1])

@@ -191,7 +191,7 @@ class _NumericalModes:
 
     @cached_property
     def _apart(self) -> bool:
-        """Whether damping leaves the modes apart, as Rayleigh's and modal damping do."""
+        """True if damping leaves the modes apart, as Rayleigh's and modal damping do."""
         own = np.diagonal(self.damping)
         return bool(np.all(np.abs(self.damping - np.diag(own)) <= ROUNDING * np.max(np.abs(own), initial=0.0)))
 

@@ -16,7 +16,7 @@ ForceBetween = Literal["held", "extrapolated"]
 
 @dataclass(frozen=True)
 class Known:
-    """What is known at the start of a step.
+    """Quantities that are known at the start of a step.
 
     Attributes:
         force, force_before: of the specimen at the start of this step and of the last, N.

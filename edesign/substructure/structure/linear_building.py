@@ -21,7 +21,7 @@ ACROSS = 0
 
 @dataclass(frozen=True, eq=False)
 class LinearBuilding:
-    """What is told of the floors and storeys of a linear numerical part of n degrees.
+    """Floors and storeys of a linear numerical part of n degrees.
 
     Attributes:
         floors: displacement of each floor; terms of all quantities are of horizontal motions of nodes.

@@ -102,7 +102,7 @@ def unchecked_recursion(
     rho: float = 0.75,
     accelerations: np.ndarray | None = None,
 ) -> Recursion:
-    """As `recursion`, but whether the method is stable is not asked."""
+    """Return the recursion of a method without asking whether it is stable; arguments as of `recursion`."""
     if method not in METHODS:
         raise InputError(unknown_name("method", method, METHODS))
     between = next((known for known in FORCES if known == force), None)
