@@ -88,7 +88,11 @@ _FOR_CHECK = (STRUCTURE, NATIONAL)
 
 
 def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
-    """Return the kind of a YAML file by the keys of its outermost mapping; None: none that is known."""
+    """Return the kind of a YAML file by the keys of its outermost mapping; None: none that is known.
+
+    Args:
+        keys: of the outermost mapping.
+    """
     found: set[str] = set()
     for key in keys:
         found.add(key)
@@ -100,7 +104,11 @@ def kind_of_keys(keys: Iterable[str]) -> FileKind | None:
 
 
 def kind_of_content(head: bytes) -> FileKind | None:
-    """Return the kind of a file by its first bytes, `HEAD` of them at most; None: none that is known."""
+    """Return the kind of a file by its first bytes, `HEAD` of them at most; None: none that is known.
+
+    Args:
+        head: first bytes of the file.
+    """
     if head.startswith(HDF5):
         return ARCHIVE
     if b"\0" in head:
@@ -110,7 +118,11 @@ def kind_of_content(head: bytes) -> FileKind | None:
 
 
 def kind_of(path: Path | str) -> FileKind | None:
-    """Return the kind of a file; None: none that is known, or the file cannot be read."""
+    """Return the kind of a file; None: none that is known, or the file cannot be read.
+
+    Args:
+        path: of the file.
+    """
     try:
         if not Path(path).is_file():  # what a pipe gives its reader needs
             return None
@@ -127,6 +139,7 @@ def refuse_kind(path: Path | str, found: FileKind | None, what: str, *refused: F
         path: of the file.
         found: its kind.
         what: is needed in its place, for messages.
+        *refused: kinds that it cannot be.
         refused: kinds that it cannot be.
 
     Raises:
@@ -137,7 +150,13 @@ def refuse_kind(path: Path | str, found: FileKind | None, what: str, *refused: F
 
 
 def other_kind(path: Path | str, found: FileKind, what: str) -> str:
-    """Return the message that a file is of another kind than is needed."""
+    """Return the message that a file is of another kind than is needed.
+
+    Args:
+        path: of the file.
+        found: its kind.
+        what: is needed in its place.
+    """
     article = "an" if what[0] in "aeiou" else "a"
     return f"{path}: this is {found.described}, and {article} {what} is needed; {found.use}"
 

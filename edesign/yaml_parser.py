@@ -18,5 +18,8 @@ def quick_parser(text: str) -> Any | None:
 
     Its marks differ at scalars without text and at plain ones of several lines; a text that it refuses is for
     PyYAML's own parser, which may refuse it elsewhere.
+
+    Args:
+        text: of the YAML file.
     """
     return None if _OTHERWISE.search(text) else _QUICK

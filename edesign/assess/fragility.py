@@ -44,7 +44,14 @@ class Fragility:
     p_value: float | None = None
 
     def probability(self, intensity: ArrayLike) -> np.ndarray:
-        """Return the probability that the limit is passed; 0 at intensity 0."""
+        """Return the probability that the limit is passed; 0 at intensity 0.
+
+        Args:
+            intensity: in the unit of theta, of any shape.
+
+        Returns:
+            The probability, in the shape of `intensity`.
+        """
         im = np.asarray(intensity, dtype=float)
         with np.errstate(divide="ignore"):
             return np.asarray(scipy.special.ndtr(np.log(im / self.theta) / self.beta))
@@ -147,6 +154,10 @@ def fit_capacities(capacity: ArrayLike, last: ArrayLike = math.inf) -> Fragility
 
 def collapse_margin_ratio(theta: float, level_intensity: float) -> float:
     """Return the median intensity of collapse divided by that of a hazard level.
+
+    Args:
+        theta: median intensity of collapse.
+        level_intensity: intensity of the hazard level, in the same unit.
 
     Source: FEMA P-695 (2009), Eq. 1-1, there of the maximum considered earthquake.
     """

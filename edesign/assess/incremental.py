@@ -117,6 +117,9 @@ def last_intensities(stripes: Stripes) -> np.ndarray:
     """Return the highest intensity at which each record has a result, (r,); NaN where it has none.
 
     A capacity that is not reached is only known to lie beyond it.
+
+    Args:
+        stripes: of r records.
     """
     there = ~np.isnan(stripes.values)
     return np.where(there.any(axis=1), np.where(there, stripes.intensity, -np.inf).max(axis=1), np.nan)

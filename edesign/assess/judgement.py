@@ -59,7 +59,13 @@ def within(
 
 
 def met_by(value: float, most: float | None, least: float | None) -> bool:
-    """Say whether a value is at most `most`, or without `most` at least `least`."""
+    """Say whether a value is at most `most`, or without `most` at least `least`.
+
+    Args:
+        value: of the statistic.
+        most: upper limit in its unit; None: `least` is the limit.
+        least: lower limit in its unit.
+    """
     if most is not None:
         return value <= most
     return least is None or value >= least
@@ -72,6 +78,15 @@ def share_met(
 
     A failed history does not meet it. The answer is None while it depends on histories that have not run, and the
     share is None before the first has ended. Other arguments as `within`.
+
+    A failed history counts among those that do not meet the limit.
+
+    Args:
+        share: of the histories that must meet the limit, 0 to 1.
+        values: by history; None: failed, or not run.
+        not_run: names of those that have not run.
+        most: upper limit in the unit of the values.
+        least: lower limit in the unit of the values.
     """
     ended = [value for key, value in values.items() if key not in not_run]
     met = sum(value is not None and met_by(value, most, least) for value in ended)

@@ -68,7 +68,11 @@ class Exceedance:
         return 1.0 / self.rate if self.rate > 0.0 else math.inf
 
     def probability(self, years: float) -> float:
-        """Return the probability of at least one exceedance in some years, of a Poisson process."""
+        """Return the probability of at least one exceedance in some years, of a Poisson process.
+
+        Args:
+            years: length of the period of time.
+        """
         return -math.expm1(-self.rate * years)
 
 

@@ -188,6 +188,9 @@ def storey_of(label: str) -> int:
     """Return the storey in the label of a storey, or the name of a column, beam, half of a beam, or brace.
 
     They are 3, C_A_3, B_1_3, B_1_3_2, D_1_3_r; a beam counts with the storey below its floor.
+
+    Args:
+        label: of a storey, or the name of a member.
     """
     parts = label.split("_")
     return int(parts[2] if len(parts) > 1 else parts[0])

@@ -46,7 +46,11 @@ class FrameMember:
     strength: float = math.inf
 
     def limits(self, compression: float) -> RotationLimits | None:
-        """Return the allowed plastic rotations, rad; None for a force-controlled column. `compression` is P in N."""
+        """Return the allowed plastic rotations, rad; None for a force-controlled column.
+
+        Args:
+            compression: P, N; not negative.
+        """
         if self.kind == "beam":
             return self._of_beam
         return column_rotations(self.section, self.length, compression, self.strength)
@@ -87,7 +91,11 @@ class VariantMembers:
         self._found: dict[int, dict[str, FrameMember]] = {}
 
     def project(self, variant: str) -> Project:
-        """Return the project of a variant, which may be named with a temperature."""
+        """Return the project of a variant, which may be named with a temperature.
+
+        Args:
+            variant: its name, also with a temperature.
+        """
         own = own_variant(variant)
         if self._study is None or own not in self._study.variants:
             return self._project
@@ -107,6 +115,9 @@ def frame_members(project: Project) -> dict[str, FrameMember]:
     The project's fy is taken for both the expected and the lower-bound yield stress. P_CL is that of the length between
     nodes in and out of the plane of the frame (K = 1: P-Delta is part of the analysis). Left out are braces, members
     that stay elastic, sections that are no I section, and columns that bend about their weak axis.
+
+    Args:
+        project: the validated project.
     """
     found = {}
     frame = project.frame
@@ -172,7 +183,11 @@ def _usage(member: FrameMember, rotation: float, compression: float, level: str)
 
 
 def compressions(group: Group) -> dict[str, float]:
-    """Return the largest compression of each column in a history, N; {} if it has no axial forces."""
+    """Return the largest compression of each column in a history, N; {} if it has no axial forces.
+
+    Args:
+        group: of the history in the archive.
+    """
     lowest = group.variables.get("column_axial_force_min")  # tension is positive
     if lowest is None:
         return {}

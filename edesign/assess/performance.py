@@ -106,7 +106,15 @@ def member_performance(
     kinds: Collection[Kind] = ("column", "beam"),
     storeys: Collection[int] | None = None,
 ) -> Usage | None:
-    """Return the plastic rotation of the member that governs over what a level allows it; None without any."""
+    """Return the plastic rotation of the member that governs over what a level allows it; None without any.
+
+    Args:
+        group: of the analysis in the archive.
+        members: of the frame, by name.
+        level: IO, LS or CP.
+        kinds: of the members that count.
+        storeys: whose members count; None: all.
+    """
     usages = member_usages(group, members, level, kinds, storeys)
     if not usages:
         return None
@@ -131,7 +139,16 @@ def usage(
     kinds: Collection[Kind] = ("column", "beam"),
     storeys: Collection[int] | None = None,
 ) -> Usage | None:
-    """Return the usage of a level by drift, by members, or the larger of both; None if one that counts is missing."""
+    """Return the usage of a level by drift, by members, or the larger of both; None if one that counts is missing.
+
+    Args:
+        group: of the analysis in the archive.
+        members: of the frame, by name.
+        level: IO, LS or CP.
+        by: "drift", "members" or "both".
+        kinds: of the members that count.
+        storeys: that count; None: all.
+    """
     found = []
     if by != "members":
         found.append(drift_performance(group, level, storeys))

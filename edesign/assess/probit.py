@@ -45,7 +45,17 @@ def probit(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float]:
 
 
 def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
-    """The likelihood has a maximum only where intensities with and without passing overlap. Places count from 1."""
+    """Check that intensities with and without passing overlap: the likelihood has a maximum only then.
+
+    Places count from 1.
+
+    Args:
+        n: (m,) number of records at each intensity.
+        k: (m,) how many of them pass the limit.
+
+    Raises:
+        AnalysisError: they do not overlap, or there are none.
+    """
     yes, no, count = np.flatnonzero(k > 0.0) + 1, np.flatnonzero(k < n) + 1, n.size
     if not n.any():
         raise AnalysisError("no fragility: there are no analyses")
@@ -64,5 +74,11 @@ def check_overlap(n: np.ndarray, k: np.ndarray) -> None:
 
 
 def log_likelihood(eta: np.ndarray, n: np.ndarray, k: np.ndarray) -> float:
-    """Return the binomial log-likelihood of the probit eta (m,), without the coefficients."""
+    """Return the binomial log-likelihood of the probit eta (m,), without the coefficients.
+
+    Args:
+        eta: (m,) probit.
+        n: (m,) number of records at each intensity.
+        k: (m,) how many of them pass the limit.
+    """
     return float(np.sum(k * scipy.special.log_ndtr(eta) + (n - k) * scipy.special.log_ndtr(-eta)))

@@ -59,7 +59,13 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
 
 
 def lacking(group: Group, asked: QuantityCriterion, project: Project) -> str:
-    """Return why the quantity of a criterion does not apply to a completed analysis, "" where it does."""
+    """Return why the quantity of a criterion does not apply to a completed analysis, "" where it does.
+
+    Args:
+        group: of the analysis in the archive.
+        asked: criterion with the quantity.
+        project: the validated project.
+    """
     quantity = QUANTITIES[asked.quantity]
     if asked.of_dampers and "damper" not in group.coords:
         return "there are no dampers"
@@ -80,6 +86,10 @@ def missing_history(group: Group, asked: QuantityCriterion) -> str:
     """Return the name of a variable that the quantity of a criterion needs and the archive does not have, "" if none.
 
     What a study has to keep for its criteria is checked before it runs; archives of other studies may lack it.
+
+    Args:
+        group: of the analysis in the archive.
+        asked: criterion with the quantity.
     """
     needed = HISTORY_OF.get(asked.quantity)
     if needed is not None:
@@ -157,7 +167,13 @@ def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: Qua
 
 
 def damper_velocity(time: np.ndarray, deformations: np.ndarray, asked: QuantityCriterion) -> np.ndarray:
-    """Return the largest velocity of each damper as a criterion asks for it; see `largest_velocity`."""
+    """Return the largest velocity of each damper as a criterion asks for it; see `largest_velocity`.
+
+    Args:
+        time: (n,) s.
+        deformations: (n, dampers) m.
+        asked: the criterion.
+    """
     return largest_velocity(time, deformations)
 
 

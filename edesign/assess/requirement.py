@@ -76,7 +76,13 @@ class Requirement:
 
 
 def requirement_of(criterion: Criterion, members: Mapping[str, FrameMember], project: Project) -> Requirement:
-    """Make a criterion of a study ready; `members` are those of the frame, needed for performance levels only."""
+    """Make a criterion of a study ready for judging histories.
+
+    Args:
+        criterion: of the study.
+        members: of the frame, by name; needed for performance levels only.
+        project: the validated project.
+    """
     found = _of_its_kind(criterion, members, project)
     if not isinstance(criterion, PerformanceCriterion) and _limits_beams(criterion):
         storeys, names = _numbers(criterion.storeys, project), getattr(criterion, "members", ())
@@ -174,7 +180,17 @@ def performance_requirement(
     storeys: tuple[int, ...] | None,
     members: Mapping[str, FrameMember],
 ) -> Requirement:
-    """Make ready that histories meet a performance level; see `performance.usage` for the arguments."""
+    """Make ready the requirement that histories meet a performance level.
+
+    Args:
+        name: of the criterion.
+        level: IO, LS or CP.
+        by: "drift", "members" or "both".
+        of: kind of members that count, a key of `KINDS`.
+        statistic: over the histories.
+        storeys: that count; None: all.
+        members: of the frame, by name.
+    """
 
     def place(group: Group) -> Located | None:
         found = usage(group, members, level, by, KINDS[of], storeys)
@@ -190,12 +206,23 @@ def performance_requirement(
 
 
 def shown(value: float, unit: str) -> str:
-    """Return a value in SI with the unit people read."""
+    """Return a value in SI with the unit people read.
+
+    Args:
+        value: SI.
+        unit: SI unit, a key of `UNITS`.
+    """
     return f"{bare(value, unit, 4)} {UNITS[unit][0]}".rstrip()
 
 
 def bare(value: float, unit: str, digits: int) -> str:
-    """Return a value in SI in the unit that people read, without that unit; what is negligible as 0."""
+    """Return a value in SI in the unit that people read, without that unit; what is negligible as 0.
+
+    Args:
+        value: SI.
+        unit: SI unit, a key of `UNITS`.
+        digits: significant ones.
+    """
     return f"{0.0 if abs(value) < NEGLIGIBLE else value / UNITS[unit][1]:.{digits}g}"
 
 

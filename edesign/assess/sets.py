@@ -76,7 +76,11 @@ class HistorySet:
         return tuple(name for name in self.histories if name not in self.completed and name not in self.not_run)
 
     def statistics(self, measure: Callable[[Group], float | None]) -> Statistics:
-        """Return the statistics of a measure over the completed histories; peaks of others are not the last word."""
+        """Return the statistics of a measure over the completed histories; peaks of others are not the last word.
+
+        Args:
+            measure: gives the value of one history, None where it has none.
+        """
         completed = self.completed
         return statistics({name: measure(completed[name]) if name in completed else None for name in self.histories})
 
@@ -105,6 +109,9 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
     variant have the same level and record, as one record at two scales, the names of the analyses, without that of the
     record, stand for variants. Histories of incremental analyses, and everything that is
     no history, are left out.
+
+    Args:
+        histories: groups of the archive, by name.
     """
     labelled: dict[str, tuple[str, str, str]] = {}
     for name, group in histories.items():
@@ -127,7 +134,11 @@ def history_sets(histories: Mapping[str, Group]) -> tuple[HistorySet, ...]:
 
 
 def target_sets(groups: Mapping[str, Group]) -> tuple[HistorySet, ...]:
-    """Sort the states at target displacements by variant, level and method; everything else is left out."""
+    """Sort the states at target displacements by variant, level and method; everything else is left out.
+
+    Args:
+        groups: of the archive, by name.
+    """
     found: dict[tuple[str, str, Method], HistorySet] = {}
     for name, group in groups.items():
         about = group.attributes

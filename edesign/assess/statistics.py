@@ -93,6 +93,10 @@ def code_statistic(name: str, count: int) -> str:
 
     `ec8`: the mean of seven or more, else the maximum (EN 1998-1, 4.3.3.4.3(3)). `asce7`: the mean (ASCE/SEI 7-22,
     16.4), as it has no rule for fewer than eleven (16.2.2).
+
+    Args:
+        name: "ec8", "asce7", or a statistic.
+        count: number of motions.
     """
     if name == "ec8":
         return "mean" if count >= CODES[name].set_rules.number_for_mean else "maximum"
@@ -116,7 +120,11 @@ def counted_percentile(values: list[float], fraction: float) -> float:
 
 
 def dispersion(values: list[float]) -> float | None:
-    """Return the sample standard deviation of the natural logarithms, None if there is none (see `Statistics`)."""
+    """Return the sample standard deviation of the natural logarithms, None if there is none (see `Statistics`).
+
+    Args:
+        values: in any unit.
+    """
     if len(values) < 2 or min(values) <= 0.0 or math.isinf(max(values)):
         return None
     return float(np.std(np.log(values), ddof=1))

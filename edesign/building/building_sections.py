@@ -28,7 +28,11 @@ class BuildingSections(Collection[str]):
         return len(profile_names())
 
     def canonical(self, name: str) -> str | None:
-        """Return the name as edesign writes it, `SHS200x10`; None if there is no such section."""
+        """Return the name as edesign writes it, `SHS200x10`; None if there is no such section.
+
+        Args:
+            name: as a user writes it.
+        """
         try:
             hollow = hollow_section(name)
         except InputError:
@@ -36,7 +40,11 @@ class BuildingSections(Collection[str]):
         return profile_names().canonical(name) if hollow is None else hollow.name
 
     def near(self, name: str) -> str:
-        """Return what there is near a name that is none, as a clause."""
+        """Return what there is near a name that is none, as a clause.
+
+        Args:
+            name: as a user writes it.
+        """
         try:
             hollow_section(name)
         except InputError as error:

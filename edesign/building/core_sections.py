@@ -51,22 +51,54 @@ class CoreSections:
                 self._fibre_material(run, run.buckling)
 
     def section(self, run: Run, elastic: bool = False) -> tuple[int, np.ndarray | None]:
-        """Id of the section of a column or beam, and the depths of its layers unless it is elastic, or is to be."""
+        """Return the id of the section of a column or beam, and the depths of its layers.
+
+        An elastic section has no layers: its depths are None.
+
+        Args:
+            run: column or beam.
+            elastic: whether it is to be elastic whatever its steel.
+
+        Returns:
+            Id in the core; depths of the layers, m, or None.
+        """
         key = (run.section, run.material, _axis(run), elastic)
         if key not in self._sections:
             self._sections[key] = self._make(run, elastic)
         return self._sections[key]
 
     def bending_stiffness(self, run: Run) -> float:
-        """E I of a column or beam, N m2."""
+        """Return E I of a column or beam, N m2.
+
+        Args:
+            run: column or beam.
+        """
         return self._project.materials[run.material].E * (self._shape(run).inertia or 0.0)
 
     def brace(self, run: BraceRun) -> tuple[int, float]:
-        """Material id and area of a brace; on an elastic section the material is its elastic part."""
+        """Return the material id and the area of a brace; on an elastic section the material is its elastic part.
+
+        Args:
+            run: the brace.
+
+        Returns:
+            Id in the core; area, m2.
+        """
         return self._material(run), self._shape(run).area * (1.0 if run.compression else ONE_OF_A_PAIR)
 
     def buckling_brace(self, run: BraceRun, buckling: BraceBuckling) -> tuple[int, int, float]:
-        """Ids of the section and of the material of a brace that buckles, and its area."""
+        """Return the ids of the section and of the material of a brace that buckles, and its area.
+
+        Args:
+            run: the brace.
+            buckling: how the brace buckles.
+
+        Returns:
+            Ids in the core; area, m2.
+
+        Raises:
+            InputError: the section has no fibres.
+        """
         shape = cross_section(self._project, run.section, buckling.axis)
         if not isinstance(shape, CrossSection):
             where = self._project.where("sections", run.section)

@@ -19,7 +19,12 @@ from edesign.project.analysis.damping import (
 
 
 def modes_needed(damping: Damping | None, most: int) -> int:
-    """Return how many of the `most` modes of a structure must be known to damp it."""
+    """Return how many of the `most` modes of a structure must be known to damp it.
+
+    Args:
+        damping: of the project.
+        most: number of modes that the structure has.
+    """
     match damping:
         case RayleighDamping(periods=None):
             return max(damping.modes)

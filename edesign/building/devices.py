@@ -94,6 +94,9 @@ class DeviceSize:
     def scales(self, law: DeviceLaw) -> tuple[float, float, float | None]:
         """Return the factors on force and deformation of a law, and the layers' thickness, m; None: it has no layers.
 
+        Args:
+            law: of the prototype.
+
         Source: thesis Eqs. 5.18-5.21.
         """
         if law.layers is None or law.layer_area is None or law.layer_thickness is None:
@@ -244,7 +247,18 @@ def add_devices(
 
 
 def add_attachment(model: Model, attached: Attached, node: int, x: float, y: float) -> int:
-    """Add a tuned mass beside a node of its floor; returns the node of the mass."""
+    """Add a tuned mass beside a node of its floor.
+
+    Args:
+        model: of the core.
+        attached: the tuned mass.
+        node: of the floor, number in the core.
+        x: place of the mass, m.
+        y: level of the mass, m.
+
+    Returns:
+        Number of the node of the mass.
+    """
     mass = model.node(attached.name, x, y)
     model.tie(mass, node, uy=True, rz=True)
     model.mass(mass, attached.mass)

@@ -53,6 +53,9 @@ class Block:
 def surface_pais_kausel(block: Block) -> dict[Way, float]:
     """Return the static stiffness at the surface, N/m and N m/rad.
 
+    Args:
+        block: sizes of the footing and properties of the soil.
+
     Source: Pais & Kausel 1988, Soil Dynamics and Earthquake Engineering 7, 213-227; NIST GCR 12-917-21, Table 2-2a;
         ASCE/SEI 41-17, Figure 8-2, is the same with the whole sides.
     """
@@ -68,6 +71,9 @@ def surface_pais_kausel(block: Block) -> dict[Way, float]:
 
 def surface_gazetas(block: Block) -> dict[Way, float]:
     """Return the static stiffness at the surface, N/m and N m/rad.
+
+    Args:
+        block: sizes of the footing and properties of the soil.
 
     Source: Gazetas 1991, Journal of Geotechnical Engineering 117, 1363-1381, for rectangles; NIST GCR 12-917-21,
         Table 2-2a.
@@ -87,6 +93,9 @@ def surface_gazetas(block: Block) -> dict[Way, float]:
 def embedment_pais_kausel(block: Block) -> dict[Way, float]:
     """Return the factors of embedment; the walls count as far as the soil touches them.
 
+    Args:
+        block: sizes of the footing and properties of the soil.
+
     Source: Pais & Kausel 1988; NIST GCR 12-917-21, Table 2-2b.
     """
     r, d = block.slenderness, block.contact / block.half_width
@@ -102,6 +111,9 @@ def embedment_pais_kausel(block: Block) -> dict[Way, float]:
 
 def embedment_gazetas(block: Block) -> dict[Way, float]:
     """Return the factors of embedment: of the trench, of depth D, and of the walls, touched over the height d.
+
+    Args:
+        block: sizes of the footing and properties of the soil.
 
     Source: Gazetas 1991; NIST GCR 12-917-21, Table 2-2b.
     """
@@ -128,7 +140,12 @@ FORMULAS = {
 
 
 def static_stiffness(block: Block, formula: str) -> dict[Way, float]:
-    """Return the static stiffness of an embedded footing by one of FORMULAS, N/m and N m/rad."""
+    """Return the static stiffness of an embedded footing by one of FORMULAS, N/m and N m/rad.
+
+    Args:
+        block: sizes of the footing and properties of the soil.
+        formula: a key of `FORMULAS`.
+    """
     surface, embedment = FORMULAS[formula]
     factors = embedment(block)
     return {way: stiffness * factors[way] for way, stiffness in surface(block).items()}
@@ -136,6 +153,10 @@ def static_stiffness(block: Block, formula: str) -> dict[Way, float]:
 
 def dynamic_modifiers(slenderness: float, a_0: float) -> dict[Way, float]:
     """Return alpha, the stiffness at a frequency over the static one; embedment does not change it.
+
+    Args:
+        slenderness: L / B.
+        a_0: omega B / V_s.
 
     Source: Pais & Kausel 1988; NIST GCR 12-917-21, Table 2-3a.
     """

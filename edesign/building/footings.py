@@ -82,6 +82,9 @@ class FootingSprings:
 def soil_under_load(soil: Soil) -> SoilUnderLoad:
     """Return a soil at the strains of the earthquake.
 
+    Args:
+        soil: as the project gives it.
+
     Raises:
         InputError: the tables of the code do not have its case.
     """

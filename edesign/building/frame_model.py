@@ -67,7 +67,11 @@ class Member:
         return Stretches(self.rigid_ends, (self.stretches.length - sum(self.rigid_ends),))
 
     def at_end(self, end: int) -> int:
-        """The element at its start (0) or end (1)."""
+        """Return the element at the start or the end of the member.
+
+        Args:
+            end: 0: start, 1: end.
+        """
         return self.parts[-end]
 
 
@@ -129,10 +133,14 @@ class FrameModel:
         return found
 
     def reaction(self, support: str, degree: int) -> tuple[tuple[float, str, int, int], ...]:
-        """The reaction at a degree (0 ux, 1 uy, 2 rz) of a supported node, as terms of the core.
+        """Return the reaction at a degree of a supported node, as terms of the core.
 
         A column that stands on a hinge or joint pushes at a node of its own; isolators hold back the base, and what
         loads it at a support goes there at once.
+
+        Args:
+            support: name of the node.
+            degree: 0 ux, 1 uy, 2 rz.
         """
         if degree == 0 and self.isolated is not None:
             return tuple((-1.0, "damper_force", number, 0) for number in self.isolated.at(support))
@@ -146,15 +154,27 @@ class FrameModel:
         return terms if load == 0.0 else (*terms, (load, "load_factor", self.gravity, 0))
 
     def of_kind(self, kind: Kind) -> list[Member]:
-        """Members of a kind in the order of `members`."""
+        """Return the members of a kind in the order of `members`.
+
+        Args:
+            kind: of the members.
+        """
         return [member for member in self.members.values() if member.kind == kind]
 
     def floor_nodes(self, floor: int) -> list[str]:
-        """Names of the nodes at a floor on column lines, from the left."""
+        """Return the names of the nodes at a floor on column lines, from the left.
+
+        Args:
+            floor: from 0 at the ground.
+        """
         return [name for line in self.frame.lines if (name := names.node_name(line, floor)) in self.nodes]
 
     def level_nodes(self, floor: int) -> list[str]:
-        """Names of all nodes at a floor, those in the middle of beams too."""
+        """Return the names of all nodes at a floor, those in the middle of beams too.
+
+        Args:
+            floor: from 0 at the ground.
+        """
         level = self.frame.y[floor]
         return [name for name in self.nodes if self.frame.nodes[name][1] == level]
 

@@ -76,7 +76,11 @@ class MemberEnd:
     joint: Joints | None = None
 
     def from_edge(self, arm: float) -> MemberEnd:
-        """Return the same, with the distance from the edge of a panel zone; a hinge in the panel stands at its edge."""
+        """Return the end with the distance from the edge of a panel zone; a hinge in the panel stands at its edge.
+
+        Args:
+            arm: from the node to the edge, m.
+        """
         return replace(self, distance=max(self.distance - arm, 0.0)) if arm else self
 
 
@@ -84,7 +88,10 @@ Ends = tuple[MemberEnd, MemberEnd]
 
 
 def member_ends(project: Project) -> dict[str, Ends]:
-    """Return what stands at the ends of the members that have hinges or joints, by name.
+    """Return the hinges and joints at the ends of the members that have any, by name.
+
+    Args:
+        project: the validated project.
 
     Raises:
         InputError: the regression does not know a section.
@@ -197,6 +204,11 @@ def hinge_law(values: HingeValues, stiffness: float, end: int) -> SpringLaw:
     """Return the core's law of a hinge at the start (0) or end (1) of a member.
 
     A moment that pulls at the bottom turns the start clockwise and the end anticlockwise, which is positive.
+
+    Args:
+        values: moments and rotations of the hinge.
+        stiffness: before yield, N m/rad.
+        end: 0: start, 1: end.
     """
     from edesign.core import DeterioratingSpring
 

@@ -70,7 +70,12 @@ class HollowSection:
         return t**3 * around / 3.0 + 4.0 * enclosed**2 * t / around
 
     def inertia(self, depth: float, width: float) -> float:
-        """Return the second moment of area about the axis at right angles to `depth`, m4."""
+        """Return the second moment of area about the axis at right angles to `depth`, m4.
+
+        Args:
+            depth: of the section across the axis, m.
+            width: of the section along the axis, m.
+        """
         t = self.t
         if self.round:
             return math.pi / 64.0 * (depth**4 - (depth - 2.0 * t) ** 4)
@@ -83,7 +88,12 @@ class HollowSection:
         )
 
     def plastic_modulus(self, depth: float, width: float) -> float:
-        """Return the plastic section modulus about the axis at right angles to `depth`, m3."""
+        """Return the plastic section modulus about the axis at right angles to `depth`, m3.
+
+        Args:
+            depth: of the section across the axis, m.
+            width: of the section along the axis, m.
+        """
         t = self.t
         if self.round:
             return (depth**3 - (depth - 2.0 * t) ** 3) / 6.0
@@ -98,12 +108,21 @@ class HollowSection:
     def shear_area(self, along: float, across: float) -> float:
         """Return A_v for a force along the side `along`, m2.
 
+        Args:
+            along: side along the force, m.
+            across: the other side, m.
+
         Source: EN 1993-1-1:2005, 6.2.6(3)f and g.
         """
         return 2.0 * self.A / math.pi if self.round else self.A * along / (along + across)
 
     def elastic_shear_area(self, along: float, across: float) -> float:
-        """Return the shear area of the elastic deformation, m2: I2 / integral (S/t)2 dA of the thin-walled section."""
+        """Return the shear area of the elastic deformation, m2: I2 / integral (S/t)2 dA of the thin-walled section.
+
+        Args:
+            along: side along the force, m.
+            across: the other side, m.
+        """
         if self.round:
             return 0.5 * self.A
         t, H, B = self.t, along - self.t, across - self.t
@@ -119,6 +138,9 @@ class HollowSection:
 
 def hollow_section(name: str) -> HollowSection | None:
     """Return a hollow section by its name; None if the name is not of a hollow section.
+
+    Args:
+        name: as `SHS200x10`.
 
     Raises:
         InputError: the sizes in the name are not those of a hollow section.

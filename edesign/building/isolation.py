@@ -41,21 +41,34 @@ class IsolatedFeet:
     weighed: frozenset[str]
 
     def at(self, foot: str) -> tuple[int, ...]:
-        """Numbers in the core of all that acts at a foot, by the name of its node."""
+        """Return the numbers in the core of all that acts at a foot.
+
+        Args:
+            foot: name of its node.
+        """
         return tuple(device.number for device in self.devices if device.foot == foot)
 
 
 def base_loads(frame: Frame, isolation: Isolation, factors: Combination) -> dict[str, float]:
-    """Return what the loads of an isolated base bring to the feet of the columns, N downwards, by node.
+    """Return the loads of an isolated base on the feet of the columns, N downwards, by node.
 
     A foot carries half of what lies between it and its neighbours.
+
+    Args:
+        frame: of the project.
+        isolation: base and isolators.
+        factors: on the permanent and the variable part.
     """
     load = factors.G * isolation.base.G + factors.Q * isolation.base.Q
     return {node: load * width for node, width in _widths(frame).items()}
 
 
 def base_masses(project: Project) -> dict[str, float]:
-    """Return the mass of an isolated base at the feet of the columns, kg, by node."""
+    """Return the mass of an isolated base at the feet of the columns, kg, by node.
+
+    Args:
+        project: the validated project.
+    """
     frame, isolation, masses = project.frame, project.isolation, project.masses
     if isolation is None:
         return {}
@@ -69,7 +82,13 @@ def base_masses(project: Project) -> dict[str, float]:
 
 
 def isolated_support(frame: Frame, isolation: Isolation, line: str) -> SupportSprings:
-    """Return how the foot of a line is held in other directions than the horizontal one."""
+    """Return how the foot of a line is held in other directions than the horizontal one.
+
+    Args:
+        frame: of the project.
+        isolation: base and isolators.
+        line: name of the column line.
+    """
     isolator = isolator_under(frame, isolation, line)
     rotation = isolation.base.rotation or "free"  # with beams there is none: checked
     if isolator is None:  # it slides freely: checked
@@ -107,12 +126,23 @@ def add_base_beams(project: Project, model: Model, nodes: Mapping[str, int]) -> 
 
 
 def isolator_under(frame: Frame, isolation: Isolation, line: str) -> Isolator | None:
-    """Return the isolator under a line; None if there is none."""
+    """Return the isolator under a line; None if there is none.
+
+    Args:
+        frame: of the project.
+        isolation: base and isolators.
+        line: name of the column line.
+    """
     return next((item for item in isolation.isolators if line in item.lines.names(frame.lines)), None)
 
 
 def goes_with_weight(isolator: Isolator, law: DeviceLaw) -> bool:
-    """Say whether the forces of an isolator follow from the weight that stands on it under gravity."""
+    """Say whether the forces of an isolator follow from the weight that stands on it under gravity.
+
+    Args:
+        isolator: the isolator.
+        law: its law.
+    """
     return law.law.law == WEIGHED and isolator.weight != "law"
 
 

@@ -33,7 +33,12 @@ class LeaningStruts:
 
 
 def leaning_loads(project: Project, factors: Combination) -> tuple[float, ...]:
-    """Return the load on the leaning column at each floor from the lowest, N downwards; empty without one."""
+    """Return the load on the leaning column at each floor from the lowest, N downwards; empty without one.
+
+    Args:
+        project: the validated project.
+        factors: on the permanent and the variable part.
+    """
     column, floors = project.frame.leaning_column, project.frame.n_storeys
     if column is None:
         return ()
@@ -42,7 +47,11 @@ def leaning_loads(project: Project, factors: Combination) -> tuple[float, ...]:
 
 
 def leaning_masses(project: Project) -> dict[str, float]:
-    """Return the mass that leans on the frame, kg, by the leading node of each floor; it resists horizontal motion."""
+    """Return the mass that leans on the frame, kg, by the leading node of each floor; it resists horizontal motion.
+
+    Args:
+        project: the validated project.
+    """
     column, masses, floors = project.frame.leaning_column, project.masses, project.frame.n_storeys
     if column is None or masses is None:
         return {}

@@ -17,7 +17,12 @@ from edesign.project.project import Project
 
 
 def combined(load: BeamLoad | FloorLoad | ColumnLoad | NodeLoad | PointOnMember, factors: Combination) -> float:
-    """Return factors.G * G + factors.Q * Q of a load, positive downwards."""
+    """Return factors.G * G + factors.Q * Q of a load, positive downwards.
+
+    Args:
+        load: with its permanent and variable part, N or N/m.
+        factors: on the permanent and the variable part.
+    """
     return factors.G * load.G + factors.Q * load.Q
 
 
@@ -48,7 +53,11 @@ class Stretches:
         return list(accumulate(self.lengths, initial=self.arms[0]))
 
     def on_only_element(self, positions: Sequence[float]) -> tuple[float, ...]:
-        """Return those of rising shares of the length that are inside the only element, as shares of it."""
+        """Return the positions that are inside the only element, as shares of its length.
+
+        Args:
+            positions: rising, as shares of the length of the member.
+        """
         begin, end = self.places
         return tuple(_within(position, begin, end) for position in positions if begin < position < end)
 
@@ -73,7 +82,11 @@ class MemberLoads:
         return self.uniform == 0.0 and not self.points and not self.parts
 
     def split(self, stretches: Stretches) -> tuple[list[MemberLoads], tuple[float, float]]:
-        """Return the loads on each element of a member, and the sums on the joints at its start and end, N."""
+        """Return the loads on each element of a member, and the sums on the joints at its start and end, N.
+
+        Args:
+            stretches: elements and arms of the member.
+        """
         places = stretches.places
         parts = [MemberLoads(self.uniform) for _ in stretches.lengths]
         joints = [self.uniform * arm for arm in stretches.arms]
@@ -102,7 +115,11 @@ class MemberLoads:
         return parts, (joints[0], joints[1])
 
     def at_ends(self, length: float) -> tuple[float, float]:
-        """Return what the ends carry of the loads on a simply supported member of a length in m, N."""
+        """Return what the ends of a simply supported member carry of the loads, N.
+
+        Args:
+            length: m.
+        """
         start = end = self.uniform * 0.5 * length
         for position, force in self.points:
             start += (1.0 - position) * force
@@ -116,15 +133,22 @@ class MemberLoads:
         return start, end
 
     def total(self, length: float) -> float:
-        """Return the sum of the loads on a member of a length in m, N."""
+        """Return the sum of the loads on a member, N.
+
+        Args:
+            length: m.
+        """
         parts = sum(0.5 * (a + b) * (last - first) for first, last, a, b in self.parts)
         return self.uniform * length + sum(force for _, force in self.points) + parts * length
 
     def squared_moment(self, length: float) -> float:
-        """Return the integral of M^2 over a simply supported member of a length in m, N^2 m^3.
+        """Return the integral of M^2 over a simply supported member, N^2 m^3.
 
         The moment is a polynomial of at most the third degree between the places where loads begin, end or stand;
         Gauss-Legendre with four points integrates its square exactly.
+
+        Args:
+            length: m.
         """
         inside = [position for position, _ in self.points] + [at for part in self.parts for at in part[:2]]
         places = np.unique([0.0, 1.0, *inside])
@@ -156,6 +180,10 @@ def beam_loads(project: Project, factors: Combination) -> dict[str, MemberLoads]
     """Return the loads on every loaded beam, by name; loads on one beam add up.
 
     The halves of a beam that braces meet in the middle have their names.
+
+    Args:
+        project: the validated project.
+        factors: on the permanent and the variable part.
     """
     frame, loads = project.frame, project.loads
     found: dict[str, MemberLoads] = {}
@@ -176,7 +204,12 @@ def beam_loads(project: Project, factors: Combination) -> dict[str, MemberLoads]
 
 
 def column_loads(project: Project, factors: Combination) -> dict[str, float]:
-    """Return the horizontal load along every loaded column in N/m, positive to the right, by name."""
+    """Return the horizontal load along every loaded column in N/m, positive to the right, by name.
+
+    Args:
+        project: the validated project.
+        factors: on the permanent and the variable part.
+    """
     found: dict[str, float] = {}
     for load in project.loads.columns:
         for place in project.frame.column_places(load):
@@ -187,7 +220,12 @@ def column_loads(project: Project, factors: Combination) -> dict[str, float]:
 
 
 def node_loads(project: Project, factors: Combination) -> dict[str, float]:
-    """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up."""
+    """Return the load on every loaded node in N, positive downwards, by name; loads on one node add up.
+
+    Args:
+        project: the validated project.
+        factors: on the permanent and the variable part.
+    """
     found: dict[str, float] = {}
     for load in project.loads.nodes:
         for place in project.frame.node_places(load.lines, load.floors):
@@ -197,7 +235,11 @@ def node_loads(project: Project, factors: Combination) -> dict[str, float]:
 
 
 def horizontal_load(project: Project) -> float:
-    """Return the sum of the magnitudes of the horizontal loads of the gravity combination on columns, N."""
+    """Return the sum of the magnitudes of the horizontal loads of the gravity combination on columns, N.
+
+    Args:
+        project: the validated project.
+    """
     heights, on_columns = project.frame.storey_heights, column_loads(project, project.loads.gravity)
     return sum(
         abs(on_columns.get(names.column_name(line, storey), 0.0)) * heights[storey - 1]
@@ -207,6 +249,9 @@ def horizontal_load(project: Project) -> float:
 
 def floor_loads(project: Project) -> np.ndarray:
     """Return the loads of the gravity combination on beams, nodes and the leaning column, by floor.
+
+    Args:
+        project: the validated project.
 
     Returns:
         N downwards, shape (storeys + 1,): nodes on the ground, then the floors from the lowest.
@@ -225,5 +270,9 @@ def floor_loads(project: Project) -> np.ndarray:
 
 
 def gravity_load(project: Project) -> float:
-    """Return the sum of the loads of the gravity combination on beams, nodes and the leaning column, N downwards."""
+    """Return the sum of the loads of the gravity combination on beams, nodes and the leaning column, N downwards.
+
+    Args:
+        project: the validated project.
+    """
     return float(floor_loads(project).sum())

@@ -21,6 +21,9 @@ def node_masses(project: Project) -> dict[str, float]:
     would bring as a simply supported one, divided by the standard acceleration of gravity. Horizontal loads on columns
     have no mass. That of the leaning column stands at the leading nodes of the floors.
 
+    Args:
+        project: the validated project.
+
     Raises:
         InputError: loads upwards would give a negative mass.
     """
@@ -33,6 +36,9 @@ def node_masses(project: Project) -> dict[str, float]:
 
 def vertical_masses(project: Project) -> dict[str, float]:
     """Return the mass of every node that resists vertical motion, in kg, by name; the leaning column has none.
+
+    Args:
+        project: the validated project.
 
     Raises:
         InputError: loads upwards would give a negative mass.

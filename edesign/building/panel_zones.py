@@ -95,6 +95,9 @@ def panel_of(beam: float, column: IShape, doubler: float, E: float, fy: float, h
 def panels_of(project: Project) -> dict[str, Panel]:
     """Return the panel zones of a project by the node of their joint; a later entry overrides an earlier one.
 
+    Args:
+        project: the validated project.
+
     Raises:
         InputError: a joint has no I sections, or its column's steel does not yield.
     """
@@ -163,7 +166,12 @@ class PanelBuilder:
             self.built[name] = BuiltPanel(panel, spring)
 
     def arm(self, joint: str, kind: str) -> float:
-        """Return how far from a joint's node a column or beam ends, m."""
+        """Return how far from a joint's node a column or beam ends, m.
+
+        Args:
+            joint: name of the node.
+            kind: "column" or "beam".
+        """
         panel = self._panels.get(joint)
         return 0.0 if panel is None else 0.5 * (panel.height if kind == "column" else panel.width)
 

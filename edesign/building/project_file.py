@@ -27,5 +27,9 @@ def load_project(path: Path | str) -> Project:
 
 
 def load_study(path: Path | str) -> Study:
-    """Read and check a study file and its project; otherwise as `load_project`."""
+    """Read and check a study file and its project; otherwise as `load_project`.
+
+    Args:
+        path: of the study file.
+    """
     return study_loader.load_study(path, BuildingSections())

@@ -17,11 +17,14 @@ Ends = tuple[float, float]
 
 
 def rigid_ends(project: Project) -> dict[str, Ends]:
-    """Return the lengths of the rigid ends of columns and beams, start and end, m, by name; of those that have any.
+    """Return the lengths of the rigid ends of the columns and beams that have any: start and end, m, by name.
 
     A share is that of half the depth of the column that a beam meets, or of the deepest beam that a column meets: with
     1 the member begins to bend at the face of the joint. A column has none at the base, and a beam none where braces
     meet it in the middle.
+
+    Args:
+        project: the validated project.
 
     Raises:
         InputError: a section has no depth, or rigid ends leave nothing of a member.

@@ -170,17 +170,34 @@ def fillets(face: float, radius: float) -> tuple[Spot, Spot]:
 
 
 def rolled_section(rolled: Profile, cut: Fibres, weak: bool = False) -> CrossSection:
-    """Return a section of the catalogue; its fillets are left out unless `cut.fillets` asks for them."""
+    """Return a section of the catalogue; its fillets are left out unless `cut.fillets` asks for them.
+
+    Args:
+        rolled: entry of the catalogue.
+        cut: numbers of fibres.
+        weak: it bends about its weak axis.
+    """
     return i_section(rolled.h, rolled.b, rolled.tf, rolled.tw, cut, rolled.r if cut.fillets else 0.0, weak)
 
 
 def plate_section(plates: PlateSection, cut: Fibres, weak: bool = False) -> CrossSection:
-    """Return an own I section of three plates."""
+    """Return an own I section of three plates.
+
+    Args:
+        plates: sizes of the plates.
+        cut: numbers of fibres.
+        weak: it bends about its weak axis.
+    """
     return i_section(plates.height, plates.width, plates.flange, plates.web, cut, weak=weak)
 
 
 def rectangle_section(stack: RectangleSection, cut: Fibres) -> CrossSection:
-    """Return a stack of rectangles, each cut like a web: `web_height` fibres over the depth, `web_thickness` across."""
+    """Return a stack of rectangles, each cut like a web: `web_height` fibres over the depth, `web_thickness` across.
+
+    Args:
+        stack: the rectangles.
+        cut: numbers of fibres.
+    """
     return CrossSection(
         tuple(Strip(r.width, r.depth, r.centre, cut.web_height, cut.web_thickness) for r in stack.rectangles)
     )

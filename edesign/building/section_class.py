@@ -52,6 +52,10 @@ class SectionClass:
     def required(self, highest: int, where: str = "") -> SectionClass:
         """Return itself if its class is not above `highest`.
 
+        Args:
+            highest: class that is allowed.
+            where: begins the message.
+
         Raises:
             InputError: a part is of a higher class; the message names it, its c/t and the limit.
         """

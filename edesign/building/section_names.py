@@ -53,7 +53,11 @@ class SectionName:
 
     @staticmethod
     def of(text: str) -> SectionName | None:
-        """The parts of a name as somebody writes it; None if it is not letters with numbers."""
+        """Return the parts of a name as somebody writes it; None if it is not letters with numbers.
+
+        Args:
+            text: the name.
+        """
         folded = text.upper().translate(_SIGNS)
         if british := _BRITISH.fullmatch(folded):
             folded = british[2] + british[1] + (f"X{british[3]}" if british[3] else "")
@@ -101,13 +105,21 @@ class SectionNames(Collection[str]):
         return tuple(dict.fromkeys(parts.family for parts in self._names.values() if parts))
 
     def of_family(self, family: str) -> list[str]:
-        """The names of one family."""
+        """Return the names of one family.
+
+        Args:
+            family: HEB, W, ...
+        """
         return [name for name, parts in self._names.items() if parts and parts.family == family]
 
     def chosen(self, what: str) -> list[str]:
-        """Return the names that a family (HEB; HE: all that begin so), a name, or a pattern with * and ? stands for.
+        """Return the names that a family, a name, or a pattern with * and ? stands for.
 
-        Patterns are compared with W shapes' names in inches and pounds per foot too. None: [].
+        The family HEB has its own sections, HE those of all families that begin so. Patterns are compared with W
+        shapes' names in inches and pounds per foot too. None: [].
+
+        Args:
+            what: family, name or pattern.
         """
         asked = what.upper().replace(" ", "")
         families = [family for family in self.families if family == asked] or [
@@ -127,7 +139,11 @@ class SectionNames(Collection[str]):
         ]
 
     def inch_pound_name(self, name: str) -> str:
-        """Return the name of a W shape in inches and pounds per foot, such as W14x90; "" of other sections."""
+        """Return the name of a W shape in inches and pounds per foot, such as W14x90; "" of other sections.
+
+        Args:
+            name: of the catalogue.
+        """
         return _inch_pound_spellings().get(name, "")
 
     def canonical(self, name: str) -> str | None:
@@ -137,6 +153,9 @@ class SectionNames(Collection[str]):
         decimal comma, the letter of HE and IPE sections before or behind the number, British and German names of the
         families, W shapes by inches and pounds per foot, W shapes by depth and mass alone, and masses in whole kg/m.
         No name stands for two sections.
+
+        Args:
+            name: as somebody writes it.
         """
         if name in self._names:
             return name
@@ -151,7 +170,11 @@ class SectionNames(Collection[str]):
         return found[0] if len(found) == 1 else None
 
     def near(self, name: str) -> str:
-        """Return what the catalogue has near a name that it has not, as a clause; never a name of another family."""
+        """Return what the catalogue has near a name that it has not, as a clause; never a name of another family.
+
+        Args:
+            name: as somebody writes it.
+        """
         asked = SectionName.of(name)
         families = ", ".join(self.families)
         if asked is None:  # a slip of the pen

@@ -143,7 +143,12 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
 
 
 def frame_bars(project: Project, frame: FrameModel) -> list[Bar]:
-    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section."""
+    """Return the columns and braces of a frame, and the braces of its dampers that are given by their section.
+
+    Args:
+        project: the validated project.
+        frame: its model.
+    """
     found = []
     for member in (*frame.of_kind("column"), *frame.of_kind("brace")):
         run = project.frame.members[member.name]

@@ -105,7 +105,11 @@ def _spring(model: Model, name: str, ground: int, node: int, degree: int, law: S
 
 
 def vertical_spring(name: str) -> str:
-    """Return the name of the element that supports a node vertically, if a spring does."""
+    """Return the name of the element that supports a node vertically, if a spring does.
+
+    Args:
+        name: of the node.
+    """
     return f"{name}.vertical"
 
 

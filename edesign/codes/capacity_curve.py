@@ -63,21 +63,37 @@ class CapacityCurve:
         return float((self.force[1] - self.force[0]) / (self.displacement[1] - self.displacement[0]))
 
     def force_at(self, displacement: float) -> float:
-        """Base shear at a displacement up to the end, N."""
+        """Return the base shear at a displacement up to the end, N.
+
+        Args:
+            displacement: m.
+        """
         return float(np.interp(displacement, self.displacement, self.force))
 
     def largest_up_to(self, displacement: float) -> float:
-        """The largest base shear up to a displacement, N."""
+        """Return the largest base shear up to a displacement, N.
+
+        Args:
+            displacement: m.
+        """
         return max(float(self._largest[self._before(displacement)]), self.force_at(displacement))
 
     def energy(self, displacement: float) -> float:
-        """Work of the base shear up to a displacement, J: the area below the curve."""
+        """Return the work of the base shear up to a displacement, J: the area below the curve.
+
+        Args:
+            displacement: m.
+        """
         at = self._before(displacement)
         rest = displacement - float(self.displacement[at])
         return float(self._energies[at]) + 0.5 * (float(self.force[at]) + self.force_at(displacement)) * rest
 
     def first_at(self, force: float) -> float:
-        """The first displacement at which the base shear is `force` (N, above 0 and at most its largest), m."""
+        """Return the first displacement at which the base shear reaches a force, m.
+
+        Args:
+            force: N, above 0 and at most the largest base shear.
+        """
         at = int(np.searchsorted(self._largest, force))
         d, f = self.displacement[at - 1 : at + 1], self.force[at - 1 : at + 1]
         return float(d[0] + (force - f[0]) * (d[1] - d[0]) / (f[1] - f[0]))
@@ -87,7 +103,11 @@ class CapacityCurve:
         return max(int(np.searchsorted(self.displacement, displacement)) - 1, 0)
 
     def scaled(self, factor: float) -> CapacityCurve:
-        """Return the curve with displacements and forces times a factor."""
+        """Return the curve with displacements and forces times a factor.
+
+        Args:
+            factor: dimensionless.
+        """
         return CapacityCurve(factor * self.displacement, factor * self.force)
 
 
@@ -113,7 +133,13 @@ def fitting(target: Callable[[float], float], most: float) -> float:
 
 
 def zero(function: Callable[[float], float], low: float, high: float) -> float:
-    """Return where a function passes from below zero to above, to 1e-9 of `high`."""
+    """Find where a function passes from below zero to above, to 1e-9 of `high`.
+
+    Args:
+        function: of one number.
+        low: where the function is below zero.
+        high: where it is above.
+    """
     from scipy.optimize import brentq  # which takes a tenth of a second to load
 
     return float(brentq(function, low, high, xtol=SETTLED * high))

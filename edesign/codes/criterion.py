@@ -12,7 +12,11 @@ _NAMED = ("EN ", "ASCE ", "NTC ")  # a clause of another standard than EN 1998-1
 
 
 def with_standard(clause: str) -> str:
-    """Return a clause with its standard: EN 1998-1, if it names none."""
+    """Return a clause with its standard: EN 1998-1, if it names none.
+
+    Args:
+        clause: number of the clause, with or without its standard.
+    """
     return clause if clause.startswith(_NAMED) else f"EN 1998-1, {clause}"
 
 
@@ -54,8 +58,7 @@ class Criterion:
 
     @property
     def utilisation(self) -> float:
-        """Share of the limit that is used: 1 is the limit, whichever way it counts; 0 of a rule without limit or value.
-        """
+        """Share of the limit that is used: 1 is the limit, whichever way it counts; 0 of a rule without limit or value."""
         if not self.required or self.value is None:
             return 0.0
         if not self.least:
@@ -64,10 +67,26 @@ class Criterion:
 
 
 def at_most(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
-    """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits."""
+    """Return the criterion that a ratio is at most a limit; the limit itself passes, whatever its last bits.
+
+    Args:
+        clause: number of the clause.
+        text: what is required.
+        limit: largest value.
+        value: the ratio.
+        detail: place or remark.
+    """
     return Criterion(clause, text, limit, value, "", bool(value <= limit * (1.0 + ROUNDING)), detail)
 
 
 def at_least(clause: str, text: str, limit: float, value: float, detail: str = "") -> Criterion:
-    """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits."""
+    """Return the criterion that a ratio is at least a limit; the limit itself passes, whatever its last bits.
+
+    Args:
+        clause: number of the clause.
+        text: what is required.
+        limit: least value.
+        value: the ratio.
+        detail: place or remark.
+    """
     return Criterion(clause, text, limit, value, "", bool(value >= limit * (1.0 - ROUNDING)), detail, least=True)

@@ -109,7 +109,11 @@ class SetRules:
         return bool(self.clauses.zero_period)
 
     def of(self, matched: bool) -> SetRules:
-        """Return the rules for motions that were fitted in shape, or only scaled."""
+        """Return the rules for motions that were fitted in shape, or only scaled.
+
+        Args:
+            matched: motions were fitted in shape.
+        """
         if not matched or self.least_ratio_matched is None:
             return self
         return replace(self, least_ratio=self.least_ratio_matched)
@@ -122,7 +126,10 @@ class SetRules:
         return f"{first} to {high}" if self.longest == 0.0 else f"{first} to {high}, at least {self.longest:g} s"
 
     def period_band(self, T_1: float) -> tuple[float, float]:
-        """Return the ends of the band of periods for a fundamental period T_1, s.
+        """Return the ends of the band of periods, s.
+
+        Args:
+            T_1: fundamental period, s.
 
         Raises:
             InputError: T_1 is not greater than zero.
@@ -152,7 +159,12 @@ class SetRules:
         return periods
 
     def missing(self, target: Spectrum, T_1: float | None) -> str:
-        """Return why the mean spectrum cannot be compared with a target; "" if it can."""
+        """Return why the mean spectrum cannot be compared with a target; "" if it can.
+
+        Args:
+            target: its spectrum.
+            T_1: fundamental period, s; None: it is not known.
+        """
         if T_1 is None:
             return "T_1 is not known"
         _, high = self.period_band(T_1)
@@ -162,6 +174,10 @@ class SetRules:
 
     def in_band(self, periods: np.ndarray, T_1: float) -> np.ndarray:
         """Return which periods count for the mean spectrum, shape of `periods`, bool.
+
+        Args:
+            periods: (n,) s, rising.
+            T_1: fundamental period, s.
 
         Raises:
             InputError: the periods do not rise, do not reach both ends of the band, or are more than 5 % apart in it.

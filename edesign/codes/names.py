@@ -9,7 +9,13 @@ from edesign.errors import InputError
 
 
 def unknown(what: str, seen: object, allowed: Iterable[object]) -> InputError:
-    """An error that names what was seen, what is allowed, and the nearest of it."""
+    """Return an error that names what was seen, what is allowed, and the nearest of it.
+
+    Args:
+        what: kind of the thing.
+        seen: name that was given.
+        allowed: names there are.
+    """
     names = [str(name) for name in allowed]
     folded = {name.lower(): name for name in names}
     near = get_close_matches(str(seen).lower(), folded, n=1, cutoff=0.5)

@@ -12,7 +12,10 @@ STANDARD_GRAVITY = 9.80665
 
 
 def check_positive(**values: ArrayLike) -> None:
-    """Check that values, numbers or arrays, are finite and greater than zero; the name of each is for the message.
+    """Check that values, numbers or arrays, are finite and greater than zero.
+
+    Args:
+        **values: by the name for the message.
 
     Raises:
         InputError: one of them is not.
@@ -22,7 +25,10 @@ def check_positive(**values: ArrayLike) -> None:
 
 
 def check_not_negative(**values: ArrayLike) -> None:
-    """Check that values, numbers or arrays, are finite and at least zero; the name of each is for the message.
+    """Check that values, numbers or arrays, are finite and at least zero.
+
+    Args:
+        **values: by the name for the message.
 
     Raises:
         InputError: one of them is not.

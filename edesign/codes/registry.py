@@ -42,7 +42,10 @@ codes: Mapping[str, Code] = MappingProxyType(
 
 
 def find_code(name: str) -> Code:
-    """Return the code of a name such as "ec8-2004".
+    """Return the code of a name.
+
+    Args:
+        name: such as "ec8-2004".
 
     Raises:
         InputError: there is no such code; the message names those there are.

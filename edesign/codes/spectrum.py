@@ -41,15 +41,26 @@ class Spectrum(Protocol):
     def with_damping(self, damping: float) -> Self:
         """Return the spectrum of the same action for another ratio of critical damping.
 
+        Args:
+            damping: ratio of critical.
+
         Raises:
             InputError: the code has no spectrum of this damping.
         """
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Pseudo-acceleration, m/s2, in the shape of `period` (s, at least 0)."""
+        """Return the pseudo-acceleration, m/s2, in the shape of `period`.
+
+        Args:
+            period: s, at least 0.
+        """
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Relative displacement, m, in the shape of `period` (s, at least 0)."""
+        """Return the relative displacement, m, in the shape of `period`.
+
+        Args:
+            period: s, at least 0.
+        """
 
 
 class DesignOrdinates(Protocol):
@@ -60,9 +71,17 @@ class DesignOrdinates(Protocol):
         """Name for plots and tables."""
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Design acceleration, m/s2, in the shape of `period` (s, at least 0)."""
+        """Return the design acceleration, m/s2, in the shape of `period`.
+
+        Args:
+            period: s, at least 0.
+        """
 
 
 def characteristic_period(spectrum: Spectrum) -> float | None:
-    """Return the end of the branch of constant acceleration, T_C or T_S, s; None of a spectrum without corners."""
+    """Return the end of the branch of constant acceleration, T_C or T_S, s; None of a spectrum without corners.
+
+    Args:
+        spectrum: of any code.
+    """
     return spectrum.corners.get("T_C", spectrum.corners.get("T_S"))

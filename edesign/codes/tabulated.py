@@ -143,6 +143,9 @@ class TabulatedSpectrum:
     def with_damping(self, damping: float) -> Self:
         """Return the spectrum of the same action for another ratio of critical damping.
 
+        Args:
+            damping: ratio of critical.
+
         Raises:
             InputError: the table is of another damping, and has no correction; or the ratio is not between 0 and 1.
         """
@@ -162,6 +165,9 @@ class TabulatedSpectrum:
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
         """Return S_e(T), m/s2, in the shape of `period` (s).
+
+        Args:
+            period: s, of any shape; not negative.
 
         Raises:
             InputError: a period is negative, not finite, or beyond the table.
@@ -190,5 +196,9 @@ class TabulatedSpectrum:
         return np.where(period < self.periods[int(np.argmax(self.ordinates))], rising, ratio * ordinates)
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return the displacement, m, in the shape of `period` (s): S_e (T / 2 pi)2."""
+        """Return the displacement, m, in the shape of `period` (s): S_e (T / 2 pi)2.
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         return displacement_of(self.acceleration(period), period)

@@ -118,6 +118,7 @@ class Analysis:
             rows: how many there will be at most, with the one at the start.
             steps_a_row: from one row to the next.
             limits: as in `history`.
+            **kept: which rows are kept, see `Recording`.
             kept: which rows are kept, as of `Recording`.
 
         Raises:
@@ -132,7 +133,14 @@ class Analysis:
         return recording
 
     def recorded(self, recording: Recording, status: str = "completed", reason: str = "", cpu: float = 0.0) -> Response:
-        """Return what a run has recorded, once it has ended; arguments as of `Response`, with CPU seconds."""
+        """Return what a run has recorded, once it has ended.
+
+        Args:
+            recording: of the run.
+            status: see `Response`.
+            reason: see `Response`.
+            cpu: s.
+        """
         recording.take_rest()
         extremes = [np.zeros(len(recording.channels)) for _ in range(5)]
         lib.ed_extremes(self._c, *(_doubles(e) for e in extremes))
@@ -168,7 +176,15 @@ class Analysis:
             raise CoreError(status_name(status), ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace"))
 
     def set(self, name: str, value: float) -> None:
-        """Change a setting (see the class)."""
+        """Change a setting (see the class).
+
+        Args:
+            name: a key of `SETTINGS`.
+            value: see the class.
+
+        Raises:
+            ValueError: there is no such setting.
+        """
         if name not in SETTINGS:
             raise ValueError(f"unknown setting {name!r}; known: {', '.join(SETTINGS)}")
         self._check(lib.ed_set(self._c, SETTINGS[name], float(value)))
@@ -247,11 +263,24 @@ class Analysis:
         self._check(lib.ed_install_dampers(self._c))
 
     def rayleigh(self, a0: float, a1: float, stiffness: str = "current") -> None:
-        """Damping a0 M + a1 K with the initial, committed or current K; a0 in 1/s, a1 in s."""
+        """Set the damping a0 M + a1 K.
+
+        Args:
+            a0: 1/s.
+            a1: s.
+            stiffness: "initial", "committed" or "current" K.
+        """
         self._check(lib.ed_rayleigh(self._c, a0, a1, STIFFNESS[stiffness]))
 
     def modal_damping(self, modes: Modes, ratio: ArrayLike) -> None:
-        """Damping ratio (scalar or (n,)) of critical in each of the modes (Chopra 2012, Eq. 11.4.5)."""
+        """Set the damping ratio of each of the modes.
+
+        Args:
+            modes: n modes of the structure.
+            ratio: of critical, a number or (n,).
+
+        Source: Chopra 2012, Eq. 11.4.5.
+        """
         shapes = np.ascontiguousarray(modes.equations)
         omega = np.ascontiguousarray(modes.omega)
         ratios = np.ascontiguousarray(np.broadcast_to(np.asarray(ratio, dtype=float), omega.shape))
@@ -260,7 +289,14 @@ class Analysis:
         )
 
     def initial_velocity(self, velocity: ArrayLike) -> None:
-        """Velocities (n_equations,) m/s at the start of the next history."""
+        """Set the velocities at the start of the next history.
+
+        Args:
+            velocity: (n_equations,) m/s.
+
+        Raises:
+            ValueError: the shape is not that of the equations.
+        """
         v = np.ascontiguousarray(velocity, dtype=float)
         if v.shape != (self.n_equations,):
             raise ValueError(f"{v.size} velocities for {self.n_equations} equations")
@@ -273,7 +309,14 @@ class Analysis:
         return state
 
     def restore(self, state: np.ndarray) -> None:
-        """Return to a state from `state()`."""
+        """Return to a state from `state()`.
+
+        Args:
+            state: from `state()`.
+
+        Raises:
+            ValueError: the state belongs to another analysis.
+        """
         if state.shape != (int(lib.ed_state_size(self._c)),):
             raise ValueError("this state belongs to another analysis")
         self._check(lib.ed_state_set(self._c, _doubles(np.ascontiguousarray(state))))
@@ -286,9 +329,14 @@ class Analysis:
         channels: Sequence[Channel] = (),
         limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
-        """Load control: bring a pattern to `factor` in equal steps; it stays on for later runs.
+        """Bring a pattern to a factor in equal steps (load control); it stays on for later runs.
 
-        Limits as in `history`.
+        Args:
+            pattern: number of the load pattern.
+            factor: of the pattern at the end.
+            steps: how many.
+            channels: what to record.
+            limits: as in `history`.
         """
         self._check(lib.ed_static_begin(self._c, pattern, factor, steps))
         return self._run(steps, channels, 1, None, None, limits)
@@ -305,9 +353,18 @@ class Analysis:
         stop: Callable[[], bool] | None = None,
         limits: Mapping[str, float] = NO_LIMITS,
     ) -> Response:
-        """Displacement control: move a degree to `target` (m or rad) in equal steps under a pattern of nodal loads.
+        """Move a degree in equal steps under a pattern of nodal loads (displacement control).
 
-        Limits as in `history`.
+        Args:
+            pattern: number of the load pattern.
+            node: number of the node.
+            degree: "ux", "uy" or "rz".
+            target: displacement at the end, m or rad.
+            steps: how many.
+            channels: what to record.
+            progress: called with (steps done, steps) now and then.
+            stop: asked now and then; True ends the run.
+            limits: as in `history`.
         """
         self._check(lib.ed_pushover_begin(self._c, pattern, node, DEGREES[degree], target, steps))
         return self._run(steps, channels, 1, progress, stop, limits)

@@ -45,7 +45,7 @@ def compiler() -> list[str]:
 
 
 def declarations(header: Path = HEADER) -> str:
-    """Declarations of a C header as cffi reads them.
+    """Return the declarations of a C header as cffi reads them.
 
     Args:
         header: path of the header.
@@ -53,6 +53,9 @@ def declarations(header: Path = HEADER) -> str:
     Returns:
         The preprocessed text without directives and attributes, preceded by the integer macros ED_* as constants: those
         of this header and of all beside it, which it includes.
+
+    Raises:
+        SystemExit: the preprocessor failed.
     """
     text = header.read_text(encoding="utf-8")
     text = re.sub(r"^[ \t]*#[ \t]*include[ \t]*<.*$", "", text, flags=re.MULTILINE)
@@ -71,7 +74,11 @@ def declarations(header: Path = HEADER) -> str:
 
 
 def library_flags() -> list[str]:
-    """Compiler and linker flags of SuiteSparse and SUNDIALS; see core_c/libraries.sh."""
+    """Return the compiler and linker flags of SuiteSparse and SUNDIALS; see core_c/libraries.sh.
+
+    Raises:
+        SystemExit: a library was not found.
+    """
     result = subprocess.run(["sh", str(CORE / "libraries.sh")], capture_output=True, text=True, check=False)
     if result.returncode:
         missing = " and ".join(result.stderr.splitlines())
@@ -85,7 +92,11 @@ def library_flags() -> list[str]:
 
 
 def ffibuilder() -> cffi.FFI:
-    """The cffi builder of edesign.core._edcore, as setuptools asks for it."""
+    """Return the cffi builder of edesign.core._edcore, as setuptools asks for it.
+
+    Raises:
+        SystemExit: the sources of the core are not there.
+    """
     sources = sorted(path.as_posix() for path in CORE.glob("src/*/*.c"))
     if not sources or not HEADER.exists():
         raise SystemExit(f"no C sources under {CORE.resolve()}: build from the root of the source tree")

@@ -49,7 +49,14 @@ class DifferenceEquation:
     force_terms: tuple[Term, ...] = ()
 
     def fill(self, parameters: Any) -> None:
-        """Write it into the core's struct."""
+        """Write the compensator into the core's struct.
+
+        Args:
+            parameters: the struct.
+
+        Raises:
+            ValueError: it has more terms than the core takes.
+        """
         if max(len(self.terms), len(self.force_terms)) > MOST_TERMS:
             raise ValueError(f"{max(len(self.terms), len(self.force_terms))} terms, of {MOST_TERMS} at most")
         parameters.kind = lib.ED_COMPENSATE_LINEAR
@@ -79,7 +86,11 @@ class LiveDelay:
     threshold: float
 
     def fill(self, parameters: Any) -> None:
-        """Write it into the core's struct."""
+        """Write the compensator into the core's struct.
+
+        Args:
+            parameters: the struct.
+        """
         parameters.kind = lib.ED_COMPENSATE_LIVE_DELAY
         parameters.order, parameters.share, parameters.threshold = self.order, self.share, self.threshold
         parameters.delay, parameters.least_delay, parameters.largest_delay = self.delay, self.least, self.largest
@@ -111,7 +122,14 @@ class AdaptiveTimeSeries:
     forgetting: float | None = None
 
     def fill(self, parameters: Any) -> None:
-        """Write it into the core's struct."""
+        """Write the compensator into the core's struct.
+
+        Args:
+            parameters: the struct.
+
+        Raises:
+            ValueError: its filter has more sections than the core takes.
+        """
         parameters.kind = lib.ED_COMPENSATE_ATS if self.forgetting is None else lib.ED_COMPENSATE_MODIFIED_ATS
         for name in ("initial", "least", "largest", "rate"):
             setattr(parameters, name, list(getattr(self, name)))
@@ -131,7 +149,12 @@ Compensator = DifferenceEquation | LiveDelay | AdaptiveTimeSeries
 
 
 def compensator_parameters(compensator: Compensator, step: float) -> Any:
-    """Return the core's struct of a compensator that runs with a main step (s)."""
+    """Return the core's struct of a compensator.
+
+    Args:
+        compensator: of the test.
+        step: main step, s.
+    """
     parameters = ffi.new("ed_compensator_parameters *")
     parameters.step = step
     compensator.fill(parameters)

@@ -90,6 +90,9 @@ def initialiser(compensator: Compensator, step: float) -> str:
 def hexadecimal(value: float) -> str:
     """Return a number as C99 reads it to the same bits.
 
+    Args:
+        value: the number.
+
     Raises:
         ValueError: it is not a number.
     """

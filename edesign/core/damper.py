@@ -47,12 +47,20 @@ class LawValues:
 
 
 def law_number(law: str) -> int:
-    """The core's number of a law, ED_LAW_*."""
+    """Return the core's number of a law, ED_LAW_*.
+
+    Args:
+        law: its name.
+    """
     return int(getattr(lib, f"ED_LAW_{law.upper()}"))
 
 
 def amendment_number(kind: str) -> int:
-    """The core's number of an amendment, ED_AMEND_*."""
+    """Return the core's number of an amendment, ED_AMEND_*.
+
+    Args:
+        kind: its name.
+    """
     return int(getattr(lib, f"ED_AMEND_{kind.upper().replace('.', '_')}"))
 
 
@@ -279,7 +287,15 @@ class CoreDamper:
         method: Method = "best",
         tolerance: float = TOLERANCE,
     ) -> tuple[np.ndarray, float, tuple[float, float]]:
-        """One step from `state` along the cubic through (deformation, velocity) before and after.
+        """Take one step along the cubic through deformation and velocity before and after it.
+
+        Args:
+            state: (n,) of the law at its start.
+            duration: s.
+            before: deformation (m) and velocity (m/s) at its start.
+            after: deformation (m) and velocity (m/s) at its end.
+            method: how the law is integrated.
+            tolerance: relative, of the integration.
 
         Returns:
             The state at its end, the force there (N), and its derivatives to deformation (N/m) and velocity

@@ -19,5 +19,9 @@ class CoreError(AnalysisError):
 
 
 def status_name(status: int) -> str:
-    """Name of a status of the core."""
+    """Return the name of a status of the core.
+
+    Args:
+        status: its number.
+    """
     return str(ffi.string(lib.ed_status_name(status)).decode(errors="replace"))

@@ -41,7 +41,14 @@ class FrameNumericalPart:
     steps: int = 1
 
     def fill(self, data: Any) -> list[Any]:
-        """Write it into the core's struct; returns what must live until a test has been made of it."""
+        """Write the numerical part into the core's struct.
+
+        Args:
+            data: the struct.
+
+        Returns:
+            What must live until a test has been made of it.
+        """
         method, parameters = self.method.parameters()
         part = ffi.new("ed_frame_part *")
         coefficients, nodes, degrees = zip(*self.terms, strict=True)

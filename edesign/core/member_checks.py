@@ -62,7 +62,11 @@ BEAM_CHECKS = (Check.BEAM_M, Check.BEAM_N, Check.BEAM_V)
 
 
 def mask(*checks: Check) -> int:
-    """Return a set of checks as bits."""
+    """Return a set of checks as bits.
+
+    Args:
+        *checks: the checks.
+    """
     return sum({1 << check for check in checks})
 
 
@@ -159,12 +163,20 @@ class MemberTable:
 
     @classmethod
     def of(cls, members: Sequence[MemberConstants]) -> MemberTable:
-        """Return the table of some members."""
+        """Return the table of some members.
+
+        Args:
+            members: n_members.
+        """
         constants = np.array([_numbers(member) for member in members], dtype=float).reshape(-1, lib.ED_N_CONSTANTS)
         return cls(constants, np.array([member.kind for member in members], dtype=np.intc))
 
     def column(self, name: str) -> np.ndarray:
-        """Return one constant of all members, (n_members,), by its name; what is written there counts."""
+        """Return one constant of all members, (n_members,), by its name; what is written there counts.
+
+        Args:
+            name: a field of `MemberConstants`.
+        """
         return self.constants[:, [field.name for field in fields(MemberConstants)].index(name)]
 
 

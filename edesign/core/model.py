@@ -55,7 +55,15 @@ class Model:
         return result
 
     def material(self, law: Steel, fatigue: Fatigue | None = None) -> int:
-        """Add a uniaxial law, whose fibres break by `fatigue` if it is given."""
+        """Add a uniaxial law, whose fibres break by `fatigue` if it is given.
+
+        Args:
+            law: of the steel.
+            fatigue: at which fibres break.
+
+        Returns:
+            Number of the material.
+        """
         match law:
             case Elastic(E):
                 kind, values = lib.ED_ELASTIC, [E]
@@ -69,11 +77,31 @@ class Model:
         return number
 
     def elastic_section(self, EA: float, EI: float) -> int:
-        """Add an elastic section; EA in N, EI in N m2."""
+        """Add an elastic section.
+
+        Args:
+            EA: N.
+            EI: N m2.
+
+        Returns:
+            Number of the section.
+        """
         return self._checked(lib.ed_model_elastic_section(self._c, EA, EI))
 
     def fibre_section(self, y: ArrayLike, area: ArrayLike, material: int | ArrayLike) -> int:
-        """Add fibres at depths y (n,) m with areas (n,) m2; those at one depth are merged exactly."""
+        """Add a section of fibres; those at one depth are merged exactly.
+
+        Args:
+            y: (n,) depths, m.
+            area: (n,) m2.
+            material: one number, or (n,).
+
+        Returns:
+            Number of the section.
+
+        Raises:
+            ValueError: there are not as many areas as depths, or the materials do not fit them.
+        """
         depth = np.ascontiguousarray(y, dtype=float).ravel()
         areas = np.ascontiguousarray(area, dtype=float).ravel()
         laws = np.ascontiguousarray(np.broadcast_to(material, depth.shape), dtype=np.int32)
@@ -90,26 +118,61 @@ class Model:
         )
 
     def layers(self, section: int) -> int:
-        """Number of layers of a fibre section after merging."""
+        """Return the number of layers of a fibre section after merging.
+
+        Args:
+            section: its number.
+        """
         return self._checked(lib.ed_model_section_layers(self._handle, section))
 
     def node(self, name: str, x: float, y: float) -> int:
-        """Add a node at (x, y) m."""
+        """Add a node.
+
+        Args:
+            name: of the node.
+            x: m.
+            y: m.
+
+        Returns:
+            Number of the node.
+        """
         result = self._checked(lib.ed_model_node(self._c, name.encode(), x, y))
         self.node_names.append(name)
         self.node_xy.append((x, y))
         return result
 
     def fix(self, node: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
-        """Hold degrees of a node."""
+        """Hold degrees of a node.
+
+        Args:
+            node: its number.
+            ux: hold the horizontal displacement.
+            uy: hold the vertical displacement.
+            rz: hold the rotation.
+        """
         self._checked(lib.ed_model_fix(self._c, node, ux, uy, rz))
 
     def tie(self, node: int, master: int, ux: bool = False, uy: bool = False, rz: bool = False) -> None:
-        """Let degrees of a node be those of another one (rigid diaphragm: ux)."""
+        """Let degrees of a node be those of another one (rigid diaphragm: ux).
+
+        Args:
+            node: its number.
+            master: number of the other node.
+            ux: tie the horizontal displacement.
+            uy: tie the vertical displacement.
+            rz: tie the rotation.
+        """
         self._checked(lib.ed_model_tie(self._c, node, master, ux, uy, rz))
 
     def mass(self, node: int, mx: float, my: float = 0.0, mrz: float = 0.0) -> None:
-        """Add lumped mass to a node: kg, kg, kg m2."""
+        """Add lumped mass to a node.
+
+        Args:
+            node: its number.
+            mx: along x, kg.
+            my: along y, kg.
+            mrz: against rotation, kg m2.
+        """
         self._checked(lib.ed_model_mass(self._c, node, mx, my, mrz))
 
     def _element(self, name: str, result: int, section: int) -> int:
@@ -144,6 +207,9 @@ class Model:
 
         Returns:
             Number of the element.
+
+        Raises:
+            ValueError: there are not as many sections as points.
         """
         ids = [section] * points if isinstance(section, int) else list(section)
         if isinstance(section, int) and 0 <= section and lib.ed_model_section_layers(self._c, section) == 0:
@@ -158,11 +224,29 @@ class Model:
         return result
 
     def rigid_ends(self, element: int, start: float, end: float) -> None:
-        """Let the first and the last part of a beam-column not bend; m. Its end forces are those where it begins to."""
+        """Let the first and the last part of a beam-column not bend; its end forces are those where it begins to.
+
+        Args:
+            element: its number.
+            start: length of the first part, m.
+            end: length of the last part, m.
+        """
         self._checked(lib.ed_model_rigid_ends(self._c, element, start, end))
 
     def truss(self, name: str, i: int, j: int, material: int, area: float, geometry: str = "linear") -> int:
-        """Add a pin-ended bar; area in m2."""
+        """Add a pin-ended bar.
+
+        Args:
+            name: of the element.
+            i: number of the node at its start.
+            j: number of the node at its end.
+            material: its number.
+            area: m2.
+            geometry: "linear", "p_delta" or "corotational".
+
+        Returns:
+            Number of the element.
+        """
         result = lib.ed_model_truss(self._c, name.encode(), i, j, material, area, GEOMETRY[geometry])
         return self._element(name, result, -1)
 
@@ -220,10 +304,19 @@ class Model:
         return self._element(name, result, section)
 
     def link(self, name: str, i: int, j: int, stiffness: tuple[float, float, float], angle: float = 0.0) -> int:
-        """Add an elastic link with stiffness along local x, y (N/m) and in rotation (N m/rad).
+        """Add an elastic link.
 
-        Between two places local x runs along the link and shear acts at mid-length; at one place local x is at `angle`
-        rad.
+        Between two places local x runs along the link and shear acts at mid-length.
+
+        Args:
+            name: of the element.
+            i: number of the node at its start.
+            j: number of the node at its end.
+            stiffness: along local x and y, N/m, and in rotation, N m/rad.
+            angle: of local x if both nodes are at one place, rad.
+
+        Returns:
+            Number of the element.
         """
         return self._element(name, lib.ed_model_link(self._c, name.encode(), i, j, *stiffness, angle), -1)
 
@@ -246,11 +339,22 @@ class Model:
         return self._element(name, result, -1)
 
     def without_flexibility(self, element: int, at_i: float, at_j: float) -> None:
-        """Let the ends of an elastic beam leave out flexibilities (rad/(N m)) that springs beside them have."""
+        """Let the ends of an elastic beam leave out flexibilities that springs beside them have.
+
+        Args:
+            element: its number.
+            at_i: at its start, rad/(N m).
+            at_j: at its end, rad/(N m).
+        """
         self._checked(lib.ed_model_without_flexibility(self._c, element, at_i, at_j))
 
     def damping_factor(self, element: int, factor: float) -> None:
-        """Multiply the stiffness of an element by this where damping is proportional to it."""
+        """Multiply the stiffness of an element where damping is proportional to it.
+
+        Args:
+            element: its number.
+            factor: dimensionless.
+        """
         self._checked(lib.ed_model_damping_factor(self._c, element, factor))
 
     def damper(
@@ -311,26 +415,65 @@ class Model:
         return number
 
     def pattern(self, name: str = "") -> int:
-        """Add a load pattern."""
+        """Add a load pattern.
+
+        Args:
+            name: for people.
+
+        Returns:
+            Number of the pattern.
+        """
         self.n_patterns += 1
         return self._checked(lib.ed_model_pattern(self._c))
 
     def nodal_load(self, pattern: int, node: int, fx: float = 0.0, fy: float = 0.0, mz: float = 0.0) -> None:
-        """Add a force (N) and moment (N m) on a node."""
+        """Add a force and a moment on a node.
+
+        Args:
+            pattern: its number.
+            node: its number.
+            fx: N.
+            fy: N.
+            mz: N m.
+        """
         self._checked(lib.ed_model_nodal_load(self._c, pattern, node, fx, fy, mz))
 
     def uniform_load(self, pattern: int, element: int, axial: float = 0.0, transverse: float = 0.0) -> None:
-        """Add a load along a beam-column, N/m in its local axes."""
+        """Add a load along a beam-column in its local axes.
+
+        Args:
+            pattern: its number.
+            element: its number.
+            axial: N/m.
+            transverse: N/m.
+        """
         self._checked(lib.ed_model_uniform_load(self._c, pattern, element, axial, transverse))
 
     def point_load(
         self, pattern: int, element: int, position: float, axial: float = 0.0, transverse: float = 0.0
     ) -> None:
-        """Add a force (N, local axes) on a beam-column at position 0..1 of its length."""
+        """Add a force on a beam-column in its local axes.
+
+        Args:
+            pattern: its number.
+            element: its number.
+            position: 0 to 1 of its length.
+            axial: N.
+            transverse: N.
+        """
         self._checked(lib.ed_model_point_load(self._c, pattern, element, position, axial, transverse))
 
     def partial_load(
         self, pattern: int, element: int, start: float, end: float, at_start: float, at_end: float
     ) -> None:
-        """Add a load across a beam-column between two positions 0..1 of its length, linear from N/m to N/m."""
+        """Add a linear load across a beam-column between two positions.
+
+        Args:
+            pattern: its number.
+            element: its number.
+            start: first position, 0 to 1 of its length.
+            end: last position, 0 to 1 of its length.
+            at_start: load there, N/m.
+            at_end: load there, N/m.
+        """
         self._checked(lib.ed_model_partial_load(self._c, pattern, element, start, end, at_start, at_end))

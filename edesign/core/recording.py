@@ -70,7 +70,11 @@ class Recording:
         return tuple(ffi.from_buffer("double[]", b.ravel()) for b in (self._abscissa, self._values, self._energy))
 
     def take(self, count: int) -> None:
-        """Take over the first rows of the buffers; the core writes the next ones there."""
+        """Take over the first rows of the buffers; the core writes the next ones there.
+
+        Args:
+            count: number of rows.
+        """
         if not count:
             return
         self.end = float(self._abscissa[count - 1])

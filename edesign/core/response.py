@@ -112,7 +112,11 @@ class Response:
     energy_final: dict[str, float] = field(default_factory=dict)
 
     def peak(self, name: str) -> float:
-        """Largest magnitude of a channel."""
+        """Return the largest magnitude of a channel.
+
+        Args:
+            name: of the channel.
+        """
         return max(abs(self.maximum[name]), abs(self.minimum[name]))
 
     @property
@@ -139,7 +143,12 @@ class EnergyBalance:
         self._finite = True
 
     def count(self, given: np.ndarray, missing: np.ndarray) -> None:
-        """Count further steps: the input and the residual of their energies, each (nt,) J."""
+        """Count further steps.
+
+        Args:
+            given: (nt,) input energy, J.
+            missing: (nt,) residual of the energies, J.
+        """
         self._finite = self._finite and bool(np.all(np.isfinite(given)) and np.all(np.isfinite(missing)))
         if not given.size or not self._finite:
             return

@@ -49,9 +49,12 @@ class MassFactor:
     place: np.ndarray
 
     def rigid(self, origin: np.ndarray | None) -> np.ndarray:
-        """Return B times rigid motions by 1 along x, along y, and about a vertical axis through `origin`: (r, 3).
+        """Return B times rigid motions by 1 along x, along y, and about a vertical axis: (r, 3).
 
-        Without an origin the axis goes through the centre of all masses that move.
+        The axis goes through `origin`, or without one through the centre of all masses that move.
+
+        Args:
+            origin: (2,) x and y, m; None: the centre of all masses that move.
         """
         weight = self.size**2 * (self.direction == 0)
         centre = weight @ self.place / np.sum(weight) if np.any(weight) else np.zeros(2)

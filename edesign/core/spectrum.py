@@ -39,9 +39,19 @@ def peak_displacement(
 def peak_responses(
     acceleration: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Largest relative displacement (m), relative velocity (m/s) and absolute acceleration (m/s2), (m,) each.
+    """Return largest relative displacements, relative velocities and absolute accelerations of oscillators.
 
-    Arguments and errors are those of `peak_displacement`.
+    Args:
+        acceleration: see `peak_displacement`.
+        time_step: s.
+        period: (m,) s.
+        damping: (m,) ratio of critical.
+
+    Returns:
+        Displacements (m,) m, velocities (m,) m/s and accelerations (m,) m/s2.
+
+    Raises:
+        CoreError: as `peak_displacement`.
     """
     a, (t, z) = _array(acceleration), _oscillators(period, damping)
     sd, sv, sa = np.empty(t.size), np.empty(t.size), np.empty(t.size)

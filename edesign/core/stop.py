@@ -27,7 +27,11 @@ def _keep(kind: type[BaseException], error: BaseException, traceback: TracebackT
 # is seen here; as any error that the question brings, it ends the call and is raised behind it.
 @ffi.def_extern(error=1, onerror=_keep)
 def edesign_stop_asked(data: Any) -> int:
-    """Answer the core whether its call shall end."""
+    """Answer the core whether its call shall end.
+
+    Args:
+        data: not used.
+    """
     return wished()
 
 

@@ -62,7 +62,14 @@ class LinearRig:
     d_v: float = 0.0
 
     def fill(self, model: Any) -> None:
-        """Write it into the core's struct."""
+        """Write the rig into the core's struct.
+
+        Args:
+            model: the struct.
+
+        Raises:
+            ValueError: the rig has more states than the core takes.
+        """
         n = len(self.A)
         if n > MOST_RIG_STATES:
             raise ValueError(f"a rig with {n} states, of {MOST_RIG_STATES} at most")
@@ -91,7 +98,11 @@ class ServoHydraulicRig:
     delay: float = 0.0
 
     def fill(self, model: Any) -> None:
-        """Write it into the core's struct."""
+        """Write the rig into the core's struct.
+
+        Args:
+            model: the struct.
+        """
         model.kind, model.delay, model.gain = lib.ED_RIG_SERVO_HYDRAULIC, self.delay, self.gain
         model.oil, model.valve_lag = self.oil, self.valve_lag
 

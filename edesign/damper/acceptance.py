@@ -164,7 +164,12 @@ def _en(asked: Acceptance) -> list[Criterion]:
 
 
 def design_runs(test: DamperTest, damper: Damper) -> tuple[Run, ...]:
-    """Runs of a test with the forces that a damper gives in its motion."""
+    """Return the runs of a test with the forces that a damper gives in its motion.
+
+    Args:
+        test: the record.
+        damper: the law of the campaign.
+    """
     return runs_of(test.with_force(damper.force(test.time, test.displacement)))
 
 

@@ -40,7 +40,14 @@ class AmendmentKind(Law):
         return self.name.removesuffix(_INSIDE) if self.inside else self.name
 
     def complete(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Return all parameters by name, as `Law.complete`; a side must be 1 or -1."""
+        """Return all parameters by name, as `Law.complete`; a side must be 1 or -1.
+
+        Args:
+            values: the parameters that are given, by name, SI.
+
+        Raises:
+            InputError: the side is another number, or as of `Law.complete`.
+        """
         found = super().complete(values)
         if found.get("side", 1.0) not in (1.0, -1.0):
             raise InputError(f"effect {self.name}: side = {found['side']:g} is neither 1 nor -1")
@@ -378,7 +385,11 @@ AMENDMENTS: dict[tuple[str, str], AmendmentKind] = dict(_beside_and_inside(_kind
 
 
 def amendment_kind(name: str, form: str) -> AmendmentKind:
-    """The kind of an amendment.
+    """Return the kind of an amendment.
+
+    Args:
+        name: of the effect.
+        form: of the effect.
 
     Raises:
         InputError: there is no such effect, or it has no such form.

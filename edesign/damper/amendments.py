@@ -43,7 +43,10 @@ class Amendment:
         object.__setattr__(self, "values", kind.complete(self.values))
 
     def for_core(self, temperature_C: float | None = None) -> AmendmentValues:
-        """The amendment as the core takes it, at a temperature; None: that at which its factor is 1.
+        """Return the amendment as the core takes it at a temperature.
+
+        Args:
+            temperature_C: degC; None: that at which its factor is 1.
 
         Raises:
             InputError: a constant factor is not greater than zero.

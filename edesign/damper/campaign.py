@@ -122,7 +122,11 @@ class Campaign:
     acceptance: Acceptance = field(default_factory=Acceptance)
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
-        """Tests to fit to, or those to compare with only."""
+        """Return the tests of one use: to fit to, or to compare with only.
+
+        Args:
+            use: of the tests.
+        """
         return tuple(test for test in self.tests if test.use == use)
 
     @property
@@ -132,8 +136,7 @@ class Campaign:
 
     @property
     def readings(self) -> tuple[str, ...]:
-        """Ways in which files were read that are not plain, and where motions begin; one line for tests with the same.
-        """
+        """Ways in which files were read that are not plain, and where motions begin; one line for tests with the same."""
         return _readings(self.tests)
 
     @property
@@ -308,7 +311,13 @@ def _rounded(value: float) -> float | int:
 
 
 def short_names(paths: Sequence[Path]) -> list[str]:
-    """A name for each of several files: its own without ending; with folders, then ending, if others have that."""
+    """Return a name for each of several files.
+
+    It is the file's own name without ending; with folders, then with ending, if others have that.
+
+    Args:
+        paths: of the files.
+    """
     short, longer = [path.stem for path in paths], [str(path.with_suffix("")) for path in paths]
     return [
         name if short.count(name) == 1 else long if longer.count(long) == 1 else str(path)

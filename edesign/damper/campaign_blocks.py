@@ -28,6 +28,9 @@ Positive = Annotated[float, Field(gt=0.0)]
 def parse_celsius(value: Any) -> float:
     """Read a plain number in degC.
 
+    Args:
+        value: as the file has it.
+
     Raises:
         PydanticCustomError: it is none.
     """
@@ -140,7 +143,12 @@ class LawChoice:
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
-    """Check that area and thickness are there, once each."""
+    """Check that area and thickness are there, once each.
+
+    Args:
+        block: the specimen of the file.
+        problems: collects what is wrong.
+    """
     for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
         check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)
 
@@ -172,7 +180,16 @@ def check_law(block: LawBlock | None, problems: Problems, complete: bool) -> Non
 
 
 def check_one(block: Model, key: str, plain: str, keys: Keys, problems: Problems, required: bool = True) -> None:
-    """Check that a value is given with its unit (`key`) or as a plain number (`plain`), and not twice."""
+    """Check that a value is given with its unit or as a plain number, and not twice.
+
+    Args:
+        block: of the file.
+        key: of the value with its unit.
+        plain: of the plain number.
+        keys: place of the block in the file.
+        problems: collects what is wrong.
+        required: whether one of them must be there.
+    """
     given = [name for name in (key, plain) if getattr(block, name) is not None]
     if len(given) == 2:
         problems.at_key((*keys, plain), f"`{key}` says this already; leave one of them out")

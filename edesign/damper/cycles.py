@@ -46,7 +46,12 @@ class Block:
         return float(np.ptp(periods)) <= SAME_PERIOD * float(np.mean(periods))
 
     def part(self, first: int, last: int) -> Block:
-        """Cycles from the first to the last one named, counted from 1."""
+        """Return the block from the first to the last cycle named.
+
+        Args:
+            first: number of the cycle, from 1.
+            last: number of the cycle.
+        """
         return replace(self, bounds=self.bounds[first - 1 : last + 1], middles=self.middles[first - 1 : last])
 
 

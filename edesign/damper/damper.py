@@ -49,7 +49,11 @@ class Damper:
         return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments, self.been)
 
     def at(self, temperature_C: float, model: TemperatureModel | None = None) -> tuple[Damper, tuple[str, ...]]:
-        """The damper at a temperature (degC) if its parameters are those of the reference; warnings.
+        """Return the damper at a temperature if its parameters are those of the reference, and warnings.
+
+        Args:
+            temperature_C: degC.
+            model: what the temperature changes.
 
         Raises:
             InputError: as of `temperature.at`.
@@ -60,9 +64,16 @@ class Damper:
     def force(
         self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike | None = None, method: Method = "best"
     ) -> np.ndarray:
-        """Force history (n,) N under a deformation (n,) m at ascending times (n,) s, from rest.
+        """Return the force history under a deformation, from rest.
 
-        Without a velocity (n,) m/s, it is that of the cubic spline through the deformation.
+        Args:
+            time: (n,) s, ascending.
+            deformation: (n,) m.
+            velocity: (n,) m/s; None: that of the cubic spline through the deformation.
+            method: how the law is integrated.
+
+        Returns:
+            (n,) N.
         """
         if velocity is None:
             velocity = spline_velocity(time, deformation)

@@ -33,7 +33,10 @@ class Dashpot:
 
 
 def dashpot(law: LawValues) -> Dashpot:
-    """The dashpot and spring that a viscous law is.
+    """Return the dashpot and spring that a viscous law is.
+
+    Args:
+        law: law and parameters.
 
     Raises:
         InputError: the law is no viscous dashpot, has effects beside, or its exponent is out of range.

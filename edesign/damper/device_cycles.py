@@ -87,7 +87,11 @@ class Run:
         return bool(np.any(self.loss_stiffness < -_STORES * np.abs(self.equivalent_stiffness)))
 
     def from_third(self, values: np.ndarray) -> np.ndarray:
-        """Deviation of the values (n,) of each cycle from that of the third one, as a ratio."""
+        """Return the deviation of the value of each cycle from that of the third one, as a ratio.
+
+        Args:
+            values: (n,) in any unit.
+        """
         return values / values[LEAST_CYCLES - 1] - 1.0
 
 

@@ -25,7 +25,10 @@ class EffectsError(InputError):
 
 
 def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
-    """The amendments that a file describes.
+    """Read the amendments that a file describes.
+
+    Args:
+        effects: blocks of the file.
 
     Raises:
         EffectsError: an effect or form does not exist, or parameters are wrong; tells all of them.
@@ -54,7 +57,11 @@ def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
 
 
 def write_effects(amendments: Sequence[Amendment]) -> list[dict[str, Any]]:
-    """Amendments as a file describes them, with parameters in kN, mm and s; `read_effects` reads them back."""
+    """Return amendments as a file describes them, with parameters in kN, mm and s; `read_effects` reads them back.
+
+    Args:
+        amendments: of a law.
+    """
     written = []
     for one in amendments:
         units = {parameter.name: parameter.unit for parameter in one.kind.parameters}

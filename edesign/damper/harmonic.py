@@ -15,7 +15,14 @@ SAMPLES = 100
 def steady_cycle(
     law: LawValues, amplitude: float, frequency: float, brace: float = 0.0, play: float = 0.0
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Force of a damper in the last of 12 cycles of a steady sine of its deformation; arguments as `complex_stiffness`.
+    """Return the force of a damper in the last of 12 cycles of a steady sine of its deformation.
+
+    Args:
+        law: law and parameters.
+        amplitude: of the deformation, m.
+        frequency: Hz.
+        brace: stiffness in series, N/m; 0: rigid.
+        play: of the pins of the brace, from end to end, m.
 
     Returns:
         Phase of the deformation (SAMPLES,), rad, in the last turn, and force (SAMPLES,), N.
@@ -52,7 +59,12 @@ def complex_stiffness(
 
 
 def secant_stiffness(law: LawValues, amplitude: float, frequency: float) -> tuple[float, float]:
-    """Effective stiffness and energy of a cycle of a damper in a steady sine; arguments as `complex_stiffness`.
+    """Return the effective stiffness and the energy of a cycle of a damper in a steady sine.
+
+    Args:
+        law: law and parameters.
+        amplitude: of the deformation, m.
+        frequency: Hz.
 
     Returns:
         Forces at both extremes of the deformation over the distance between these, N/m, and work of the cycle, J.

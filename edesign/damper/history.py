@@ -8,9 +8,16 @@ from numpy.typing import ArrayLike
 
 
 def spline_velocity(time: ArrayLike, deformation: ArrayLike) -> np.ndarray:
-    """Velocity (n,) at the samples of the cubic spline through a deformation (n,) at ascending times (n,).
+    """Return the velocity at the samples of the cubic spline through a deformation.
 
     With less than four samples it is that of the polynomial through them.
+
+    Args:
+        time: (n,) s, ascending.
+        deformation: (n,) m.
+
+    Returns:
+        (n,) m/s.
     """
     t, u = np.asarray(time, dtype=float), np.asarray(deformation, dtype=float)
     if t.size < 2:

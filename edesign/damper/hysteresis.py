@@ -36,13 +36,25 @@ class Hysteresis(Protocol):
         """Stiffness after yielding over the initial one; nan: it keeps changing."""
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N; of different sides the mean."""
+        """Return the force at the largest deformation of a steady cycle, N; of different sides the mean.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
-        """Derivative of that force by the amplitude, N/m."""
+        """Return the derivative of the force by the amplitude, N/m.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
-        """Energy that a steady cycle of an amplitude (...) m dissipates, J."""
+        """Return the energy that a steady cycle dissipates, J.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
 
 
 @dataclass(frozen=True)
@@ -62,17 +74,28 @@ class Bilinear:
     loop: float = 1.0
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N."""
+        """Return the force at the largest deformation of a steady cycle, N.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         elastic = np.minimum(amplitude, self.yield_force / self.stiffness)
         return self.stiffness * (elastic + self.hardening * (amplitude - elastic))
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
-        """Derivative of that force by the amplitude, N/m."""
+        """Return the derivative of the force by the amplitude, N/m.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         elastic = np.asarray(amplitude) < self.yield_force / self.stiffness
         return np.where(elastic, self.stiffness, self.hardening * self.stiffness)
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
-        """4 (1 - b) F_y (u - u_y), J: a parallelogram.
+        """Return 4 (1 - b) F_y (u - u_y), J: a parallelogram.
+
+        Args:
+            amplitude: largest deformation (...), m.
 
         Source: Christopoulos and Filiatrault (2006), Principles of Passive Supplemental Damping and Seismic Isolation.
         """
@@ -98,7 +121,11 @@ class RambergOsgood:
     hardening: float = np.nan
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N: Newton's method from above falls to it."""
+        """Return the force at the largest deformation of a steady cycle, N: Newton's method from above falls to it.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         elastic = self.stiffness * np.asarray(amplitude) / self.yield_force
         f = np.minimum(elastic, (elastic / self.a) ** (1.0 / self.n))
         for _ in range(_MOST_STEPS):
@@ -110,12 +137,19 @@ class RambergOsgood:
         return np.asarray(self.yield_force * f)
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
-        """Derivative of that force by the amplitude, N/m."""
+        """Return the derivative of the force by the amplitude, N/m.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         power = self.a * (self.force(amplitude) / self.yield_force) ** (self.n - 1.0)
         return np.asarray(self.stiffness / (1.0 + self.n * power))
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
-        """4 (n - 1)/(n + 1) F times the plastic deformation at F, J.
+        """Return 4 (n - 1)/(n + 1) F times the plastic deformation at F, J.
+
+        Args:
+            amplitude: largest deformation (...), m.
 
         Source: Jennings (1964), Journal of the Engineering Mechanics Division 90(EM2).
         """
@@ -168,19 +202,31 @@ class BoucWen:
         self._largest, self._strength = float(u[-1]), z0
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Force at the largest deformation (...) m of a steady cycle, N."""
+        """Return the force at the largest deformation of a steady cycle, N.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         u = np.asarray(amplitude)
         z = np.where(u < self._largest, self._z(np.minimum(u, self._largest)), self._strength)
         return np.asarray(self._parallel * u + self._hysteretic * z)
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
-        """Derivative of that force by the amplitude, N/m."""
+        """Return the derivative of the force by the amplitude, N/m.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         u = np.asarray(amplitude)
         slope = np.where(u < self._largest, self._z(np.minimum(u, self._largest), 1), 0.0)
         return np.asarray(self._parallel + self._hysteretic * slope)
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
-        """Energy that a steady cycle of an amplitude (...) m dissipates, J: the closed integral of z du."""
+        """Return the energy that a steady cycle dissipates, J: the closed integral of z du.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         u = np.asarray(amplitude)
         beyond = 4.0 * self._hysteretic * self._strength * np.maximum(u - self._largest, 0.0)
         return np.maximum(self._energy(np.minimum(u, self._largest)) + beyond, 0.0)  # where it is less than rounding
@@ -202,7 +248,10 @@ _LAWS: Mapping[str, Callable[..., Hysteresis]] = MappingProxyType(
 
 
 def hysteresis(law: LawValues) -> Hysteresis:
-    """The steady cycles of a law that yields or slips.
+    """Return the steady cycles of a law that yields or slips.
+
+    Args:
+        law: law and parameters.
 
     Raises:
         InputError: the law has no yield or slip force, or effects beside.

@@ -8,7 +8,12 @@ import numpy as np
 
 
 def independent_errors(histories: Iterable[np.ndarray]) -> float:
-    """Number of independent errors in histories (n,): samples over 1 + 2 sum of rho_k, up to the first rho_k < 0.
+    """Return the number of independent errors in histories.
+
+    It is the number of samples over 1 + 2 sum of rho_k, up to the first rho_k < 0.
+
+    Args:
+        histories: (n,) each.
 
     Source: Geyer (1992), Statistical Science 7, section 3.3, of which this is the simplest form.
     """

@@ -84,7 +84,11 @@ class Law:
     speed: tuple[str, ...] = ()
 
     def with_branches(self, count: int) -> tuple[Parameter, ...]:
-        """All parameters in the order of the core, with those of `count` branches."""
+        """Return all parameters in the order of the core, with those of some branches.
+
+        Args:
+            count: number of branches.
+        """
         repeated = (
             replace(parameter, name=f"{parameter.name}{i}", meaning=f"{parameter.meaning} {i}")
             for i in range(1, count + 1)
@@ -93,7 +97,11 @@ class Law:
         return (*self.parameters, *repeated)
 
     def all_parameters(self, values: Mapping[str, float]) -> tuple[Parameter, ...]:
-        """All parameters, with as many branches as `values` names."""
+        """Return all parameters, with as many branches as `values` names.
+
+        Args:
+            values: parameters by name, SI.
+        """
         count = 0
         while self.branch and count < self.most_branches and f"{self.branch[0].name}{count + 1}" in values:
             count += 1

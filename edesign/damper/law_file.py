@@ -69,7 +69,12 @@ class Source:
     keys: Keys = ()
 
     def refuse(self, keys: Keys, message: object) -> InputError:
-        """An error at a key of the description."""
+        """Return an error at a key of the description.
+
+        Args:
+            keys: below that of the description.
+            message: what is wrong.
+        """
         whole = (*self.keys, *keys)
         mark = find(self.root, whole).mark
         return InputError(f"{self.path}:{mark.line}:{mark.column}: {keys_text(whole)}: {message}")
@@ -159,7 +164,11 @@ def _culprit(described: LawDescription, message: str) -> tuple[str, ...]:
 
 
 def strain_of_tests(described: LawDescription) -> float | None:
-    """Largest shear strain of the tests that the parameters come from; None: not known."""
+    """Return the largest shear strain of the tests that the parameters come from; None: not known.
+
+    Args:
+        described: the law of the file.
+    """
     ranges = described.tested or {}
     if isinstance(described.parameters, str):
         ranges = {**PARAMETER_SETS[described.parameters].tested, **ranges}

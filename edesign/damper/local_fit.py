@@ -144,7 +144,18 @@ def value_at_reversal(time: np.ndarray, values: np.ndarray, at: float, omega: fl
 
 
 def value_at(time: np.ndarray, values: np.ndarray, at: float, omega: float, spread: float) -> Estimate:
-    """The value of a smooth history at a time; arguments and errors as `value_at_reversal`."""
+    """Find the value of a smooth history at a time by a fit around it.
+
+    Args:
+        time: (n,) s.
+        values: (n,) of the history.
+        at: s.
+        omega: circular frequency, rad/s.
+        spread: standard deviation of the noise.
+
+    Raises:
+        InputError: there are too few samples.
+    """
     spread = max(spread, _ROUNDING * float(np.max(np.abs(values))))
     found = _widest(_smooth_value(time, values, at, omega, width, spread) for width in WIDTHS)
     if found is None:

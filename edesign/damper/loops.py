@@ -79,7 +79,10 @@ class Loops:
         self._work = scipy.interpolate.CubicSpline(time, force * rate).antiderivative()
 
     def of(self, block: Block) -> LoopValues:
-        """Values of each cycle of a block.
+        """Return the values of each cycle of a block.
+
+        Args:
+            block: cycles of one frequency and amplitude.
 
         Raises:
             InputError: a cycle has too few samples.

@@ -113,6 +113,9 @@ def read_test(
 def read_displacement(path: Path | str) -> tuple[np.ndarray, np.ndarray]:
     """Read time (n,) s and displacement (n,) m of a test file; other columns may be there.
 
+    Args:
+        path: of the CSV file.
+
     Raises:
         InputError: the file cannot be read or is wrong.
     """
@@ -122,6 +125,10 @@ def read_displacement(path: Path | str) -> tuple[np.ndarray, np.ndarray]:
 
 def write_test(path: Path | str, test: DamperTest) -> None:
     """Write a test as CSV in s, mm, kN, degC, nine digits; the file appears when it is whole.
+
+    Args:
+        path: of the CSV file.
+        test: the record.
 
     Raises:
         ArchiveError: it cannot be written.
@@ -138,7 +145,11 @@ def write_test(path: Path | str, test: DamperTest) -> None:
 
 
 def rest_before(displacement: np.ndarray) -> int:
-    """Return how many samples of a displacement (n,) m are rest before the motion; 0: it shows none."""
+    """Return how many samples of a displacement are rest before the motion; 0: it shows none.
+
+    Args:
+        displacement: (n,) m.
+    """
     moved = np.abs(displacement - displacement[0]) > _AT_REST * np.ptp(displacement)
     samples = int(np.argmax(moved))
     return samples if samples >= _FEWEST_AT_REST else 0

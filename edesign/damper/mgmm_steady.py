@@ -55,7 +55,10 @@ def steady_loops(
 
 
 def steady_moduli(force: np.ndarray) -> np.ndarray:
-    """Force amplitudes in phase, largest, and in phase with the velocity, (3, n) N: area strain G', G_eq, G''.
+    """Return force amplitudes in phase, largest, and in phase with the velocity, (3, n) N: area strain G', G_eq, G''.
+
+    Args:
+        force: (n, samples) N in the last cycle of a sine.
 
     Source: thesis Eqs. 3.1-3.4.
     """

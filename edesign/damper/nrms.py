@@ -29,15 +29,31 @@ def nrms(predicted: ArrayLike, measured: ArrayLike) -> float:
 
 
 def error_of_peak(predicted: ArrayLike, measured: ArrayLike) -> float:
-    """Root of the mean squared error over the largest measured magnitude; infinite, InputError: as `nrms`."""
+    """Return the root of the mean squared error over the largest measured magnitude; infinite as `nrms`.
+
+    Args:
+        predicted: (n,).
+        measured: (n,) in the same unit.
+
+    Raises:
+        InputError: as `nrms`.
+    """
     analytical, experimental = _pair(predicted, measured)
     return _ratio(float(np.sqrt(np.mean((analytical - experimental) ** 2))), float(np.max(np.abs(experimental))))
 
 
 def determination(predicted: ArrayLike, measured: ArrayLike) -> float:
-    """Coefficient of determination R2: 1 less the squared errors over the squares of the measurements about their mean.
+    """Return the coefficient of determination R2.
 
-    Below 0 the mean would predict better. InputError: as `nrms`; minus infinity where only the prediction varies.
+    It is 1 less the squared errors over the squares of the measurements about their mean. Below 0 the mean would
+    predict better. It is minus infinity where only the prediction varies.
+
+    Args:
+        predicted: (n,).
+        measured: (n,) in the same unit.
+
+    Raises:
+        InputError: as `nrms`.
     """
     analytical, experimental = _pair(predicted, measured)
     error = float(np.sum((analytical - experimental) ** 2))

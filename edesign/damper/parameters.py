@@ -116,7 +116,11 @@ def _branches_apart(
 
 
 def parameter_set(law: Law, name: str) -> ParameterSet:
-    """A published set of parameters.
+    """Return a published set of parameters.
+
+    Args:
+        law: the law.
+        name: of the set.
 
     Raises:
         InputError: there is none of that name, or it is of another law.
@@ -157,7 +161,12 @@ def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
 
 
 def practical_unit(parameter: Parameter, exponents: Mapping[str, object] | None = None) -> str:
-    """The unit in kN and mm; names of parameters in it are replaced by `exponents` where given."""
+    """Return the unit of a parameter in kN and mm.
+
+    Args:
+        parameter: of a law.
+        exponents: replace the names of parameters in the unit.
+    """
     return _BASE.sub(lambda match: _PRACTICAL[match[0]], _with_exponents(parameter.unit, exponents or {}))
 
 

@@ -98,9 +98,17 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
 def planned_tests(
     programme: Programme, specimen: Specimen
 ) -> Iterator[tuple[SineTest | SweepTest | RandomTest | RecordTest, DamperTest]]:
-    """The tests without force, in the order in which they are run: of lists the last named value changes fastest.
+    """Yield the tests without force, in the order in which they are run.
 
-    The order of a full factorial is temperature, frequency, strain: a rig heats its specimen as seldom as it can.
+    The last named value of lists changes fastest. The order of a full factorial is temperature, frequency, strain: a
+    rig heats its specimen as seldom as it can.
+
+    Args:
+        programme: the tests that are planned.
+        specimen: the layers that are sheared.
+
+    Raises:
+        InputError: a test of the programme cannot be made.
     """
     number = 0
     for plan in programme.tests:

@@ -47,7 +47,10 @@ class ProgrammeError(FileProblems):
 
 
 def parse_frequency(value: Any) -> float:
-    """Read a frequency such as `0.5 Hz`; Hz.
+    """Read a frequency such as `0.5 Hz`, in Hz.
+
+    Args:
+        value: as the file has it.
 
     Raises:
         PydanticCustomError: it is none, or a circular frequency.
@@ -240,6 +243,9 @@ class Programme(Model):
 
 def load_programme(path: Path | str) -> Programme:
     """Read and check a programme file.
+
+    Args:
+        path: of the programme file.
 
     Raises:
         InputError: the file cannot be read.

@@ -131,7 +131,10 @@ def cycle_properties(test: DamperTest, specimen: Specimen) -> CycleProperties:
 
 
 def checked_range(cycles: tuple[int, int]) -> tuple[int, int]:
-    """First and last cycle.
+    """Return the first and the last cycle after a check.
+
+    Args:
+        cycles: first and last one, from 1.
 
     Raises:
         InputError: they are no range from 1.

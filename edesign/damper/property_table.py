@@ -228,13 +228,23 @@ def usable(found: Mapping[str, Properties]) -> tuple[list[Properties], list[str]
 
 
 def from_properties(rows: Sequence[Properties], source: str = "property table") -> PropertyTable:
-    """The table of properties of several tests."""
+    """Return the table of properties of several tests.
+
+    Args:
+        rows: one a test.
+        source: of the rows, for messages.
+    """
     columns = {name: np.array([getattr(row, name) for row in rows]) for name, _ in COLUMNS.values()}
     return PropertyTable(**columns, source=source)
 
 
 def property_table_content(project: Project, path: Path) -> bytes:
-    """Return the content of a table that a study of a project names, as a run sees it."""
+    """Return the content of a table that a study of a project names, as a run sees it.
+
+    Args:
+        project: the validated project.
+        path: of the table.
+    """
     return project.content(path, lambda path: read_file(path, _WHAT))
 
 
@@ -273,6 +283,10 @@ def read_property_table(path: Path | str, content: bytes | None = None) -> Prope
 
 def write_property_table(table: PropertyTable, path: Path | str) -> None:
     """Write a table as CSV with the columns of `COLUMNS`, seven digits; the file appears when it is whole.
+
+    Args:
+        table: the properties.
+        path: of the CSV file.
 
     Raises:
         ArchiveError: it cannot be written.

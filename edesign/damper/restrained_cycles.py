@@ -45,31 +45,56 @@ class RestrainedCycles:
         return np.asarray(slopes[np.searchsorted(corners[1:], amplitude, side="right")])
 
     def tension(self, amplitude: np.ndarray) -> np.ndarray:
-        """Largest tension in cycles of an amplitude (...) m, N."""
+        """Return the largest tension in cycles, N.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         return self._peak(np.asarray(amplitude), _TENSION)
 
     def compression(self, amplitude: np.ndarray) -> np.ndarray:
-        """Largest compression, N."""
+        """Return the largest compression in cycles, N.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         return self._peak(np.asarray(amplitude), _COMPRESSION)
 
     def core_strain(self, amplitude: np.ndarray) -> np.ndarray:
-        """Largest strain of the core: in tension, where the smaller force leaves more of the deformation to it."""
+        """Return the largest strain of the core, dimensionless.
+
+        It is that in tension, where the smaller force leaves more of the deformation to the core.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         by_force, by_deformation = self.brace.strain_of_core
         return np.asarray(by_force * self.tension(amplitude) + by_deformation * np.asarray(amplitude))
 
     def force(self, amplitude: np.ndarray) -> np.ndarray:
-        """Mean of the largest tension and compression in cycles of an amplitude (...) m, N: that of the secant."""
+        """Return the mean of the largest tension and compression in cycles, N: that of the secant.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         return np.asarray(0.5 * (self.tension(amplitude) + self.compression(amplitude)))
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
-        """Derivative of that force by the amplitude, N/m."""
+        """Return the derivative of the force by the amplitude, N/m.
+
+        Args:
+            amplitude: largest deformation (...), m.
+        """
         u = np.asarray(amplitude)
         return np.asarray(0.5 * (self._slope(u, _TENSION) + self._slope(u, _COMPRESSION)))
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
-        """Energy that a cycle of an amplitude (...) m dissipates, J: half the elastic range by the plastic path.
+        """Return the energy that a cycle dissipates, J: half the elastic range by the plastic path.
 
         With the elastic range 2 Y, T + C = 2 Y + 2 alpha K (u - Y / K), and the area is 4 (1 - alpha) Y (u - Y / K).
+
+        Args:
+            amplitude: largest deformation (...), m.
         """
         u, alpha = np.asarray(amplitude), self.brace.post_yield_ratio
         half_range = (self.force(u) - alpha * self.stiffness * u) / (1.0 - alpha)

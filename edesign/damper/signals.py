@@ -43,7 +43,7 @@ def sine(
     ramp_down: float = 2.0,
     sampling_rate: float = SAMPLING_RATE,
 ) -> History:
-    """Steady sine between ramps in which the amplitude grows and falls in proportion to time.
+    """Return a steady sine between ramps in which the amplitude grows and falls in proportion to time.
 
     The ramps last whole half cycles, so they end where the sine is zero and the velocity stays continuous; there is no
     jump of velocity at the start either, unless it has no ramp.
@@ -58,6 +58,9 @@ def sine(
 
     Returns:
         Time (n,) s and displacement (n,) m, zero at both ends.
+
+    Raises:
+        InputError: a number is out of its range, or the sampling is too coarse for the frequency.
 
     Source: thesis 3.2, Fig. 3.5; FEMA 356, 9.3.8.
     """
@@ -84,7 +87,7 @@ def sweep(
     blend: float = 0.25,
     sampling_rate: float = SAMPLING_RATE,
 ) -> History:
-    """Sine of one frequency in blocks of different amplitude; by default the sweep of thesis 4.4.
+    """Return a sine of one frequency in blocks of different amplitude; by default the sweep of thesis 4.4.
 
     The amplitude changes where the displacement is zero. There the commanded velocity jumps; here the amplitude goes
     smoothly from one to the other during `blend` cycles about the zero (after the start and before the end), which
@@ -99,6 +102,9 @@ def sweep(
 
     Returns:
         Time (n,) s and displacement (n,) m, zero at both ends.
+
+    Raises:
+        InputError: a number is out of its range, or the sampling is too coarse for the frequency.
 
     Source: thesis 4.4, after Dorka & Garcia.
     """
@@ -128,7 +134,14 @@ def sweep(
 
 
 def sweep_4_4(maximum: float, frequency: float, blend: float = 0.25, sampling_rate: float = SAMPLING_RATE) -> History:
-    """The amplitude sweep of thesis 4.4: 21 cycles between 1/6 and 1 of the largest amplitude (m), see `sweep`."""
+    """Return the amplitude sweep of thesis 4.4: 21 cycles between 1/6 and 1 of the largest amplitude, see `sweep`.
+
+    Args:
+        maximum: largest amplitude, m.
+        frequency: Hz.
+        blend: cycles in which the amplitude changes, at most 0.5.
+        sampling_rate: Hz.
+    """
     return sweep(maximum, frequency, SWEEP_4_4, blend, sampling_rate)
 
 
@@ -142,7 +155,9 @@ def random(
     taper: float = 0.1,
     sampling_rate: float = SAMPLING_RATE,
 ) -> History:
-    """Gaussian noise of even power in a band of frequencies, faded in and out; the same seed gives the same history.
+    """Return Gaussian noise of even power in a band of frequencies, faded in and out.
+
+    A seed always gives one history.
 
     Args:
         duration: s.
@@ -155,6 +170,9 @@ def random(
 
     Returns:
         Time (n,) s and displacement (n,) m, zero with zero velocity at both ends.
+
+    Raises:
+        InputError: a number is out of its range, or neither or both of `peak` and `rms` are given.
     """
     _positive(duration=duration, sampling_rate=sampling_rate)
     low, high = band
@@ -184,7 +202,7 @@ def random(
 def from_record(
     time: ArrayLike, displacement: ArrayLike, peak: float | None = None, sampling_rate: float = SAMPLING_RATE
 ) -> History:
-    """A given displacement history, sampled anew along its cubic spline.
+    """Sample a given displacement history anew along its cubic spline.
 
     Args:
         time: (n,) s, ascending.
@@ -194,6 +212,9 @@ def from_record(
 
     Returns:
         Time (m,) s, from 0, and displacement (m,) m.
+
+    Raises:
+        InputError: the samples are no history, or a number is out of its range.
     """
     _positive(sampling_rate=sampling_rate)
     given, u = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)

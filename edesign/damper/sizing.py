@@ -146,7 +146,12 @@ def layer_thickness(drift: float, height: float, strain_limit: float, cosine: fl
 
 
 def damping_of_frequencies(loss_factor: float, omega: Real, omega_damped: Real) -> Real:
-    """Damping ratio that dampers add, from frequencies without and with their storage stiffness.
+    """Return the damping ratio that dampers add, from frequencies without and with their storage stiffness.
+
+    Args:
+        loss_factor: eta of the dampers.
+        omega: without the storage stiffness, rad/s.
+        omega_damped: with it, rad/s.
 
     Source: thesis Eq. 5.8, which takes the mode shapes for unchanged.
     """

@@ -42,17 +42,33 @@ class Specimen:
         return self.layers * self.layer_area
 
     def strain(self, displacement: Value) -> Value:
-        """Shear strain of a displacement (m)."""
+        """Return the shear strain of a displacement.
+
+        Args:
+            displacement: m.
+        """
         return displacement / self.layer_thickness
 
     def displacement(self, strain: Value) -> Value:
-        """Displacement (m) of a shear strain."""
+        """Return the displacement of a shear strain, m.
+
+        Args:
+            strain: dimensionless.
+        """
         return strain * self.layer_thickness
 
     def stress(self, force: Value) -> Value:
-        """Shear stress (Pa) of a force (N)."""
+        """Return the shear stress of a force, Pa.
+
+        Args:
+            force: N.
+        """
         return force / self.area
 
     def stiffness(self, shear_modulus: Value) -> Value:
-        """Stiffness (N/m) of a shear modulus (Pa)."""
+        """Return the stiffness that a shear modulus gives, N/m.
+
+        Args:
+            shear_modulus: Pa.
+        """
         return shear_modulus * self.area / self.layer_thickness

@@ -114,17 +114,32 @@ class Recorded(NamedTuple):
 
 
 def widest(one: Extremes, other: Extremes) -> Extremes:
-    """Extremes of two histories together."""
+    """Return the extremes of two histories together.
+
+    Args:
+        one: extremes of a history.
+        other: extremes of another one.
+    """
     return max(one[0], other[0]), min(one[1], other[1]), max(one[2], other[2]), min(one[3], other[3])
 
 
 def either_way(deformation: float, velocity: float) -> Extremes:
-    """Extremes of a motion that went as far and as fast to both sides."""
+    """Return the extremes of a motion that went as far and as fast to both sides.
+
+    Args:
+        deformation: largest, m.
+        velocity: largest, m/s.
+    """
     return deformation, 0.0 - deformation, velocity, 0.0 - velocity
 
 
 def one_way(deformation: float, velocity: float) -> Extremes:
-    """Extremes of a motion from rest to one side, that of the signs."""
+    """Return the extremes of a motion from rest to one side, that of the signs.
+
+    Args:
+        deformation: m.
+        velocity: m/s.
+    """
     return max(deformation, 0.0), min(deformation, 0.0) + 0.0, max(velocity, 0.0), min(velocity, 0.0) + 0.0
 
 

@@ -110,10 +110,14 @@ def _dampers(
 
 
 def unit_motion(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Time in cycles, deformation over amplitude, and its rate to that time, (n,) each: a ramp of one cycle, full ones.
+    """Return time in cycles, deformation over amplitude, and its rate to that time, (n,) each.
 
-    The envelope is 10 s^3 - 15 s^4 + 6 s^5; with it neither deformation nor velocity is larger in the ramp than after
-    it, which counts for laws that remember the largest ones.
+    The motion is a ramp of one cycle, then full cycles. The envelope is 10 s^3 - 15 s^4 + 6 s^5; with it neither
+    deformation nor velocity is larger in the ramp than after it, which counts for laws that remember the largest ones.
+
+    Args:
+        cycles: number of full cycles.
+        samples: of a cycle.
     """
     n = np.arange((cycles + 1) * samples + 1)
     angle = 2.0 * np.pi * (n % samples) / samples
@@ -127,12 +131,19 @@ def unit_motion(cycles: int, samples: int) -> tuple[np.ndarray, np.ndarray, np.n
 
 
 def force_amplitudes(force: np.ndarray, rate: np.ndarray, cycles: tuple[int, int], samples: int) -> np.ndarray:
-    """Mean force amplitudes (3,) N of the cycles: in phase with the deformation, largest, and of the energy dissipated.
-
-    Force (n,) N and rate (n,) are those of `unit_motion`.
+    """Return mean force amplitudes of cycles: in phase with the deformation, largest, and of the energy dissipated.
 
     Energy: pi G'' gamma^2 = closed integral of tau d gamma, here as the sum over the samples of stress times rate,
     which is exact to rounding for smooth periodic forces.
+
+    Args:
+        force: (n,) N under `unit_motion`.
+        rate: (n,) of `unit_motion`.
+        cycles: first and last full cycle that is averaged.
+        samples: of a cycle.
+
+    Returns:
+        (3,) N.
     """
     first, count = cycles[0] * samples, cycles[1] - cycles[0] + 1  # the ramp is cycle 0
     loops = force[first : first + count * samples].reshape(count, samples)

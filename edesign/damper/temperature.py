@@ -37,7 +37,13 @@ class TemperatureModel(Protocol):
         """Names of the laws it is made for."""
 
     def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
-        """Parameters at a temperature, and warnings; the law is one of `laws`, the values are complete."""
+        """Return parameters at a temperature, and warnings.
+
+        Args:
+            law: one of `laws`.
+            values: complete parameters at the reference, SI.
+            temperature_C: degC.
+        """
 
 
 GammaOf = Literal["parameters", "force", "by_the_letter"]
@@ -94,7 +100,10 @@ class GammaT:
         return self.table[0][0], self.table[-1][0]
 
     def gamma(self, temperature_C: float) -> float:
-        """gamma_T at a temperature.
+        """Return gamma_T at a temperature.
+
+        Args:
+            temperature_C: degC.
 
         Raises:
             InputError: the straight line beyond the table has come to zero.
@@ -121,7 +130,13 @@ class GammaT:
         return replace(self, table=tuple(sorted(rows.items())))
 
     def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
-        """MGMM parameters at a temperature: Eqs. 4.34-4.36 have the form of Eqs. 4.24-4.29 with these."""
+        """Return MGMM parameters at a temperature: Eqs. 4.34-4.36 have the form of Eqs. 4.24-4.29 with these.
+
+        Args:
+            law: the law.
+            values: complete parameters at the reference, SI.
+            temperature_C: degC.
+        """
         gamma = self.gamma(temperature_C)
         low, high = self.range_C
         warnings = []
@@ -133,7 +148,12 @@ class GammaT:
         return self.at_rate(values, gamma), tuple(warnings)
 
     def at_rate(self, values: Mapping[str, float], gamma: float) -> Values:
-        """MGMM parameters with a gamma_T that is so many times as large."""
+        """Return MGMM parameters with a gamma_T that is so many times as large.
+
+        Args:
+            values: parameters by name, SI.
+            gamma: factor on gamma_T.
+        """
         if self.of == "force":
             return {name: v * gamma if name in CHANGING and name not in SHAPES else v for name, v in values.items()}
         found = at_one_rate(values, gamma)
@@ -144,7 +164,12 @@ class GammaT:
 
 
 def at_one_rate(values: Mapping[str, float], gamma: float) -> dict[str, float]:
-    """Parameters of the MGMM, SI, all multiplied by one factor: c_NL as the thesis has it, in kN (s/mm)^alpha."""
+    """Return parameters of the MGMM, SI, all multiplied by one factor: c_NL as the thesis has it, in kN (s/mm)^alpha.
+
+    Args:
+        values: parameters by name, SI.
+        gamma: the factor.
+    """
     found = dict(values)
     for name in CHANGING:
         found[name] *= gamma
@@ -219,7 +244,10 @@ class FerryShift:
         return LINEAR_LAWS
 
     def factor(self, temperature_C: float) -> float:
-        """a_T at a temperature.
+        """Return the shift factor a_T at a temperature.
+
+        Args:
+            temperature_C: degC.
 
         Raises:
             InputError: p2 + T - T_ref is not greater than zero.
@@ -233,7 +261,13 @@ class FerryShift:
         return math.exp(-self.p1 * warmer / (self.p2 + warmer))
 
     def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
-        """Parameters with all relaxation times multiplied by a_T; stiffnesses stay."""
+        """Return parameters with all relaxation times multiplied by a_T; stiffnesses stay.
+
+        Args:
+            law: the law.
+            values: complete parameters at the reference, SI.
+            temperature_C: degC.
+        """
         a_t = self.factor(temperature_C)
         found = dict(values)
         powers = _TIMES[law.name]

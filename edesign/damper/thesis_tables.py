@@ -80,7 +80,12 @@ def predicted(damper: Damper | None = None, temperature_model: TemperatureModel 
 
 
 def residuals(predicted: PropertyRows, measured: PropertyRows) -> Residuals:
-    """Relative residuals of a prediction."""
+    """Return the relative residuals of a prediction.
+
+    Args:
+        predicted: properties.
+        measured: properties of the same tests.
+    """
     return Residuals(
         predicted.G_storage / measured.G_storage - 1.0,
         predicted.G_eq / measured.G_eq - 1.0,
@@ -89,17 +94,25 @@ def residuals(predicted: PropertyRows, measured: PropertyRows) -> Residuals:
 
 
 def pointedness(rows: PropertyRows) -> np.ndarray:
-    """G_eq / (G' sqrt(1 + n^2)), shape (n,): 1 for an ellipse.
+    """Return G_eq / (G' sqrt(1 + n^2)), shape (n,): 1 for an ellipse.
 
     A linear law has sinusoidal stress, whose amplitude is the root of the squares of G' and G''. A spring beside a
     dashpot of constant force (exponent near 0) has G_eq / G' = 1 + pi n / 4: 1.2 for n = 0.35. A rate-independent loop,
     whose stress is largest at the largest strain, has less than 1.
+
+    Args:
+        rows: properties.
     """
     return rows.G_eq / (rows.G_storage * np.sqrt(1.0 + rows.loss_factor**2))
 
 
 def residual_csv(predicted: PropertyRows, measured: PropertyRows) -> str:
-    """The rows with measured and predicted properties and relative residuals as CSV."""
+    """Return the rows with measured and predicted properties and relative residuals as CSV.
+
+    Args:
+        predicted: properties.
+        measured: properties of the same tests.
+    """
     r = residuals(predicted, measured)
     columns = {
         "temperature_C": measured.temperature_C,

@@ -99,9 +99,14 @@ def sloshing_frequency(length: float, depth: float, mode: int = 1) -> float:
 
 
 def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
-    """Mass of liquid that takes part in a mode of sloshing over all of it, rectangular tank, small waves.
+    """Return the mass of liquid that takes part in a mode of sloshing over all of it.
 
-    The rest of all modes moves with the tank.
+    The tank is rectangular and the waves are small. The rest of all modes moves with the tank.
+
+    Args:
+        length: of the tank along the motion, m.
+        depth: of the liquid, m.
+        mode: number of the mode.
 
     Source: Graham & Rodriguez (1952), J. Applied Mechanics 19; Housner (1957) has 0.264 for 8 / pi^3 = 0.258 in mode 1.
     """

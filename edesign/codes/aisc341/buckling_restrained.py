@@ -37,7 +37,11 @@ class RestrainedBrace:
 
     @classmethod
     def of_law(cls, values: Sequence[float]) -> RestrainedBrace:
-        """The brace of parameters of the law `buckling_restrained`, in the order of the core, SI units."""
+        """Return the brace of parameters of the law `buckling_restrained`.
+
+        Args:
+            values: in the order of the core, SI units.
+        """
         area, yield_stress, modulus, length, yielding_length, factor, alpha, overstrength, *rows = values
         points = tuple(zip(rows[::3], rows[1::3], rows[2::3], strict=True))
         return cls(area, yield_stress, modulus, length, yielding_length, factor, alpha, overstrength, points)

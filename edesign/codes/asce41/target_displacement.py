@@ -49,6 +49,11 @@ class StrengthLimit:
 def inelastic_factor(mu_strength: float, T_e: float, a: float) -> float:
     """Return C_1 = 1 + (mu_strength - 1) / (a T_e^2); 1 above 1 s, below 0.2 s that at 0.2 s.
 
+    Args:
+        mu_strength: ratio of elastic demand to yield strength.
+        T_e: effective period, s.
+        a: factor of the site class.
+
     Source: ASCE/SEI 41-17, Eq. 7-29.
     """
     if T_e > NO_C_1:
@@ -59,13 +64,20 @@ def inelastic_factor(mu_strength: float, T_e: float, a: float) -> float:
 def degradation_factor(mu_strength: float, T_e: float) -> float:
     """Return C_2 = 1 + ((mu_strength - 1) / T_e)^2 / 800; 1 above 0.7 s.
 
+    Args:
+        mu_strength: ratio of elastic demand to yield strength.
+        T_e: effective period, s.
+
     Source: ASCE/SEI 41-17, Eq. 7-30.
     """
     return 1.0 if T_e > NO_C_2 else 1.0 + (max(mu_strength - 1.0, 0.0) / T_e) ** 2 / 800.0
 
 
 def near_fault_factor(S_X1: float) -> float:
-    """Return lambda: 0.8 near a fault, where S_X1 of the BSE-2N (m/s2) is at least 0.6 g, else 0.2.
+    """Return lambda: 0.8 near a fault, where S_X1 of the BSE-2N is at least 0.6 g, else 0.2.
+
+    Args:
+        S_X1: m/s2.
 
     Source: ASCE/SEI 41-17, Eq. 7-33.
     """

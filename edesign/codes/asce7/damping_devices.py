@@ -30,9 +30,12 @@ def largest_property_factor(ageing: float = 1.0, test: float = 1.0, specificatio
 
 
 def smallest_property_factor(ageing: float = 1.0, test: float = 1.0, specification: float = 1.0) -> float:
-    """lambda_min = (1 - 0.75 (1 - lambda_ae,min)) lambda_test,min lambda_spec,min, at most 0.85.
+    """Return lambda_min = (1 - 0.75 (1 - lambda_ae,min)) lambda_test,min lambda_spec,min, at most 0.85.
 
-    Arguments as `largest_property_factor`, each greater than 0 and at most 1.
+    Args:
+        ageing: lambda_ae,min of ageing and environment, greater than 0 and at most 1.
+        test: lambda_test,min of effects seen in tests, greater than 0 and at most 1.
+        specification: lambda_spec,min of the tolerance of production, greater than 0 and at most 1.
 
     Raises:
         InputError: a factor is out of range.

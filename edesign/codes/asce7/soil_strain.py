@@ -38,7 +38,11 @@ def modulus_ratio(site_class: str, acceleration: float) -> float:
 
 
 def damping_ratio(site_class: str, acceleration: float) -> float:
-    """Return the hysteretic damping ratio of a soil; arguments as of `modulus_ratio`.
+    """Return the hysteretic damping ratio of a soil.
+
+    Args:
+        site_class: C, D or E.
+        acceleration: S_DS / 2.5, in g.
 
     Raises:
         InputError: site class A or B, of which the code names none, or E beyond 0.4 g.

@@ -97,11 +97,19 @@ class AsceSpectrum:
         return set_rules(self.edition)
 
     def with_damping(self, damping: float) -> Self:
-        """Return the spectrum of the same earthquake for another ratio of critical damping."""
+        """Return the spectrum of the same earthquake for another ratio of critical damping.
+
+        Args:
+            damping: ratio of critical.
+        """
         return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_a(T), m/s2, in the shape of `period` (s)."""
+        """Return S_a(T), m/s2, in the shape of `period` (s).
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         T, c, B = checked_periods(period), self.corners, damping_coefficient(self.damping)
         rising = self.S_DS * (0.4 + (1.0 / B - 0.4) * T / c["T_0"])
         longer = np.maximum(T, c["T_S"])
@@ -109,7 +117,11 @@ class AsceSpectrum:
         return self.factor * np.where(T < c["T_0"], rising, np.where(T <= c["T_S"], self.S_DS / B, falling))
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return the displacement, m, in the shape of `period` (s): S_a (T / 2 pi)2."""
+        """Return the displacement, m, in the shape of `period` (s): S_a (T / 2 pi)2.
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         return displacement_of(self.acceleration(period), period)
 
 
@@ -137,5 +149,9 @@ class AsceDesignSpectrum:
                 raise InputError(f"{name} must be at least 1, not {value:g}")
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_a / (R / I_e), m/s2, in the shape of `period` (s)."""
+        """Return S_a / (R / I_e), m/s2, in the shape of `period` (s).
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         return self.elastic.with_damping(0.05).acceleration(period) * (self.I_e / self.R)

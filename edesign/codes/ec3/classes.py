@@ -14,6 +14,9 @@ from edesign.errors import InputError
 def epsilon(yield_stress: float) -> float:
     """Return sqrt(235 MPa / f_y).
 
+    Args:
+        yield_stress: f_y, Pa.
+
     Raises:
         InputError: the yield stress (Pa) is not greater than zero.
 
@@ -84,6 +87,9 @@ def outstand_limits(epsilon: float) -> tuple[float, float, float]:
 
     Bending about the weak axis, with the tip in compression, allows more; these limits are safe for it.
 
+    Args:
+        epsilon: by `epsilon`.
+
     Source: EN 1993-1-1:2005, Table 5.2, sheet 2.
     """
     return 9.0 * epsilon, 10.0 * epsilon, 14.0 * epsilon
@@ -92,11 +98,19 @@ def outstand_limits(epsilon: float) -> tuple[float, float, float]:
 def tubular_limits(epsilon: float) -> tuple[float, float, float]:
     """Return the largest d/t of classes 1, 2 and 3 of a circular hollow section.
 
+    Args:
+        epsilon: by `epsilon`.
+
     Source: EN 1993-1-1:2005, Table 5.2, sheet 3.
     """
     return 50.0 * epsilon**2, 70.0 * epsilon**2, 90.0 * epsilon**2
 
 
 def class_of_part(slenderness: float, limits: tuple[float, float, float]) -> int:
-    """Return the class 1 to 4 of a part by its c/t and the limits of classes 1, 2 and 3."""
+    """Return the class 1 to 4 of a part by its c/t and the limits of classes 1, 2 and 3.
+
+    Args:
+        slenderness: c/t.
+        limits: largest c/t of classes 1, 2 and 3.
+    """
     return 1 + sum(slenderness > limit for limit in limits)

@@ -133,6 +133,10 @@ def shear_buckling_resistance(web_height: float, web_thickness: float, yield_str
 def shear_reduction(V_Ed: float, V_pl_Rd: float) -> float:
     """Return rho = (2 V_Ed / V_pl,Rd - 1)2 <= 1, and 0 up to half the plastic shear resistance.
 
+    Args:
+        V_Ed: N, of any sign.
+        V_pl_Rd: plastic resistance to shear, N.
+
     Source: EN 1993-1-1:2005, 6.2.8(2) and (3).
     """
     ratio = abs(V_Ed) / V_pl_Rd
@@ -195,6 +199,10 @@ def axial_resistance_with_shear(
 def web_share(area: float, flanges: float) -> float:
     """Return a = (A - flanges) / A <= 0.5, of an I section with flanges 2 b t_f, of a hollow one 2 b t or 2 h t.
 
+    Args:
+        area: A, m2.
+        flanges: area of the flanges, m2.
+
     Source: EN 1993-1-1:2005, 6.2.9.1(5), Eqs. 6.36 to 6.40.
     """
     return min((area - flanges) / area, 0.5)
@@ -232,7 +240,10 @@ def moment_resistance_with_axial_force_y(M_Rd: float, n: float, a: float) -> flo
 def moment_resistance_with_axial_force_z(M_Rd: float, n: float, a: float) -> float:
     """Return M_N,z,Rd, N m, of an I section: M_Rd up to n = a, then M_Rd [1 - ((n - a) / (1 - a))2].
 
-    Arguments are those of `moment_resistance_with_axial_force_y`.
+    Args:
+        M_Rd: M_pl,z,Rd, N m.
+        n: N_Ed / N_pl,Rd, magnitude.
+        a: share of the web in the area, by `web_share`.
 
     Source: EN 1993-1-1:2005, 6.2.9.1(5), Eqs. 6.37 and 6.38.
     """
@@ -243,6 +254,10 @@ def moment_resistance_with_axial_force_z(M_Rd: float, n: float, a: float) -> flo
 
 def moment_resistance_with_axial_force_round(M_Rd: float, n: float) -> float:
     """Return M_N,Rd = M_Rd (1 - n^1.7), N m, of a circular hollow section.
+
+    Args:
+        M_Rd: M_pl,Rd, N m.
+        n: N_Ed / N_pl,Rd, magnitude.
 
     Source: EN 1993-1-1:2005/AC:2009, 6.2.9.1(5).
     """

@@ -17,6 +17,9 @@ AMPLIFICATION = 3.0
 def sway_amplification(alpha_cr: float) -> float:
     """Return 1 / (1 - 1/alpha_cr), by which sway effects are multiplied; 1 from alpha_cr = 10 on.
 
+    Args:
+        alpha_cr: factor on the design loads at elastic sway buckling.
+
     Raises:
         InputError: alpha_cr is below 3, where a second-order analysis is needed.
 

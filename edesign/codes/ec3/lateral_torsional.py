@@ -49,7 +49,13 @@ def end_moment_factor(psi: float) -> float:
 
 
 def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quarters: float) -> float:
-    """Return C1 of any moment diagram, from its largest moment and those at the quarter points (any sign).
+    """Return C1 of any moment diagram, from its largest moment and those at the quarter points.
+
+    Args:
+        M_max: largest moment, N m; all of any sign.
+        M_quarter: at a quarter of the length, N m.
+        M_middle: at mid-length, N m.
+        M_three_quarters: at three quarters of the length, N m.
 
     Source: Serna, Lopez, Puente & Yong, Equivalent uniform moment factors for lateral-torsional buckling of steel
         members, J. Constr. Steel Res. 62 (2006), for ends free to warp; 1 without any moment.
@@ -62,6 +68,9 @@ def diagram_factor(M_max: float, M_quarter: float, M_middle: float, M_three_quar
 
 def correction_of_factor(C1: float) -> float:
     """Return k_c = 1 / sqrt(C1) <= 1, for diagrams that Table 6.6 does not have.
+
+    Args:
+        C1: of the moment diagram.
 
     Source: EN 1993-1-1:2022, 8.3.2.3; SCI P362.
     """
@@ -181,6 +190,11 @@ def slenderness(modulus: float, yield_stress: float, critical: float) -> float:
 def general_curve(height: float, width: float, rolled: bool = True) -> Curve:
     """Return the curve of an I section for the general case: rolled a or b, welded c or d, by h/b = 2.
 
+    Args:
+        height: h, m.
+        width: b, m.
+        rolled: rolled, not welded.
+
     Source: EN 1993-1-1:2005, 6.3.2.2(2), Table 6.4.
     """
     slender = height / width > 2.0
@@ -190,6 +204,11 @@ def general_curve(height: float, width: float, rolled: bool = True) -> Curve:
 def rolled_curve(height: float, width: float, rolled: bool = True) -> Curve:
     """Return the curve of an I section for 6.3.2.3: rolled b or c, equivalent welded c or d, by h/b = 2.
 
+    Args:
+        height: h, m.
+        width: b, m.
+        rolled: rolled, not welded.
+
     Source: EN 1993-1-1:2005, 6.3.2.3(1), Table 6.5.
     """
     slender = height / width > 2.0
@@ -198,6 +217,10 @@ def rolled_curve(height: float, width: float, rolled: bool = True) -> Curve:
 
 def reduction_factor_general(slenderness: float, curve: str) -> float:
     """Return chi_LT <= 1 of the general case; 1 up to a slenderness of 0.2.
+
+    Args:
+        slenderness: lambda_LT.
+        curve: a, b, c or d.
 
     Raises:
         InputError: there is no such curve, or the slenderness is negative.
@@ -231,6 +254,10 @@ def reduction_factor(slenderness: float, curve: str, lambda_LT_0: float = LAMBDA
 def moment_distribution_factor(slenderness: float, k_c: float) -> float:
     """Return f = 1 - 0.5 (1 - k_c) [1 - 2 (lambda_LT - 0.8)2] <= 1.
 
+    Args:
+        slenderness: lambda_LT.
+        k_c: correction factor of the moment diagram.
+
     Source: EN 1993-1-1:2005, 6.3.2.3(2).
     """
     return min(1.0 - 0.5 * (1.0 - k_c) * (1.0 - 2.0 * (slenderness - 0.8) ** 2), 1.0)
@@ -238,6 +265,11 @@ def moment_distribution_factor(slenderness: float, k_c: float) -> float:
 
 def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> float:
     """Return chi_LT,mod = chi_LT / f <= 1 and <= 1 / lambda_LT2, f by `moment_distribution_factor`.
+
+    Args:
+        chi_LT: by `reduction_factor`.
+        slenderness: lambda_LT.
+        k_c: correction factor of the moment diagram.
 
     Source: EN 1993-1-1:2005 + AC:2009, 6.3.2.3(2), Eq. 6.58.
     """
@@ -248,6 +280,12 @@ def modified_reduction_factor(chi_LT: float, slenderness: float, k_c: float) -> 
 
 def buckling_moment(chi_LT: float, modulus: float, yield_stress: float, gamma_M1: float = GAMMA_M1) -> float:
     """Return M_b,Rd = chi_LT W_y f_y / gamma_M1, N m.
+
+    Args:
+        chi_LT: reduction factor.
+        modulus: W_y of the class of the section, m3.
+        yield_stress: f_y, Pa.
+        gamma_M1: partial factor.
 
     Source: EN 1993-1-1:2005, 6.3.2.1(3), Eq. 6.55.
     """

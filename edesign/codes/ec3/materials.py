@@ -59,12 +59,30 @@ def yield_stress(grade: str, thickness: float, standard: Standard = "en10025-2")
 
 
 def ultimate_strength(grade: str, thickness: float, standard: Standard = "en10025-2") -> float:
-    """Return f_u, Pa, of a steel; of EN 10025-2 the lower bound. Arguments and errors are those of `yield_stress`."""
+    """Return f_u, Pa, of a steel; of EN 10025-2 the lower bound.
+
+    Args:
+        grade: see `yield_stress`.
+        thickness: m.
+        standard: see `yield_stress`.
+
+    Raises:
+        InputError: as `yield_stress`.
+    """
     return _row(grade, thickness, standard)[2] * 1e6
 
 
 def thickness_step(grade: str, thickness: float, standard: Standard = "en10025-2") -> float:
-    """Return up to which thickness the values of `yield_stress` hold, m; arguments and errors are those of it."""
+    """Return up to which thickness the values of `yield_stress` hold, m.
+
+    Args:
+        grade: see `yield_stress`.
+        thickness: m.
+        standard: see `yield_stress`.
+
+    Raises:
+        InputError: as `yield_stress`.
+    """
     return _row(grade, thickness, standard)[0] * 1e-3
 
 

@@ -38,6 +38,9 @@ def four_branches(period: ArrayLike, corners: tuple[float, float, float], start:
 def checked_periods(period: ArrayLike) -> np.ndarray:
     """Return the periods as an array of floats.
 
+    Args:
+        period: s, of any shape; not negative.
+
     Raises:
         InputError: a period is negative or not finite.
     """
@@ -49,12 +52,23 @@ def checked_periods(period: ArrayLike) -> np.ndarray:
 
 
 def displacement_of(acceleration: np.ndarray, period: ArrayLike) -> np.ndarray:
-    """Return S_De = S_e (T / 2 pi)2, m, of an acceleration in m/s2 (EN 1998-1:2004, Eq. 3.7)."""
+    """Return S_De = S_e (T / 2 pi)2, m.
+
+    Args:
+        acceleration: S_e, m/s2.
+        period: s, of any shape; not negative.
+
+    Source: EN 1998-1:2004, Eq. 3.7.
+    """
     return acceleration * (np.asarray(period, dtype=float) / (2.0 * math.pi)) ** 2
 
 
 def checked_action(a_gR: float, gamma_I: float) -> None:
-    """Check reference ground acceleration (m/s2) and importance factor.
+    """Check reference ground acceleration and importance factor.
+
+    Args:
+        a_gR: m/s2.
+        gamma_I: dimensionless.
 
     Raises:
         InputError: one of them is not greater than zero.

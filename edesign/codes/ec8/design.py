@@ -51,21 +51,37 @@ class DesignSpectrum:
 
     @classmethod
     def of(cls, elastic: ElasticSpectrum, q: float, beta: float = 0.2, label: str = "") -> DesignSpectrum:
-        """Return the design spectrum of the same action; the damping of `elastic` does not enter."""
+        """Return the design spectrum of the same action; the damping of `elastic` does not enter.
+
+        Args:
+            elastic: elastic spectrum of the action.
+            q: behaviour factor.
+            beta: lower bound, by a_g.
+            label: for legends.
+        """
         p = elastic.parameters
         label = label or f"EN 1998-1 design, q = {q:g}"
         return cls(elastic.a_gR, p.S, (p.T_B, p.T_C, p.T_D), q, elastic.gamma_I, beta, label, p.F_0)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_d(T), m/s2, in the shape of `period` (s); Eqs. 3.13-3.16."""
+        """Return S_d(T), m/s2, in the shape of `period`.
+
+        Args:
+            period: s, of any shape; not negative.
+
+        Source: EN 1998-1:2004, Eqs. 3.13-3.16.
+        """
         shape = self._shape(period)
         bounded = np.where(self.lower_bound_governs(period), self.beta, shape)
         return self.gamma_I * (self.a_gR * bounded)
 
     def lower_bound_governs(self, period: ArrayLike) -> np.ndarray:
-        """Return whether beta a_g stands in place of the branch of the spectrum, in the shape of `period` (s).
+        """Return whether beta a_g stands in place of the branch of the spectrum, in the shape of `period`.
 
         Where it does, a larger q saves nothing any more: forces stay, and only the demands of ductility grow.
+
+        Args:
+            period: s, of any shape; not negative.
         """
         return (np.asarray(period) > self.corners[1]) & (self._shape(period) < self.beta)
 

@@ -23,6 +23,9 @@ TABLE_A_1 = {"A": (4.5, 10.0), "B": (5.0, 10.0), "C": (6.0, 10.0), "D": (6.0, 10
 def design_ground_displacement(spectrum: ElasticSpectrum) -> float:
     """Return d_g = 0.025 a_g S T_C T_D, m.
 
+    Args:
+        spectrum: horizontal elastic spectrum.
+
     Source: EN 1998-1:2004, 3.2.2.4(1), Eq. 3.12.
     """
     p = spectrum.parameters
@@ -96,18 +99,32 @@ class LongPeriodSpectrum:
         return self.elastic.set_rules
 
     def with_damping(self, damping: float) -> Self:
-        """Return the spectrum of the same action for another ratio of critical damping."""
+        """Return the spectrum of the same action for another ratio of critical damping.
+
+        Args:
+            damping: ratio of critical.
+        """
         return type(self)(self.elastic.with_damping(damping))
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return S_De(T), m, in the shape of `period` (s); Eqs. 3.7, A.1 and A.2."""
+        """Return S_De(T), m, in the shape of `period`.
+
+        Args:
+            period: s, of any shape; not negative.
+
+        Source: EN 1998-1:2004, Eqs. 3.7, A.1 and A.2.
+        """
         T = checked_periods(period)
         plateau = self.elastic.parameters.F_0 * self.elastic.eta
         beyond = np.interp(T, (self.T_E, self.T_F), (plateau, 1.0))
         return np.where(T <= self.T_E, self.elastic.displacement(T), design_ground_displacement(self.elastic) * beyond)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_e(T), m/s2, in the shape of `period` (s): the inverse of Eq. 3.7 beyond T_E."""
+        """Return S_e(T), m/s2, in the shape of `period` (s): the inverse of Eq. 3.7 beyond T_E.
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         T = checked_periods(period)
         longer = np.maximum(T, self.T_E)
         inverse = self.displacement(longer) * (2.0 * math.pi / longer) ** 2

@@ -16,7 +16,10 @@ Source: EN 1998-1:2004, 4.4.3.2(1) a, b, c, Eqs. 4.31-4.33.
 
 
 def drift_limit(elements: str) -> float:
-    """Return the limit of nu d_r / h for non-structural elements: `brittle`, `ductile` or `none_attached`.
+    """Return the limit of nu d_r / h for non-structural elements.
+
+    Args:
+        elements: `brittle`, `ductile` or `none_attached`.
 
     Raises:
         InputError: there is no such kind.

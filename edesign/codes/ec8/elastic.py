@@ -97,17 +97,33 @@ class ComponentSpectrum(ABC):
         return SET_RULES
 
     def with_damping(self, damping: float) -> Self:
-        """Return the spectrum of the same action for another ratio of critical damping."""
+        """Return the spectrum of the same action for another ratio of critical damping.
+
+        Args:
+            damping: ratio of critical.
+        """
         return replace(self, damping=damping)
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_e(T) or S_ve(T), m/s2, in the shape of `period` (s); Eqs. 3.2-3.5, 3.8-3.11."""
+        """Return S_e(T) or S_ve(T), m/s2, in the shape of `period`.
+
+        Args:
+            period: s, of any shape; not negative.
+
+        Source: EN 1998-1:2004, Eqs. 3.2-3.5, 3.8-3.11.
+        """
         p = self.parameters
         shape = four_branches(period, (p.T_B, p.T_C, p.T_D), start=1.0, plateau=p.F_0 * self.eta)
         return self.gamma_I * (self.a_gR * self.peak_factor * shape)
 
     def displacement(self, period: ArrayLike) -> np.ndarray:
-        """Return the displacement, m, in the shape of `period` (s); Eq. 3.7, which EN 1998-1 applies up to 4 s."""
+        """Return the displacement, m, in the shape of `period`; EN 1998-1 applies the equation up to 4 s.
+
+        Args:
+            period: s, of any shape; not negative.
+
+        Source: EN 1998-1:2004, Eq. 3.7.
+        """
         return displacement_of(self.acceleration(period), period)
 
 

@@ -61,6 +61,9 @@ _TABLE_3_1 = (
 def ground_type(name: str) -> GroundType:
     """Return a ground type by its name.
 
+    Args:
+        name: A to E, S1 or S2.
+
     Raises:
         InputError: there is no such ground type.
     """

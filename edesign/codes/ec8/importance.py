@@ -54,6 +54,10 @@ def factor_of_return_period(return_period: float, reference: float = 475.0, k: f
 def return_period_of(probability: float, years: float = 50.0) -> float:
     """Return T_R = -T_L / ln(1 - P_R), years: 10 % in 50 years is 475 years.
 
+    Args:
+        probability: of exceedance, P_R.
+        years: T_L.
+
     Source: EN 1998-1:2004, 2.1(1)P Note 2.
     """
     _probability(probability)

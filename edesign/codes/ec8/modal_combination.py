@@ -133,7 +133,10 @@ def cqc(modal: ArrayLike, rho: np.ndarray) -> np.ndarray:
 
 
 def srss(modal: ArrayLike) -> np.ndarray:
-    """Return the largest response sqrt(sum E_i2), at least 0, in the shape of one mode; `modal` as in `cqc`.
+    """Return the largest response sqrt(sum E_i2), at least 0, in the shape of one mode.
+
+    Args:
+        modal: (n_modes, ...) responses of the modes, as in `cqc`.
 
     Source: EN 1998-1:2004, 4.3.3.3.2(2), Eq. 4.16, for modes without `close_modes`.
     """

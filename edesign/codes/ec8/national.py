@@ -162,7 +162,10 @@ class NationalParameters:
         return {name: float(value) * unit for name, value in zones.value.items()}
 
     def a_gR(self, zone: str) -> float:
-        """Return the reference peak ground acceleration of a zone, m/s2; `3` is `Z3`.
+        """Return the reference peak ground acceleration of a zone, m/s2.
+
+        Args:
+            zone: its name; `3` is `Z3`.
 
         Raises:
             InputError: there is no such zone.
@@ -171,6 +174,10 @@ class NationalParameters:
 
     def check_spectrum_type(self, zone: str, spectrum_type: int) -> None:
         """Check that a zone takes a type of spectrum; where the country leaves the choice open, any will do.
+
+        Args:
+            zone: its name.
+            spectrum_type: 1 or 2.
 
         Raises:
             InputError: there is no such zone, or it takes the other type.
@@ -182,7 +189,10 @@ class NationalParameters:
             raise InputError(f"zone {zone} of {self.country} takes spectrum type {fixed}, not {spectrum_type}")
 
     def gamma_I(self, importance_class: str) -> float:
-        """Return the importance factor of a class I to IV, 4.2.5(5)P.
+        """Return the importance factor of a class, 4.2.5(5)P.
+
+        Args:
+            importance_class: I to IV.
 
         Raises:
             InputError: there is no such class.
@@ -192,6 +202,9 @@ class NationalParameters:
     def nu(self, importance_class: str) -> float:
         """Return the reduction factor nu of displacements for damage limitation, 4.4.3.2(2).
 
+        Args:
+            importance_class: I to IV.
+
         Raises:
             InputError: there is no such importance class.
         """
@@ -200,6 +213,10 @@ class NationalParameters:
     def horizontal(self, spectrum_type: int, ground: str) -> HorizontalParameters:
         """Return the parameters of a horizontal spectrum.
 
+        Args:
+            spectrum_type: 1 or 2.
+            ground: ground type, A to E.
+
         Raises:
             InputError: no such type or ground.
         """
@@ -207,6 +224,9 @@ class NationalParameters:
 
     def vertical(self, spectrum_type: int) -> VerticalParameters:
         """Return the parameters of the vertical spectrum.
+
+        Args:
+            spectrum_type: 1 or 2.
 
         Raises:
             InputError: no such type.
@@ -272,7 +292,11 @@ def parameters_of_file(country: str, entries: Mapping[str, Mapping[str, Any]]) -
 
 
 def data_text(name: str) -> str:
-    """Return the text of a data file of the package, such as that of "greece"."""
+    """Return the text of a data file of the package, such as that of "greece".
+
+    Args:
+        name: of the file without its ending.
+    """
     return resources.files("edesign.codes.ec8").joinpath(f"data/{name}.yaml").read_text(encoding="utf-8")
 
 

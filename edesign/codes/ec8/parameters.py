@@ -65,6 +65,11 @@ class VerticalParameters:
 def horizontal_of(table: Mapping[int, Any], spectrum_type: int, ground: str) -> HorizontalParameters:
     """Return a row of a table {type: {ground: {S, T_B, T_C, T_D}}}, where F_0 may stand too.
 
+    Args:
+        table: values by type of spectrum.
+        spectrum_type: 1 or 2.
+        ground: ground type, A to E.
+
     Raises:
         InputError: no such type or ground; S1 and S2 need a study of their own, 3.1.2(4)P.
     """
@@ -81,6 +86,10 @@ def horizontal_of(table: Mapping[int, Any], spectrum_type: int, ground: str) -> 
 
 def vertical_of(table: Mapping[int, Any], spectrum_type: int) -> VerticalParameters:
     """Return a row of a table {type: {ratio, T_B, T_C, T_D}}, where F_0 may stand too.
+
+    Args:
+        table: values by type of spectrum.
+        spectrum_type: 1 or 2.
 
     Raises:
         InputError: no such type.

@@ -99,7 +99,12 @@ def fundamental(
 def characteristic(
     cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False
 ) -> tuple[Combination, ...]:
-    """Return the characteristic combinations, G + Q_1 + sum psi_0 Q_i; arguments and errors as `fundamental`.
+    """Return the characteristic combinations, G + Q_1 + sum psi_0 Q_i; errors as `fundamental`.
+
+    Args:
+        cases: see `fundamental`.
+        psi: see `fundamental`.
+        favourable: see `fundamental`.
 
     Source: EN 1990:2002+A1, 6.5.3(2) a, Eq. 6.14b.
     """
@@ -107,7 +112,12 @@ def characteristic(
 
 
 def frequent(cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False) -> tuple[Combination, ...]:
-    """Return the frequent combinations, G + psi_1 Q_1 + sum psi_2 Q_i; arguments and errors as `fundamental`.
+    """Return the frequent combinations, G + psi_1 Q_1 + sum psi_2 Q_i; errors as `fundamental`.
+
+    Args:
+        cases: see `fundamental`.
+        psi: see `fundamental`.
+        favourable: see `fundamental`.
 
     Source: EN 1990:2002+A1, 6.5.3(2) b, Eq. 6.15b.
     """
@@ -117,7 +127,12 @@ def frequent(cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool 
 def quasi_permanent(
     cases: Mapping[str, str], psi: Mapping[str, Psi], favourable: bool = False
 ) -> tuple[Combination, ...]:
-    """Return the quasi-permanent combinations, G + sum psi_2 Q; arguments and errors as `fundamental`.
+    """Return the quasi-permanent combinations, G + sum psi_2 Q; errors as `fundamental`.
+
+    Args:
+        cases: see `fundamental`.
+        psi: see `fundamental`.
+        favourable: see `fundamental`.
 
     Source: EN 1990:2002+A1, 6.5.3(2) c, Eq. 6.16b.
     """

@@ -37,7 +37,10 @@ class Bilinear:
         return (self.V_d - self.V_y) / length / self.K_e if length > SETTLED * self.D_d else 1.0
 
     def effective_period(self, period: float) -> float:
-        """Return T_e = T_i sqrt(K_i / K_e), s, of the elastic fundamental period T_i.
+        """Return T_e = T_i sqrt(K_i / K_e), s.
+
+        Args:
+            period: elastic fundamental period T_i, s.
 
         Source: FEMA 356, Eq. 3-14; ASCE/SEI 41-17, Eq. 7-27.
         """

@@ -40,5 +40,9 @@ class ISection:
         return self.area * self.expected_yield
 
     def slenderness_limit(self, coefficient: float) -> float:
-        """Return `coefficient` / sqrt(F_ye) with F_ye in ksi, as FEMA 356 writes its limits; a pure number."""
+        """Return `coefficient` / sqrt(F_ye) with F_ye in ksi, as FEMA 356 writes its limits; a pure number.
+
+        Args:
+            coefficient: as the tables of FEMA 356 give it.
+        """
         return coefficient / (self.expected_yield / KSI) ** 0.5

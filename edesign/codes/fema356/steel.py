@@ -39,7 +39,11 @@ class RotationLimits:
     secondary_cp: float
 
     def allowed(self, level: str, component: Component = "primary") -> float:
-        """Return the plastic rotation that a performance level (IO, LS, CP) allows.
+        """Return the plastic rotation that a performance level allows.
+
+        Args:
+            level: IO, LS or CP.
+            component: "primary" or "secondary".
 
         Raises:
             InputError: there is no such level.
@@ -67,6 +71,9 @@ FLANGE = (52.0, 65.0)
 def loaded_compact(ratio: float) -> RotationLimits:
     """Return line a of columns with 0.2 <= P/P_CL <= 0.5, in theta_y.
 
+    Args:
+        ratio: P/P_CL.
+
     Source: FEMA 356, Table 5-6, footnotes 3 to 6.
     """
     left = 1.0 - 5.0 / 3.0 * ratio
@@ -77,6 +84,9 @@ def beam_limits(section: ISection) -> RotationLimits:
     """Return the line of a beam in flexure, in multiples of theta_y.
 
     Between the limits of slenderness it is interpolated for flange and web, and the lower value holds.
+
+    Args:
+        section: of the beam.
 
     Source: FEMA 356, Table 5-6, Beams - flexure.
     """
@@ -100,7 +110,12 @@ def column_limits(section: ISection, ratio: float) -> RotationLimits | None:
 
 
 def beam_rotations(section: ISection, length: float) -> RotationLimits:
-    """Return the line of a beam in rad (c: ratio); `length` is l_b in m."""
+    """Return the line of a beam in rad (c: ratio).
+
+    Args:
+        section: of the beam.
+        length: l_b, m.
+    """
     return _times(beam_limits(section), beam_yield_rotation(section, length))
 
 

@@ -73,7 +73,12 @@ def inelastic_factor(R: float, T_e: float, T_S: float) -> float:
 
 
 def unlimited_inelastic_factor(R: float, T_e: float, T_S: float) -> float:
-    """Return C_1 of Eq. 3-15 without the limit of 3.3.1.3.1, from 1; arguments as `inelastic_factor`.
+    """Return C_1 of Eq. 3-15 without the limit of 3.3.1.3.1, from 1.
+
+    Args:
+        R: ratio of elastic demand to yield strength.
+        T_e: effective period, s.
+        T_S: end of the branch of constant acceleration, s.
 
     Source: FEMA 440, chapter 5, which advises against the limit.
     """
@@ -120,6 +125,15 @@ class Demand:
     def target(self, C_0: float, C_1: float, C_2: float, C_3: float = 1.0) -> CoefficientTarget:
         """Return d_t = C_0 C_1 C_2 C_3 S_a (T_e / 2 pi)^2.
 
+        Args:
+            C_0: factor from spectral to control-node displacement.
+            C_1: factor for inelastic displacements.
+            C_2: factor for degradation.
+            C_3: factor for P-Delta.
+
+        Returns:
+            The target displacement with its coefficients, m.
+
         Source: FEMA 356, Eq. 3-15; ASCE/SEI 41-17, Eq. 7-28.
         """
         d_t = C_0 * C_1 * C_2 * C_3 * self.S_a * (self.T_e / (2.0 * math.pi)) ** 2
@@ -127,7 +141,16 @@ class Demand:
 
 
 def demand(curve: CapacityCurve, D_d: float, period: float, mass: float, storeys: int, spectrum: Spectrum) -> Demand:
-    """Return the demand on a frame whose curve is idealised up to D_d (m); others as of `target_displacement`."""
+    """Return the demand on a frame whose curve is idealised up to a displacement.
+
+    Args:
+        curve: base shear against displacement of the control node.
+        D_d: displacement of the idealisation, m.
+        period: elastic fundamental period T_i, s.
+        mass: of the frame, kg.
+        storeys: number of storeys.
+        spectrum: of the hazard level.
+    """
     lines = bilinear(curve, D_d)
     T_e = lines.effective_period(period)
     S_a = float(spectrum.acceleration(T_e))

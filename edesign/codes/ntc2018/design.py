@@ -37,7 +37,11 @@ class NtcDesignSpectrum:
             raise InputError(f"the behaviour factor q must be at least 1, not {self.q:g}")
 
     def acceleration(self, period: ArrayLike) -> np.ndarray:
-        """Return S_d(T), m/s2, in the shape of `period` (s)."""
+        """Return S_d(T), m/s2, in the shape of `period` (s).
+
+        Args:
+            period: s, of any shape; not negative.
+        """
         c = self.elastic.corners
         shape = four_branches(period, (c["T_B"], c["T_C"], c["T_D"]), start=1.0, plateau=self.elastic.F_0 / self.q)
         return np.maximum(self.elastic.zero_period * shape, LOWER_BOUND * self.elastic.a_g)

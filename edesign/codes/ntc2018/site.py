@@ -53,12 +53,21 @@ class Site:
             raise unknown("category of subsoil", self.ground, _TABLE_3_2_IV)
 
     def S_S(self, a_g: float, F_0: float) -> float:
-        """Return the stratigraphic amplification factor for a_g (m/s2) on rock and F_0."""
+        """Return the stratigraphic amplification factor.
+
+        Args:
+            a_g: on rock, m/s2.
+            F_0: largest amplification of the spectrum on rock.
+        """
         row = _TABLE_3_2_IV[self.ground]
         low, high = row.bounds
         return min(max(row.constant - row.slope * F_0 * a_g / STANDARD_GRAVITY, low), high)
 
     def C_C(self, T_C_star: float) -> float:
-        """Return the factor on T_C* (s), which gives T_C."""
+        """Return the factor on T_C*, which gives T_C.
+
+        Args:
+            T_C_star: T_C*, s.
+        """
         row = _TABLE_3_2_IV[self.ground]
         return float(row.factor * T_C_star**row.exponent)

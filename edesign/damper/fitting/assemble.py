@@ -27,7 +27,21 @@ def assemble(
     independent: float,
     against: Literal["forces", "properties"] = "forces",
 ) -> Fit:
-    """Gather what a fit found; `groups` are test and block of every residual, the rest is as in Fit."""
+    """Gather what a fit found.
+
+    Args:
+        setup: unknowns of the fit.
+        outcome: of the search.
+        groups: test and block of every residual.
+        errors: NRMS by test.
+        overall: see `Fit`.
+        rms_error: see `Fit`.
+        peak_error: see `Fit`.
+        determined: see `Fit`.
+        tested: range of the tests.
+        independent: number of independent errors.
+        against: "forces" or "properties" that were fitted.
+    """
     coordinates, law = setup.coordinates, setup.law
     values, x, free = coordinates.values(outcome.x), outcome.x, outcome.free
     names = [coordinates.names[i] for i in free]

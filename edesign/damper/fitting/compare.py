@@ -91,6 +91,7 @@ def compare_laws(
         starts_of: start values by law.
         held_out: whether to cross-validate.
         folds: as of cross_validate.
+        **options: of fit_forces.
         options: of fit_forces.
     """
     known = dict(starts_of or {})
@@ -104,6 +105,10 @@ def compare_laws(
 
 def comparison(fits: Sequence[Fit], validations: Sequence[CrossValidation | None]) -> Comparison:
     """Compare fits to the same tests.
+
+    Args:
+        fits: of the laws.
+        validations: of each fit; None: it was not cross-validated.
 
     Source: AIC = N ln(S / N) + 2 p, BIC = N ln(S / N) + p ln N (Burnham & Anderson, 2002, section 2.3), S / N the mean
     square of errors relative to the tests' forces; N counts the independent errors of the best fit, not samples.

@@ -91,14 +91,22 @@ class Coordinates:
                 )
 
     def values(self, x: np.ndarray) -> dict[str, float]:
-        """All parameters, SI, of the free ones' coordinates (n,)."""
+        """Return all parameters, SI, of the free ones' coordinates.
+
+        Args:
+            x: (n,) coordinates.
+        """
         found = dict(self.start)
         for axis, place in self._in_order(x):
             found[axis.parameter.name] = self._value(axis, place, found)
         return found
 
     def at(self, values: Mapping[str, float]) -> np.ndarray:
-        """Coordinates (n,) of parameters, SI, moved inside the bounds."""
+        """Return the coordinates (n,) of parameters, moved inside the bounds.
+
+        Args:
+            values: parameters by name, SI.
+        """
         x = np.empty(len(self.axes))
         for i, axis in enumerate(self.axes):
             name = axis.parameter.name
@@ -117,7 +125,11 @@ class Coordinates:
         return np.array([self._bound(axis, axis.upper, axis.upper_allowed, 1.0) for axis in self.axes])
 
     def steps(self, x: np.ndarray) -> np.ndarray:
-        """Steps (n,) for differences about x."""
+        """Return the steps (n,) for differences about a point.
+
+        Args:
+            x: (n,) coordinates.
+        """
         return np.array(
             [_STEP if axis.logarithmic else _STEP * max(abs(v), 0.1) for axis, v in zip(self.axes, x, strict=True)]
         )
@@ -139,7 +151,11 @@ class Coordinates:
         )
 
     def slopes(self, x: np.ndarray) -> np.ndarray:
-        """Derivatives (n, n) of the free parameters (rows) to the coordinates (columns)."""
+        """Return the derivatives (n, n) of the free parameters (rows) to the coordinates (columns).
+
+        Args:
+            x: (n,) coordinates.
+        """
         matrix = np.empty((len(self.axes), len(self.axes)))
         for j in range(len(self.axes)):
             step = np.zeros(len(self.axes))

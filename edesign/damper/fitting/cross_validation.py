@@ -46,7 +46,13 @@ class CrossValidation:
 
 
 def prediction_errors(fit: Fit, tests: Sequence[DamperTest], predict: Predict | None = None) -> dict[str, float]:
-    """NRMS (ratio) of a fitted law on tests, by their names."""
+    """Return the NRMS (ratio) of a fitted law on tests, by their names.
+
+    Args:
+        fit: the fit.
+        tests: with measured forces.
+        predict: force of parameters under a loading; None: the law in the core.
+    """
     force = predict or core_predict(fit.law)
     loadings = with_starts(prepare(tests), tests, fit.law, fit.values_at, force)
     return {
@@ -76,6 +82,7 @@ def cross_validate(
         whole: the fit to all tests, whose values are then the start: folds differ by little, and one descent does.
         predict: as of fit_forces.
         told: of every fold that is done.
+        **options: of fit_forces.
         options: of fit_forces.
 
     Raises:

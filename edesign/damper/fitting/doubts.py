@@ -52,7 +52,11 @@ def doubts_of(
 
 
 def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
-    """Doubts about tests in which a damper gives energy, or pushes the way it is pushed."""
+    """List doubts about tests in which a damper gives energy, or pushes the way it is pushed.
+
+    Args:
+        loadings: of the tests.
+    """
     said = []
     for loading in loadings:
         sizes = [loading.velocity, loading.displacement - loading.displacement[0]]
@@ -79,7 +83,13 @@ def misfit_doubts(mean: float) -> list[str]:
 
 
 def start_doubts(costs: Sequence[float], same: int, converged: bool) -> list[str]:
-    """Doubts about the search."""
+    """List doubts about the search.
+
+    Args:
+        costs: of the starts.
+        same: how many of them ended at the same minimum.
+        converged: whether the search ended by itself.
+    """
     said = []
     if len(costs) > 1 and same == 1:
         said.append(

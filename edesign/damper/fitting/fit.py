@@ -103,11 +103,19 @@ class Fit:
         return {**self.values, **self.thermal_values}
 
     def values_at(self, temperature_C: float) -> dict[str, float]:
-        """Parameters of the law at a temperature, SI."""
+        """Return the parameters of the law at a temperature, SI.
+
+        Args:
+            temperature_C: degC.
+        """
         return self.thermal.at(self.law, self.all_values, temperature_C)
 
     def damper(self, temperature_C: float | None = None) -> Damper:
-        """The fitted damper, at the reference temperature if none is said."""
+        """Return the fitted damper.
+
+        Args:
+            temperature_C: degC; None: the reference temperature.
+        """
         return Damper(self.law, self.values if temperature_C is None else self.values_at(temperature_C))
 
     @property
@@ -121,7 +129,12 @@ class Fit:
         return self.mean_rms_error <= FOLLOWS
 
     def correlation_of(self, first: str, second: str) -> float:
-        """Correlation of two fitted parameters."""
+        """Return the correlation of two fitted parameters.
+
+        Args:
+            first: name of a parameter.
+            second: name of another one.
+        """
         return float(self.correlation[self.free.index(first), self.free.index(second)])
 
 
@@ -131,5 +144,9 @@ as forces and loops of one device may differ from their mean (ASCE/SEI 7-22, 18.
 
 
 def mean_nrms(nrms: Mapping[str, float]) -> float:
-    """Mean over tests, as Table 4.1 has it."""
+    """Return the mean of NRMS over tests, as Table 4.1 has it.
+
+    Args:
+        nrms: by test.
+    """
     return float(np.mean(list(nrms.values())))

@@ -149,7 +149,11 @@ def fit_forces(
 
 
 def core_predict(law: Law) -> Predict:
-    """The force of a law as the core computes it."""
+    """Return the function that gives the force of a law as the core computes it.
+
+    Args:
+        law: the law.
+    """
 
     def predict(values: Mapping[str, float], loading: Loading) -> np.ndarray:
         damper = Damper(law, values, been=loading.been)

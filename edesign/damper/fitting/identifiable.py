@@ -90,7 +90,12 @@ def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, f
 
 
 def why_held(law: Law, name: str) -> str:
-    """Reason for which a parameter is held by default; "" if it is not."""
+    """Return the reason for which a parameter is held by default; "" if it is not.
+
+    Args:
+        law: the law.
+        name: of the parameter.
+    """
     held = HELD.get(law.name, {}).get(name) or HELD.get(law.name, {}).get(_first(name))
     return held.why if held else ""
 

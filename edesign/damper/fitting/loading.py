@@ -49,7 +49,11 @@ class Loading:
     start: Start | None = None
 
     def starting(self, start: Start | None) -> Loading:
-        """With another start."""
+        """Return the loading with another start.
+
+        Args:
+            start: None: at rest.
+        """
         return replace(self, start=start, been=NONE if start is None else start.been)
 
     @property
@@ -68,7 +72,11 @@ class Loading:
         return float(np.sqrt(np.mean(self.force**2)))
 
     def thinned(self, stride: int) -> Loading:
-        """Every so many samples; velocities stay those of all."""
+        """Return every so many samples of the loading; velocities stay those of all.
+
+        Args:
+            stride: one sample of so many is kept.
+        """
         cut = slice(None, None, stride)
         return replace(
             self,
@@ -116,7 +124,13 @@ def prepare(tests: Sequence[DamperTest], weights: Mapping[str, float] | None = N
 
 
 def scales_of(loadings: Sequence[Loading]) -> Scales:
-    """Sizes of force, deformation and velocity: means of the tests' root mean squares, times sqrt 2 as of a sine."""
+    """Return the sizes of force, deformation and velocity in tests.
+
+    They are means of the tests' root mean squares, times sqrt 2 as of a sine.
+
+    Args:
+        loadings: of the tests.
+    """
     force = np.mean([loading.rms for loading in loadings])
     deformation = np.mean([np.sqrt(np.mean(loading.displacement**2)) for loading in loadings])
     velocity = np.mean([np.sqrt(np.mean(loading.velocity**2)) for loading in loadings])

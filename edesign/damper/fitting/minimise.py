@@ -34,7 +34,13 @@ class Problem:
     steps: Callable[[np.ndarray], np.ndarray]
 
     def jacobian(self, x: np.ndarray, at_x: np.ndarray | None = None, workers: int = 1) -> np.ndarray:
-        """Derivatives (m, n): central differences, one-sided with `at_x`, the residual at x, given."""
+        """Return the derivatives (m, n) of the residual by differences.
+
+        Args:
+            x: (n,) coordinates.
+            at_x: (m,) residual at x, for one-sided differences; None: they are central.
+            workers: number of threads.
+        """
         steps = self.steps(x)
 
         def column(j: int) -> np.ndarray:

@@ -63,7 +63,12 @@ LINEAR_LAWS = frozenset(_MODULI)
 
 
 def complex_stiffness(law: str, values: Values, omega: np.ndarray) -> np.ndarray:
-    """Complex stiffness (n,) N/m of a linear law at circular frequencies (n,) rad/s.
+    """Return the complex stiffness (n,) N/m of a linear law.
+
+    Args:
+        law: its name.
+        values: parameters by name, SI.
+        omega: (n,) circular frequencies, rad/s.
 
     Source: the equations of edesign.damper.laws under u = exp(i omega t); thesis Eqs. 4.1-4.2 for Maxwell branches.
     """

@@ -29,7 +29,12 @@ class Observed:
 
 
 def observe(loadings: Sequence[Loading], scales: Scales) -> Observed:
-    """Linear equivalents of tests (F = k u + c v)."""
+    """Return linear equivalents of tests (F = k u + c v).
+
+    Args:
+        loadings: of the tests.
+        scales: sizes of force, deformation and velocity.
+    """
     omega, stiffness = [], []
     for loading in loadings:
         basis = np.column_stack((loading.displacement, loading.velocity))

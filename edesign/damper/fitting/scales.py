@@ -57,6 +57,10 @@ class Scales:
 
 
 def exponent_in(unit: str) -> str | None:
-    """Name of the parameter that is an exponent in a unit."""
+    """Return the name of the parameter that is an exponent in a unit; None without one.
+
+    Args:
+        unit: of another parameter.
+    """
     power = _POWER.fullmatch(unit)
     return power[2] if power else None

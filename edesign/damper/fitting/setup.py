@@ -41,7 +41,11 @@ class Setup:
     thermal: Thermal
 
     def canonical(self, x: np.ndarray) -> np.ndarray:
-        """Coordinates with the branches of a law in the order of their relaxation times, the longest first."""
+        """Return coordinates with the branches of a law in the order of their relaxation times, the longest first.
+
+        Args:
+            x: (n,) coordinates.
+        """
         kinds = [parameter.name for parameter in self.law.branch]
         values = self.coordinates.values(x)
         count = branches_of(self.law, values, 1)
@@ -67,7 +71,21 @@ def set_up(
     starts: int,
     loss: Loss,
 ) -> Setup:
-    """Decide what is fitted, from where, and within which bounds; arguments as of fit_forces.
+    """Decide what is fitted, from where, and within which bounds.
+
+    Args:
+        law: the law.
+        observed: linear equivalents of the tests.
+        start: see `fit_forces`.
+        bounds: see `fit_forces`.
+        fixed: see `fit_forces`.
+        fit_also: see `fit_forces`.
+        temperatures: of the tests, degC.
+        kind: what the temperature changes.
+        reference_C: degC at which the parameters hold.
+        branches: of a law with branches.
+        starts: number of descents.
+        loss: see `fit_forces`.
 
     Raises:
         InputError: an option names what there is not, or nothing is left to fit.

@@ -117,7 +117,13 @@ def _start_of_brace(known: Mapping[str, float], observed: Observed) -> dict[str,
 
 
 def branches_of(law: Law, given: Mapping[str, float], branches: int) -> int:
-    """Number of branches: as many as asked for, or as `given` names; 0 of a law without."""
+    """Return the number of branches: as many as asked for, or as `given` names; 0 of a law without.
+
+    Args:
+        law: the law.
+        given: start values by name.
+        branches: that are asked for.
+    """
     if not law.branch:
         return 0
     named = 0
@@ -127,7 +133,14 @@ def branches_of(law: Law, given: Mapping[str, float], branches: int) -> int:
 
 
 def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: int) -> list[np.ndarray]:
-    """Coordinates fitted to the complex stiffness of the tests in closed form; [] for laws that are not linear."""
+    """Return coordinates fitted to the complex stiffness of the tests in closed form; [] for laws that are not linear.
+
+    Args:
+        law: the law.
+        coordinates: of the fit.
+        observed: linear equivalents of the tests.
+        seed: of the starts.
+    """
     if law.name not in LINEAR_LAWS:
         return []
     size = np.maximum(np.abs(observed.complex_stiffness), 1e-300)
@@ -145,7 +158,13 @@ def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: i
 
 
 def spread(coordinates: Coordinates, count: int, seed: int) -> list[np.ndarray]:
-    """Coordinates (n,) in a Latin hypercube about the start: log-uniform, within the bounds; the same for a seed."""
+    """Return coordinates (n,) in a Latin hypercube about the start, log-uniform and within the bounds.
+
+    Args:
+        coordinates: of the fit.
+        count: number of points.
+        seed: of the hypercube.
+    """
     if count < 1 or not coordinates.axes:
         return []
     from scipy.stats import qmc  # takes a second of every start of a calibration

@@ -49,7 +49,11 @@ class Thermal:
         return ()
 
     def model(self, values: Mapping[str, float]) -> TemperatureModel | None:
-        """The temperature law of values of the unknowns."""
+        """Return the temperature law of values of the unknowns; None where they have none.
+
+        Args:
+            values: parameters by name, SI.
+        """
         if self.kind == "ferry":
             return FerryShift(values["p1"], values["p2"], self.reference_C)
         if self.kind == "gamma":
@@ -57,7 +61,13 @@ class Thermal:
         return None
 
     def at(self, law: Law, values: Mapping[str, float], temperature_C: float) -> dict[str, float]:
-        """Parameters of the law at a temperature, of values of law and temperature together."""
+        """Return the parameters of the law at a temperature.
+
+        Args:
+            law: the law.
+            values: of law and temperature together, SI.
+            temperature_C: degC.
+        """
         own = {name: value for name, value in values.items() if name not in self._names}
         if self.kind is None or temperature_C == self.reference_C:
             return own
@@ -76,7 +86,11 @@ class Thermal:
 
 
 def gamma_name(temperature_C: float) -> str:
-    """Name of the unknown of a temperature: gamma_25."""
+    """Return the name of the unknown of a temperature: gamma_25.
+
+    Args:
+        temperature_C: degC.
+    """
     return f"gamma_{temperature_C:g}"
 
 

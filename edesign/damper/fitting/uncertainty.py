@@ -37,9 +37,12 @@ class Uncertainty:
 
 
 def blocks_of(loadings: Sequence[Loading]) -> tuple[np.ndarray, np.ndarray]:
-    """Test and block of every sample: each test in at most ten blocks of one cycle or more.
+    """Return test and block of every sample: each test in at most ten blocks of one cycle or more.
 
     Errors of a model repeat with the cycles of the test, so shorter blocks would take them for independent.
+
+    Args:
+        loadings: of the tests.
     """
     tests, blocks, first = [], [], 0
     for i, loading in enumerate(loadings):

@@ -18,7 +18,13 @@ _ERROR_DIGITS = 3
 
 
 def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str:
-    """The fitted law as a law file, with the specimen, standard errors and the range that was tested."""
+    """Return the fitted law as a law file, with the specimen, standard errors and the range that was tested.
+
+    Args:
+        fit: the fit.
+        title: for people.
+        specimen: that was tested.
+    """
     parameters = {name: _text(*number) for name, number in practical(fit).items() if name in fit.values}
     data: dict[str, Any] = {"type": fit.law.name, "parameters": parameters}
     thermal = _temperature(fit)
@@ -43,7 +49,11 @@ def law_yaml(fit: Fit, title: str = "", specimen: Specimen | None = None) -> str
 
 
 def fit_json(fit: Fit) -> dict[str, Any]:
-    """All of a fit in SI, for programs; numbers that are not finite are null."""
+    """Return all of a fit in SI, for programs; numbers that are not finite are null.
+
+    Args:
+        fit: the fit.
+    """
     return {
         "law": fit.law.name,
         "against": fit.against,
@@ -78,7 +88,12 @@ def fit_json(fit: Fit) -> dict[str, Any]:
 
 
 def practical_errors(fit: Fit, errors: Mapping[str, float]) -> dict[str, str | float]:
-    """Standard errors in the units in which the parameters are written."""
+    """Return standard errors in the units in which the parameters are written.
+
+    Args:
+        fit: the fit.
+        errors: by parameter, SI.
+    """
     shown = practical(fit)
     found = {}
     for name, error in errors.items():
@@ -89,7 +104,11 @@ def practical_errors(fit: Fit, errors: Mapping[str, float]) -> dict[str, str | f
 
 
 def practical(fit: Fit) -> dict[str, tuple[float, str]]:
-    """Number and practical unit of every parameter, and of the unknowns of the temperature."""
+    """Return number and practical unit of every parameter, and of the unknowns of the temperature.
+
+    Args:
+        fit: the fit.
+    """
     texts = write_parameters(fit.law, fit.values)
     found = {
         parameter.name: (
@@ -102,7 +121,11 @@ def practical(fit: Fit) -> dict[str, tuple[float, str]]:
 
 
 def tested(fit: Fit) -> dict[str, str]:
-    """The range of the tests for people."""
+    """Return the range of the tests for people.
+
+    Args:
+        fit: the fit.
+    """
     low, high = fit.tested.deformation
     deformation = _span(100.0 * low, 100.0 * high, "%") if fit.tested.strain else _span(1e3 * low, 1e3 * high, "mm")
     return {
