@@ -58,7 +58,10 @@ class Criterion:
 
     @property
     def utilisation(self) -> float:
-        """Share of the limit that is used: 1 is the limit, whichever way it counts; 0 of a rule without limit or value."""
+        """Share of the limit that is used: 1 is the limit, whichever way it counts.
+
+        It is 0 of a rule without limit or value.
+        """
         if not self.required or self.value is None:
             return 0.0
         if not self.least:

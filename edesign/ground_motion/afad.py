@@ -47,7 +47,14 @@ def read_afad(path: Path | str, component: str | None = None, name: str = "") ->
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file; errors as `read_afad`."""
+    """Read all components of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_afad`.
+    """
     lines = read_lines(path, "iso-8859-9")
     at = next((i for i, line in enumerate(lines) if _COLUMNS.match(line)), None)
     if at is None:

@@ -9,7 +9,14 @@ from edesign.errors import InputError
 
 
 def checked_motion(acceleration: ArrayLike, time_step: float) -> tuple[np.ndarray, float]:
-    """Samples (n,) and step of a motion.
+    """Check the samples and the step of a motion.
+
+    Args:
+        acceleration: (n,) m/s2.
+        time_step: s.
+
+    Returns:
+        Samples (n,) and step.
 
     Raises:
         InputError: fewer than two samples, a sample that is not finite, or a time step that is not positive.
@@ -30,7 +37,13 @@ def checked_motion(acceleration: ArrayLike, time_step: float) -> tuple[np.ndarra
 
 
 def checked_periods(periods: ArrayLike) -> np.ndarray:
-    """Periods (n_T,), s.
+    """Check periods.
+
+    Args:
+        periods: a number or (n_T,) s.
+
+    Returns:
+        (n_T,) s.
 
     Raises:
         InputError: there is none, or one is negative or not finite.
@@ -45,7 +58,13 @@ def checked_periods(periods: ArrayLike) -> np.ndarray:
 
 
 def checked_dampings(dampings: ArrayLike) -> np.ndarray:
-    """Damping ratios (n_z,).
+    """Check damping ratios.
+
+    Args:
+        dampings: a number or (n_z,) ratios of critical.
+
+    Returns:
+        (n_z,).
 
     Raises:
         InputError: there is none, or one is negative, not below 1, or not a number.

@@ -31,7 +31,11 @@ _Header = dict[str, tuple[int, str]]
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines have the title of such a file."""
+    """Say whether lines have the title of such a file.
+
+    Args:
+        lines: of the file.
+    """
     return any(_TITLE.match(line) for line in lines)
 
 
@@ -52,7 +56,14 @@ def read_asa(path: Path | str, component: str | int | None = None, name: str = "
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of a file; errors as `read_asa`."""
+    """Read all channels of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_asa`.
+    """
     lines = read_lines(path)
     data = next((i for i, line in enumerate(lines) if _DATA.match(line)), None)
     if data is None:

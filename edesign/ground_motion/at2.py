@@ -54,7 +54,11 @@ def read_at2(path: Path | str, name: str = "") -> Record:
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines look like those of a PEER file, of acceleration or of another quantity."""
+    """Say whether lines look like those of a PEER file, of acceleration or of another quantity.
+
+    Args:
+        lines: of the file.
+    """
     return any(_NEW.match(line) or _OLD.match(line) for line in lines[: _header_lines(lines)])
 
 

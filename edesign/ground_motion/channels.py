@@ -30,7 +30,12 @@ class Channel:
     about: str
 
     def record(self, path: Path, name: str) -> Record:
-        """The record of this component; its name is that of the file by default."""
+        """Return the record of this component.
+
+        Args:
+            path: of the file.
+            name: of the record; "": that of the file.
+        """
         factual = ", ".join(part for part in (self.about, self.label and f"component {self.label}") if part)
         return Record(name or path.stem, self.acceleration, self.time_step, f"{path.name}: {factual}")  # type: ignore[arg-type]
 
@@ -40,7 +45,12 @@ CHOICE = "by --component on the command line, by `component` in a project or sui
 
 
 def choose(path: Path, channels: Sequence[Channel], component: str | int | None) -> Channel:
-    """The component that is asked for, or the only one.
+    """Return the component that is asked for, or the only one.
+
+    Args:
+        path: of the file.
+        channels: of the file.
+        component: label or number; None: the only one.
 
     Raises:
         InputError: none is named but the file has several, or the name fits none or several; lists them.

@@ -60,7 +60,14 @@ def read_cosmos(path: Path | str, component: str | int | None = None, name: str 
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of acceleration; errors as `read_cosmos`."""
+    """Read all channels of acceleration.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_cosmos`.
+    """
     lines = read_lines(path)
     channels: list[Channel] = []
     seen: list[str] = []

@@ -54,17 +54,32 @@ def read_csmip(path: Path | str, component: str | int | None = None, name: str =
 
 
 def data_line(line: str) -> re.Match[str] | None:
-    """The number of points, their step or rate, and their unit, if a line announces accelerations."""
+    """Match a line that announces accelerations: number of points, their step or rate, and their unit.
+
+    Args:
+        line: of the file.
+    """
     return DATA.match(line) or _RATED.match(line)
 
 
 def has_data(lines: list[str]) -> bool:
-    """Say whether lines announce evenly spaced accelerations, or are those of a file of volume 3."""
+    """Say whether lines announce evenly spaced accelerations, or are those of a file of volume 3.
+
+    Args:
+        lines: of the file.
+    """
     return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(data_line(line) for line in lines))
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the acceleration of all channels; errors as `read_csmip`."""
+    """Read the acceleration of all channels.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_csmip`.
+    """
     lines = read_lines(path)
     if SPECTRA.match(lines[0]):
         raise InputError(

@@ -30,7 +30,11 @@ _TEXTS = 20  # lines within which the samples begin
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file."""
+    """Say whether lines have the header of such a file.
+
+    Args:
+        lines: of the file.
+    """
     head = lines[:_TEXTS]
     return any(_COUNT.match(line) for line in head) and any(_PEAK.match(line) for line in head)
 
@@ -52,7 +56,14 @@ def read_csmnc(path: Path | str, component: str | None = None, name: str = "") -
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file; errors as `read_csmnc`."""
+    """Read the one component of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_csmnc`.
+    """
     lines = read_lines(path, "gb18030")
     found = {
         key: _line(path, lines, pattern, what)

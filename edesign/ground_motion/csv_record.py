@@ -213,7 +213,11 @@ def _uniform_step(table: RecordTable, times: np.ndarray, given: float | None, hi
 
 
 def rises_evenly(values: np.ndarray) -> bool:
-    """Return whether numbers rise by one step but for the rounding of times in files."""
+    """Return whether numbers rise by one step but for the rounding of times in files.
+
+    Args:
+        values: (n,).
+    """
     if values.size < 2 or np.any(np.diff(values) <= 0.0):
         return False
     mean = (values[-1] - values[0]) / (values.size - 1)

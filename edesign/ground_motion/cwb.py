@@ -28,7 +28,11 @@ _NAMES = {"U": ("Z", "V", "Up"), "N": ("NS", "N-S", "HNN"), "E": ("EW", "E-W", "
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file."""
+    """Say whether lines have the header of such a file.
+
+    Args:
+        lines: of the file.
+    """
     keys = {match[1] for line in lines if (match := _KEY.match(line))}
     return {SEQUENCE, RATE, UNIT} <= keys
 
@@ -50,7 +54,14 @@ def read_cwb(path: Path | str, component: str | None = None, name: str = "") -> 
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file; errors as `read_cwb`."""
+    """Read all components of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_cwb`.
+    """
     lines = read_lines(path, "big5")
     header = {match[1]: (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
     for key in (SEQUENCE, RATE, UNIT):

@@ -37,6 +37,11 @@ class FieldFormat:
 def field_format(text: str, path: Path, line: int) -> FieldFormat:
     """Find the format in a line that announces values.
 
+    Args:
+        text: the line.
+        path: of the file, for messages.
+        line: its number, for messages.
+
     Raises:
         InputError: there is none that is read here.
     """
@@ -50,6 +55,14 @@ def read_fields(
     lines: Sequence[str], start: int, count: int, layout: FieldFormat, path: Path, what: str = "an acceleration"
 ) -> list[float]:
     """Read `count` values from the lines that begin at index `start`.
+
+    Args:
+        lines: of the file.
+        start: index of the first line.
+        count: number of values.
+        layout: width and number of fields in a line.
+        path: of the file, for messages.
+        what: is read, for messages.
 
     Raises:
         InputError: too few or too many values, or something else than finite numbers; names file and line.
@@ -79,7 +92,11 @@ def read_fields(
 
 
 def is_end_of_data(line: str) -> bool:
-    """Say whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`."""
+    """Say whether the line closes the data of a channel: `/& ... End of data`, `End-of-data for Chan 1`.
+
+    Args:
+        line: of the file.
+    """
     return _END.match(line) is not None
 
 

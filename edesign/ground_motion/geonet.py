@@ -35,7 +35,11 @@ _STEP = 25  # of the reals, from 0: interval of these samples, s (24 is that of 
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines begin as a GeoNet file does."""
+    """Say whether lines begin as a GeoNet file does.
+
+    Args:
+        lines: of the file.
+    """
     return bool(lines) and TITLE.match(lines[0]) is not None and any(_MARK.search(line) for line in lines[9:13])
 
 
@@ -56,7 +60,14 @@ def read_geonet(path: Path | str, component: str | int | None = None, name: str 
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a file; errors as `read_geonet`."""
+    """Read all components of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_geonet`.
+    """
     lines = read_lines(path)
     channels: list[Channel] = []
     at = 0

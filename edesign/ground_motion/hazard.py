@@ -29,7 +29,11 @@ _ACTIONS: dict[type[Hazard], Callable[..., SeismicAction]] = {
 
 
 def action_of(hazard: Hazard) -> SeismicAction:
-    """Return the spectra of a hazard by its code."""
+    """Return the spectra of a hazard by its code.
+
+    Args:
+        hazard: block of the project.
+    """
     return _ACTIONS[type(hazard)](hazard)
 
 
@@ -79,7 +83,11 @@ def elastic_spectrum(hazard: Hazard, level: str | None = None) -> Spectrum:
 
 
 def vertical_spectrum(hazard: EC8Hazard, level: str | None = None) -> VerticalSpectrum:
-    """Return the vertical elastic spectrum of EN 1998-1; arguments and errors as `elastic_spectrum`.
+    """Return the vertical elastic spectrum of EN 1998-1; errors as `elastic_spectrum`.
+
+    Args:
+        hazard: block of the project.
+        level: its name; None: the action that records are fitted to.
 
     Source: EN 1998-1:2004, 3.2.2.3.
     """
@@ -89,7 +97,11 @@ def vertical_spectrum(hazard: EC8Hazard, level: str | None = None) -> VerticalSp
 def design_spectrum(hazard: Hazard, level: str | None = None) -> DesignOrdinates:
     """Return the horizontal design spectrum for the behaviour factor (q or R) of the hazard.
 
-    Arguments as `elastic_spectrum`; the damping of the hazard does not enter, as the factor covers it.
+    The damping of the hazard does not enter, as the behaviour factor covers it.
+
+    Args:
+        hazard: block of the project.
+        level: its name; None: the action that records are fitted to.
 
     Raises:
         InputError: as `elastic_spectrum`, or the hazard has no behaviour factor.
@@ -126,6 +138,10 @@ def factor_of_level(hazard: Hazard, level: str) -> float:
 
     That is gamma_I in EN 1998-1, 1 or 1.5 in ASCE/SEI 7, and 1 where levels have spectra of their own.
 
+    Args:
+        hazard: block of the project.
+        level: its name in the hazard.
+
     Raises:
         InputError: there is no such level.
     """
@@ -134,6 +150,9 @@ def factor_of_level(hazard: Hazard, level: str) -> float:
 
 def national_of(hazard: EC8Hazard) -> NationalParameters:
     """Return the national parameters: those that the file states, then those of its country, then the recommended ones.
+
+    Args:
+        hazard: block of the project.
 
     Raises:
         InputError: the country has no data file.

@@ -97,10 +97,15 @@ def husid(acceleration: ArrayLike, time_step: float) -> np.ndarray:
 
 
 def measures(record: Record) -> Measures:
-    """Measures of a record. Integrals are those of the polygon through the samples, exactly; peaks are at samples.
+    """Return the intensity measures of a record.
+
+    Integrals are those of the polygon through the samples, exactly; peaks are at samples.
 
     Arias intensity is pi / (2 g) times the integral of the squared acceleration, the significant durations run between
     shares of it, and cumulative absolute velocity is the integral of the absolute acceleration.
+
+    Args:
+        record: the record.
 
     Source: Arias (1970); Trifunac & Brady (1975), 5-95 %; Somerville et al. (1997), 5-75 %; EPRI NP-5930 (1988), CAV.
     """

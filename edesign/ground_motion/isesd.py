@@ -23,7 +23,11 @@ _NUMBER = re.compile(r"\s*([-+]?[0-9]*\.[0-9]+(?:[EeDd][-+]?[0-9]{2})?)")
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines have the header of such a file."""
+    """Say whether lines have the header of such a file.
+
+    Args:
+        lines: of the file.
+    """
     keys = {match[1] for line in lines if (match := _KEY.match(line))}
     return {_STEP, _COUNT, "waveform code"} <= keys
 
@@ -45,7 +49,14 @@ def read_isesd(path: Path | str, component: str | None = None, name: str = "") -
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file; errors as `read_isesd`."""
+    """Read the one component of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_isesd`.
+    """
     lines = read_lines(path)
     blocks = [(i, match[1]) for i, line in enumerate(lines) if (match := _BLOCK.match(line))]
     first = blocks[0][0] if blocks else len(lines)

@@ -25,7 +25,11 @@ _NAMES = {"NS": ("N-S", "N"), "EW": ("E-W", "E"), "UD": ("U-D", "U")}
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines begin as such a table does."""
+    """Say whether lines begin as such a table does.
+
+    Args:
+        lines: of the file.
+    """
     keys = {match[1] for line in lines[:10] if (match := _KEY.match(line))}
     return {_SITE, _UNIT} <= keys and any(rate in keys for rate in _RATES)
 
@@ -47,7 +51,14 @@ def read_jma(path: Path | str, component: str | None = None, name: str = "") -> 
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all components of a table; errors as `read_jma`."""
+    """Read all components of a table.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_jma`.
+    """
     lines = read_lines(path, "cp932")
     header = {match[1]: (i, match[2]) for i, line in enumerate(lines[:10], 1) if (match := _KEY.match(line))}
     rate_key = next((key for key in _RATES if key in header), None)

@@ -36,6 +36,9 @@ class PeerHeader:
 def read_peer_header(path: Path) -> PeerHeader:
     """Read the title of an .AT2 file.
 
+    Args:
+        path: of the file.
+
     Raises:
         InputError: the file cannot be read.
     """
@@ -52,7 +55,12 @@ def read_peer_header(path: Path) -> PeerHeader:
 
 
 def same_year(header: PeerHeader, year: int) -> bool:
-    """Say whether the title gives this year, with four or two digits."""
+    """Say whether the title gives this year, with four or two digits.
+
+    Args:
+        header: of the file.
+        year: of the earthquake.
+    """
     return header.year in (year, year % 100)
 
 

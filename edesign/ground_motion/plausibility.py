@@ -31,7 +31,11 @@ _ROUNDING = 1e-9  # relative: a factor of 3 as written is not beyond 3
 
 
 def doubts(record: Record) -> tuple[str, ...]:
-    """Return what looks wrong about a record, one sentence each; nothing if it looks like an earthquake."""
+    """Return what looks wrong about a record, one sentence each; nothing if it looks like an earthquake.
+
+    Args:
+        record: the record.
+    """
     pga = record.pga
     if pga == 0.0:
         return ("the record is zero throughout",)

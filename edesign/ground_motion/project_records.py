@@ -41,6 +41,10 @@ from edesign.project.records.records import (
 def references(project: HoldsRecords, name: str) -> tuple[str, ...]:
     """Return the references of a record: itself, or one for each of a suite, of those that were chosen, or of a pair.
 
+    Args:
+        project: the validated project.
+        name: of the record in the project.
+
     Raises:
         InputError: there is no such record, the suite cannot be read, or nothing was chosen for it yet.
     """
@@ -100,7 +104,11 @@ def find_recordings(project: HoldsRecords, wanted: Iterable[str]) -> dict[str, F
 
 
 def with_folders(project: Project, folders: Sequence[Path]) -> Project:
-    """The project with more folders in which the recordings of its suites are looked for, after its own.
+    """Return the project with more folders for the recordings of its suites, which are searched after its own.
+
+    Args:
+        project: the validated project.
+        folders: in the order of the search.
 
     Raises:
         InputError: a folder does not exist, or the project has no suite.

@@ -171,6 +171,10 @@ def read_record_file(
 def component_labels(path: Path, file_format: FileFormat) -> tuple[str, ...]:
     """Return what the components of a file are called if it may hold several, which `component` then chooses.
 
+    Args:
+        path: of the file.
+        file_format: its format.
+
     Raises:
         InputError: what the reader of the format finds.
     """
@@ -186,12 +190,19 @@ def _known(path: Path, file_format: FileFormat) -> FileFormat:
 
 
 def names_components(file_format: FileFormat) -> bool:
-    """Return whether the files of a format name their components."""
+    """Return whether the files of a format name their components.
+
+    Args:
+        file_format: its format.
+    """
     return file_format in _READERS or file_format == "sac"
 
 
 def format_by_marks(path: Path) -> FileFormat | None:
     """Find the format of a file by the marks in it; None: it has those of no format, as tables have none.
+
+    Args:
+        path: of the file.
 
     Raises:
         InputError: the file cannot be read, or is no text and no SAC file.
@@ -205,6 +216,9 @@ def format_by_marks(path: Path) -> FileFormat | None:
 
 def detect(path: Path) -> FileFormat:
     """Find the format of a file.
+
+    Args:
+        path: of the file.
 
     Raises:
         InputError: the file cannot be read, or no format fits; lists the formats.

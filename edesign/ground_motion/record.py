@@ -69,11 +69,18 @@ class Record:
         return np.arange(self.acceleration.size) * self.time_step
 
     def scaled(self, factor: float) -> Record:
-        """Return the record times `factor` (dimensionless)."""
+        """Return the record times a factor.
+
+        Args:
+            factor: dimensionless.
+        """
         return replace(self, acceleration=factor * self.acceleration, source=f"{self.source}; times {factor:.9g}")
 
     def last_sample(self, time_step: float) -> int:
-        """Return the number of the last sample, from 0, with another time step (s).
+        """Return the number of the last sample, from 0, with another time step.
+
+        Args:
+            time_step: s.
 
         Raises:
             InputError: the step is not greater than zero, or longer than the record.
@@ -118,7 +125,11 @@ class Record:
         return replace(self, acceleration=samples, time_step=time_step, source=source)
 
     def with_zeros(self, seconds: float) -> Record:
-        """Return the record with zeros appended: as many whole steps as last at least `seconds`."""
+        """Return the record with zeros appended, as many whole steps as last long enough.
+
+        Args:
+            seconds: least duration of the zeros, s.
+        """
         count = int(np.ceil(seconds / self.time_step - _TOLERANCE))
         if count <= 0:
             return self

@@ -103,7 +103,15 @@ class RecordTable:
         return f"{self.path}:{self.places[0]}"
 
     def numbers(self, column: int, what: str = "an acceleration") -> list[float]:
-        """Return the numbers of a column."""
+        """Return the numbers of a column.
+
+        Args:
+            column: its number, from 0.
+            what: is read, for messages.
+
+        Raises:
+            InputError: a word of the column is no finite number; names file and line.
+        """
         words = [row[column] for row in self.rows]
         try:
             values = list(map(float, words))
@@ -125,7 +133,14 @@ class RecordTable:
         return [number(row[column], self.path, i, what) for row, i in zip(self.rows, self.places, strict=True)]
 
     def check_width(self, may_be_rows: bool) -> None:
-        """Check that the lines are of one length, and two at least."""
+        """Check that the lines are of one length, and two at least.
+
+        Args:
+            may_be_rows: whether the message advises to read lines of several samples.
+
+        Raises:
+            InputError: they are not.
+        """
         hint = f"; if the numbers are samples in turn, write {ROWS}"
         if self.header or self.width == 1 or not may_be_rows:
             hint = ""
@@ -138,7 +153,12 @@ class RecordTable:
 
 
 def told(form: Form, given: TableFormat | None) -> str:
-    """Return how a table was read, where that was said or is not plain."""
+    """Return how a table was read, where that was said or is not plain.
+
+    Args:
+        form: how the table was read.
+        given: what was said of it.
+    """
     found = (
         form.skipped or form.units_line or form.decimal == "comma" or form.encoding in ("utf-16", "gbk", "shift-jis")
     )
@@ -237,7 +257,12 @@ def _delimiter(lines: list[str]) -> Delimiter:
 
 
 def acceleration_unit_of(table: RecordTable, column: int) -> str | None:
-    """Return the unit of a column that its header, or the line of units, says: `acc (g)`; None: none that is known."""
+    """Return the unit of a column that its header, or the line of units, says: `acc (g)`; None: none that is known.
+
+    Args:
+        table: the table.
+        column: its number, from 0.
+    """
     header = table.header[column] if column < len(table.header) else ""
     words = [table.units[column] if column < len(table.units) else "", *re.findall(r"[(\[]([^)\]]*)[)\]]", header)]
     words += [header.rpartition(sign)[2] for sign in ("_", " ") if sign in header]

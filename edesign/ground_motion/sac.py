@@ -29,7 +29,11 @@ _UNDEFINED = -12345.0
 
 
 def is_sac(path: Path) -> bool:
-    """Say whether a file is of this format: its header has a version of it, and its length is that of its samples."""
+    """Say whether a file is of this format: its header has a version of it, and its length is that of its samples.
+
+    Args:
+        path: of the file.
+    """
     try:
         with path.open("rb") as file:
             head = file.read(_HEADER)

@@ -106,7 +106,19 @@ def select_records(
     events: Sequence[str] | None = None,
     stations: Sequence[str] | None = None,
 ) -> Selection:
-    """Choose among records as `select` does; their spectra are computed on 201 periods a decade.
+    """Choose among records; their spectra are computed on 201 periods a decade.
+
+    Args:
+        records: the candidates.
+        target: spectrum of the action.
+        T_1: fundamental period, s.
+        count: how many are chosen.
+        options: for scaling and comparing.
+        events: earthquake of each record; None: they are not known.
+        stations: station of each record; None: they are not known.
+
+    Returns:
+        The choice, as of `select`.
 
     Raises:
         InputError: as `select`.
@@ -119,7 +131,16 @@ def select_records(
 
 
 def selection_periods(rules: SetRules, T_1: float, options: SelectionOptions) -> np.ndarray:
-    """Return the periods of the code's check, and beyond them those of the band of the options, equally dense; s."""
+    """Return the periods of the code's check, and beyond them those of the band of the options, equally dense.
+
+    Args:
+        rules: of the code.
+        T_1: fundamental period, s.
+        options: with the band.
+
+    Returns:
+        (n,) s, rising.
+    """
     inner = rules.check_periods(T_1)
     step = inner[1] / inner[0]
     low, high = options.band or rules.period_band(T_1)

@@ -98,7 +98,11 @@ class Library:
         self._peaks = self._own * pga / spectrum.zero_period if rules.has_zero_period else None
 
     def scale(self, choices: np.ndarray) -> Scaling:
-        """Scale choices, shape (m, k) of indices, as the options say."""
+        """Scale choices as the options say.
+
+        Args:
+            choices: (m, k) indices of records.
+        """
         fit = self._fit[choices]
         mean, variance = np.mean(fit, axis=1), np.var(fit, axis=1)
         square = np.mean(mean**2, axis=1) + self.options.scatter_weight * np.mean(variance, axis=1)

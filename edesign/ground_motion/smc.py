@@ -28,7 +28,11 @@ _DIGITS = 5  # of the samples, at the least (8E10.4 and E10.4E1)
 
 
 def has_title(lines: list[str]) -> bool:
-    """Say whether lines begin as an SMC file does: kind of the data, then the line `*`, with 48 integers to come."""
+    """Say whether lines begin as an SMC file does: kind of the data, then the line `*`, with 48 integers to come.
+
+    Args:
+        lines: of the file.
+    """
     return bool(lines) and TITLE.match(lines[0]) is not None and any(line.strip() == "*" for line in lines[1:_TEXTS])
 
 
@@ -49,7 +53,14 @@ def read_smc(path: Path | str, component: str | int | None = None, name: str = "
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read the one component of a file; errors as `read_smc`."""
+    """Read the one component of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_smc`.
+    """
     lines = read_lines(path)
     title = TITLE.match(lines[0])
     if title is None:

@@ -84,7 +84,12 @@ def find_recording(entry: SuiteEntry, suite: Suite, folders: Sequence[Path], sta
 
 
 def find_suite(suite: Suite, folders: Sequence[Path], stand_ins: bool = True) -> tuple[Found, ...]:
-    """Find and read all recordings of a suite, in its order; otherwise as `find_recording`.
+    """Find and read all recordings of a suite, in its order.
+
+    Args:
+        suite: the suite.
+        folders: in which files are looked for.
+        stand_ins: see `find_recording`.
 
     Raises:
         InputError: all that is wrong with any of them, in one message.
@@ -237,5 +242,12 @@ def _files(folders: Iterable[Path]) -> list[_File]:
 
 
 def unreadable_folder(error: OSError) -> None:
-    """Tell what `os.walk` could not list, and why."""
+    """Refuse a folder that `os.walk` could not list.
+
+    Args:
+        error: of `os.walk`.
+
+    Raises:
+        InputError: always; it says which folder, and why.
+    """
     raise InputError(f"{error.filename}: this folder of recordings cannot be read: {error.strerror}")

@@ -10,5 +10,9 @@ ACCELERATION_UNITS = {"g": STANDARD_GRAVITY, "m/s^2": 1.0, "cm/s^2": 1e-2, "mm/s
 
 
 def acceleration_factor(unit: str) -> float | None:
-    """Return the factor to m/s2 of a unit, also with a number: `g/10`, `0.5 g`; None: it is none."""
+    """Return the factor to m/s2 of a unit; None: it is none.
+
+    Args:
+        unit: also with a number: `g/10`, `0.5 g`.
+    """
     return scaled_unit(unit, ACCELERATION_UNITS)

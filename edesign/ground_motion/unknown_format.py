@@ -11,7 +11,11 @@ _RUN = 3  # lines of nothing but numbers that are data
 
 
 def describe_binary(data: bytes) -> str:
-    """Return what a file that is not text looks like, and how to read it; "" if it looks like nothing known."""
+    """Return what a file that is not text looks like, and how to read it; "" if it looks like nothing known.
+
+    Args:
+        data: first bytes of the file.
+    """
     convert = "convert it to text, for instance with ObsPy, and declare that as a table"
     if data[:2] == b"PK" or data[:2] == b"\x1f\x8b" or data[:4] == b"Rar!":
         return "it is compressed; unpack it"
@@ -23,7 +27,11 @@ def describe_binary(data: bytes) -> str:
 
 
 def describe_text(lines: Sequence[str]) -> str:
-    """Return what a text looks like: how many lines of header it has, and how its numbers stand below them."""
+    """Return what a text looks like: how many lines of header it has, and how its numbers stand below them.
+
+    Args:
+        lines: of the file.
+    """
     counts = [_numbers(line) for line in lines[:_FIRST_LINES]]
     for i in range(len(counts) - _RUN + 1):
         run = counts[i : i + _RUN]

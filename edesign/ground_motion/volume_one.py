@@ -40,7 +40,11 @@ _NUMBER = re.compile(r"\s*[-+]?[0-9]*\.[0-9]+(?:E[-+]?[0-9]+)?", re.IGNORECASE)
 
 
 def has_header(lines: list[str]) -> bool:
-    """Say whether lines begin as such a file does; volume 1 files of evenly spaced points are those of `csmip`."""
+    """Say whether lines begin as such a file does; volume 1 files of evenly spaced points are those of `csmip`.
+
+    Args:
+        lines: of the file.
+    """
     return bool(lines) and _TITLE.match(lines[0]) is not None and any(_UNIT.search(line) for line in lines[:_TEXTS])
 
 
@@ -61,7 +65,14 @@ def read_volume_one(path: Path | str, component: str | int | None = None, name: 
 
 
 def channels_of(path: Path) -> list[Channel]:
-    """Read all channels of a file; errors as `read_volume_one`."""
+    """Read all channels of a file.
+
+    Args:
+        path: of the file.
+
+    Raises:
+        InputError: as `read_volume_one`.
+    """
     lines = read_lines(path)
     channels: list[Channel] = []
     at = 0

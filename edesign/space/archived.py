@@ -23,7 +23,11 @@ _UNITS = "N, moments N*m"
 
 
 def groups(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
-    """Yield the groups of an elastic design with their places below `PLACE`."""
+    """Yield the groups of an elastic design with their places below `PLACE`.
+
+    Args:
+        design: of the building.
+    """
     yield PLACE, _summary(design)
     yield f"{PLACE}/modes", _modes(design)
     yield f"{PLACE}/combinations", _combinations(design)

@@ -24,7 +24,11 @@ _LENGTHS = {"L_cr_y", "L_cr_z", "L_LT", "z_g"}
 
 
 def basis(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
-    """Yield the groups with their names below that of the building."""
+    """Yield the groups with their names below that of the building.
+
+    Args:
+        design: of the building.
+    """
     yield "materials", _materials(design)
     yield "floors", _floors(design)
     yield "nodes", _nodes(design)
@@ -34,7 +38,12 @@ def basis(design: ElasticDesign) -> Iterator[tuple[str, Group]]:
 
 
 def add_restraints(group: Group, design: ElasticDesign) -> None:
-    """Add to the group of the members what their checks take them for: class, restraints, ends, orientation."""
+    """Add to the group of the members what their checks take them for: class, restraints, ends, orientation.
+
+    Args:
+        group: of the members in the archive.
+        design: of the building.
+    """
     checks, members = design.members, design.frame.members
     kinds = checks.kinds
     for of in fields(Stability):

@@ -246,6 +246,10 @@ class ElasticAnalysis:
     def steel_of(self, group: str, section: str) -> tuple[str, Steel]:
         """Return the steel of a section in a group, and its name.
 
+        Args:
+            group: of members.
+            section: its name.
+
         Raises:
             InputError: with yield strengths by thickness the section is thicker than the standard knows.
         """

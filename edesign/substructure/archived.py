@@ -56,7 +56,12 @@ def groups(results: TestResults, histories: Sequence[str]) -> Iterator[tuple[str
 
 
 def building_name(test: str, compensator: str = "") -> str:
-    """Return the name under which the building of a test stands among the analyses; of its direct one without both."""
+    """Return the name under which the building of a test stands among the analyses; of its direct one without both.
+
+    Args:
+        test: its name.
+        compensator: its name; "": the direct response.
+    """
     return f"{test}:{compensator}" if compensator else test
 
 
@@ -78,7 +83,11 @@ def _analysis(results: TestResults, building: Group, compensator: str = "") -> t
 
 
 def indicators(runs: Sequence[VirtualTest]) -> Group:
-    """Return what was found of each run, side by side."""
+    """Return what was found of each run, side by side.
+
+    Args:
+        runs: of the tests.
+    """
     names = np.array([f"{run.test}/{run.compensator}" for run in runs])
     group = Group(coords={"run": Variable(("run",), names, "", "test/compensator")})
     for name, text in (

@@ -115,6 +115,9 @@ class Laboratory:
 def laboratory(file: RtsFile) -> Laboratory:
     """Return the laboratory of a checked file.
 
+    Args:
+        file: of the tests.
+
     Raises:
         InputError: the law or the structure cannot be tested so; the message says why, and where it stands.
     """
@@ -230,7 +233,11 @@ def _damper(file: RtsFile, device: Device | None) -> TestedDamper | None:
 
 
 def stiffness_of(damper: TestedDamper | None) -> float:
-    """Return the stiffness of a damper to a tenth of a millimetre in a tenth of a second, N/m; 0 without a damper."""
+    """Return the stiffness of a damper to a tenth of a millimetre in a tenth of a second, N/m; 0 without a damper.
+
+    Args:
+        damper: in the rig, or None.
+    """
     if damper is None:
         return 0.0
     _, force, _ = _small_step(damper)
@@ -238,7 +245,11 @@ def stiffness_of(damper: TestedDamper | None) -> float:
 
 
 def tangent_of(damper: TestedDamper) -> tuple[float, float]:
-    """Return the spring (N/m) and the dashpot (N s/m) that a damper is at the end of such a motion, none below 0."""
+    """Return the spring (N/m) and the dashpot (N s/m) that a damper is in small motions, none below 0.
+
+    Args:
+        damper: in the rig.
+    """
     _, _, (of_u, of_v) = _small_step(damper)
     return max(of_u, 0.0), max(of_v, 0.0)
 
@@ -250,7 +261,12 @@ def _small_step(damper: TestedDamper) -> tuple[np.ndarray, float, tuple[float, f
 
 
 def rig_transfer(plant: rig_kinds.RigModel, specimen_stiffness: float) -> RigTransfer:
-    """Return the transfer function of a rig of a file; of a servo-hydraulic one with a spring (N/m) as specimen."""
+    """Return the transfer function of a rig of a file; a servo-hydraulic one has a spring as specimen.
+
+    Args:
+        plant: block of the rig.
+        specimen_stiffness: of that spring, N/m.
+    """
     match plant:
         case rig_kinds.IdealRig():
             return rigs.ideal()

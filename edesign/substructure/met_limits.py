@@ -51,7 +51,11 @@ def met_limits(record: LoopRecord, time: np.ndarray) -> tuple[MetLimit, ...]:
 
 
 def in_words(limits: Sequence[MetLimit]) -> str:
-    """Return limits with their times: "the velocity limit of the rig (first at 1 s, last at 2 s, for 0.3 s in all)"."""
+    """Return limits with their times: "the velocity limit of the rig (first at 1 s, last at 2 s, for 0.3 s in all)".
+
+    Args:
+        limits: that were met.
+    """
     return " and ".join(f"the {_name(one)}{one.times}" for one in limits)
 
 

@@ -106,6 +106,10 @@ def write_run(run: VirtualTest, path: Path) -> None:
 
     Where the compensator corrects the force, `APPLIED_FORCE` is a column too.
 
+    Args:
+        run: of a virtual test.
+        path: of the CSV file.
+
     Raises:
         ArchiveError: it cannot be written.
     """

@@ -34,7 +34,18 @@ class SizedDamper(CoreDamper):
         method: Method = "best",
         tolerance: float = TOLERANCE,
     ) -> np.ndarray:
-        """Return the force history (n,) N of the device, as `CoreDamper.force`."""
+        """Return the force history of the device, as `CoreDamper.force`.
+
+        Args:
+            time: (n,) s, ascending.
+            deformation: (n,) m, of the device.
+            velocity: (n,) m/s, of the device.
+            method: how the law is integrated.
+            tolerance: relative, of the integration.
+
+        Returns:
+            (n,) N.
+        """
         scale = self.scales[1]
         u, v = scale * np.asarray(deformation, dtype=float), scale * np.asarray(velocity, dtype=float)
         return self.scales[0] * super().force(time, u, v, method, tolerance)
@@ -48,7 +59,16 @@ class SizedDamper(CoreDamper):
         method: Method = "best",
         tolerance: float = TOLERANCE,
     ) -> tuple[np.ndarray, float, tuple[float, float]]:
-        """Do one step of the device, as `CoreDamper.step`."""
+        """Take one step of the device, as `CoreDamper.step`.
+
+        Args:
+            state: (n,) of the law at its start.
+            duration: s.
+            before: deformation (m) and velocity (m/s) of the device at its start.
+            after: deformation (m) and velocity (m/s) of the device at its end.
+            method: how the law is integrated.
+            tolerance: relative, of the integration.
+        """
         force, scale = self.scales
         start, end = (scale * before[0], scale * before[1]), (scale * after[0], scale * after[1])
         found, value, (of_u, of_v) = super().step(state, duration, start, end, method, tolerance)

@@ -121,7 +121,13 @@ def judged(
 
 
 def failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> VirtualTest:
-    """Return a run whose loop could not be run to an end, with the reason."""
+    """Return a run whose loop could not be run to an end, with the reason.
+
+    Args:
+        test: block of the test.
+        compensator: its name.
+        reason: for people.
+    """
     return VirtualTest(
         test=test.name,
         compensator=compensator,
@@ -142,7 +148,13 @@ def failed(test: CommandTest | RtsTest, compensator: str, reason: str) -> Virtua
 
 
 def without_result(run: VirtualTest, outcome: str, reason: str) -> VirtualTest:
-    """Return a run with another outcome, and without indicators, which would be no result."""
+    """Return a run with another outcome, and without indicators, which would be no result.
+
+    Args:
+        run: of the test.
+        outcome: of the run.
+        reason: for people.
+    """
     nan = np.nan
     return replace(
         run, outcome=outcome, reason=reason, tracking=None, response_error=nan, peak_error=nan, building_error=nan

@@ -92,7 +92,12 @@ class VirtualLaboratory:
     def run_others(
         self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None
     ) -> Iterator[MethodResults]:
-        """Yield the results of the tests by other methods; arguments and errors as `run`."""
+        """Yield the results of the tests by other methods; errors as `run`.
+
+        Args:
+            tell: see `run`.
+            wish: see `run`.
+        """
         for test in self.others:
             tell(test.name)
             drive = self.drives[test.name]
@@ -103,11 +108,19 @@ class VirtualLaboratory:
             yield results
 
     def drive(self, test: CommandTest | RecordTest) -> Drive:
-        """Return what drives a test; errors as `drive_of`."""
+        """Return what drives a test; errors as `drive_of`.
+
+        Args:
+            test: block of the test.
+        """
         return drive_of(self.file, test)
 
     def direct(self, drive: Drive) -> Direct:
-        """Return the response of the structure without laboratory, as `ComputedStructure.direct`."""
+        """Return the response of the structure without laboratory, as `ComputedStructure.direct`.
+
+        Args:
+            drive: of the test.
+        """
         return self.computed.direct(drive)
 
     def in_loop(self) -> Recursion | FrameNumericalPart:
@@ -115,7 +128,11 @@ class VirtualLaboratory:
         return self.computed.in_loop()
 
     def step_warnings(self, test: CommandTest | RtsTest) -> Iterator[str]:
-        """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`."""
+        """Yield what is doubtful about the main steps of a test, as `ComputedStructure.step_warnings`.
+
+        Args:
+            test: block of the test.
+        """
         yield from self.computed.step_warnings(test.name, self.drives[test.name])
 
     def moved(self, compensator: str, target: np.ndarray) -> LoopRecord:

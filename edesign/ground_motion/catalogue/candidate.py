@@ -41,7 +41,11 @@ class Facts:
     pulse: bool | None = None
 
     def over(self, other: Facts) -> Facts:
-        """These facts, and those of the other where they say nothing."""
+        """Return these facts, and those of others where they say nothing.
+
+        Args:
+            other: facts on the recording from elsewhere.
+        """
         said = {field.name: getattr(self, field.name) for field in fields(self)}
         return replace(other, **{name: value for name, value in said.items() if value is not None})
 
@@ -109,6 +113,9 @@ class Names:
     def free(self, *texts: str) -> str:
         """Return a name made of the first text whose name is free, and take it.
 
+        Args:
+            *texts: names in the order in which they are tried.
+
         Raises:
             InputError: none of them is.
         """
@@ -124,20 +131,37 @@ class Names:
 
 
 def entry_of(name: str, facts: Facts, component: str | None, **places: Any) -> SuiteEntry:
-    """Return what a suite would say of a recording; its values are in SI and need no reading."""
+    """Return what a suite would say of a recording; its values are in SI and need no reading.
+
+    Args:
+        name: of the recording.
+        facts: on it.
+        component: its label.
+        **places: fields of `SuiteEntry` that say where it is.
+    """
     about: dict[str, Any] = {field.name: getattr(facts, field.name) for field in fields(facts) if field.name != "pulse"}
     return SuiteEntry.model_construct(id=name, component=component, **about, **places)
 
 
 def suite_of(title: str, project: Path) -> Suite:
-    """Return a suite without a file of its own; paths of its recordings are relative to the project file."""
+    """Return a suite without a file of its own; paths of its recordings are relative to the project file.
+
+    Args:
+        title: of the suite.
+        project: the project file.
+    """
     suite = Suite.model_construct(edesign_suite=1, title=title, records=())
     suite._path = project
     return suite
 
 
 def outside(candidate: Candidate, limits: Limits) -> str:
-    """Return why a candidate is outside of limits; "" if it is within."""
+    """Return why a candidate is outside of limits; "" if it is within.
+
+    Args:
+        candidate: the recording.
+        limits: for recordings.
+    """
     entry = candidate.entry
     values: Sequence[tuple[str, tuple[float, float] | None, float | None, float, str]] = (
         ("magnitude", limits.magnitude, entry.magnitude, 1.0, ""),

@@ -21,6 +21,10 @@ _NUMBER = re.compile(r"[0-9]+(\.[0-9]+)?")
 def facts_of(path: Path, file_format: FileFormat) -> Facts:
     """Return what a file and its name say of the recording.
 
+    Args:
+        path: of the file.
+        file_format: its format.
+
     Raises:
         InputError: the file cannot be read.
     """
@@ -63,7 +67,12 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
 
 
 def is_vertical(path: Path, label: str) -> bool:
-    """Return whether a component is the vertical one, as far as its label or the name of its file tells."""
+    """Return whether a component is the vertical one, as far as its label or the name of its file tells.
+
+    Args:
+        path: of the file.
+        label: of the component; "" without one.
+    """
     if label:
         return any(_VERTICAL_WORD.fullmatch(word) for word in re.split(r"[\s:,]+", label)) or label.endswith("NZ")
     name = PeerName.parse(path.name)

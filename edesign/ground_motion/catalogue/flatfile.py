@@ -51,6 +51,9 @@ class Flatfile:
 def read_flatfile(path: Path) -> Flatfile:
     """Read a flatfile.
 
+    Args:
+        path: of the file.
+
     Raises:
         InputError: the file cannot be read, has no line of headers, two of the same meaning, a line that names no
             recording, one twice, or a value that is none; the message names the line.

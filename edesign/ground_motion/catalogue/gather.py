@@ -111,7 +111,12 @@ def candidates_of(sources: Sequence[Source], project: Path) -> Iterator[Candidat
 
 
 def short_reason(text: str, candidate: Candidate) -> str:
-    """Return the reason in one line, without the places that stand before it, which differ from machine to machine."""
+    """Return the reason in one line, without the places that stand before it, which differ from machine to machine.
+
+    Args:
+        text: of the error.
+        candidate: the recording.
+    """
     for start in (f"{candidate.suite.where(candidate.name)}: ", f"{candidate.name}: "):
         text = text.removeprefix(start)
     if candidate.entry.file is not None:

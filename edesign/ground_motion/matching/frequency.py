@@ -44,6 +44,14 @@ def adjust(
     Arguments and result are those of `edesign.ground_motion.matching.result.Adjust`. If `zero_period` is given, the
     peak ground acceleration counts as one more ordinate, and frequencies up to an octave above the band may change.
 
+    Args:
+        acceleration: (n,) m/s2.
+        time_step: s.
+        target: gives the target, m/s2, at periods, s.
+        periods: (n_p,) s, at which the spectrum is matched.
+        options: of the matching.
+        zero_period: target of the peak ground acceleration, m/s2; None: it is not matched.
+
     Source: thesis, section 5.3.3 and Fig. 5.6; Rizzo, Shaw and Jarecki (1975), Nuclear Engineering and Design 32, for
     the ratio; Marquardt (1963), Journal of SIAM 11, for the damping.
     """

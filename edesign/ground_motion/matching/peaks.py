@@ -31,7 +31,11 @@ class Peaks:
     largest: np.ndarray
 
     def where(self, kept: np.ndarray) -> Peaks:
-        """The peaks chosen by a mask of shape (m,)."""
+        """Return the peaks chosen by a mask.
+
+        Args:
+            kept: (m,) bool.
+        """
         return Peaks(self.ordinate[kept], self.time[kept], self.value[kept], self.largest[kept])
 
 

@@ -40,7 +40,12 @@ def suite_factor(matches: Sequence[Match], target: Spectrum, fundamental_period:
 
 
 def raised(match: Match, factor: float) -> Match:
-    """Return a match whose result, and all that is said about it, is that of the matched record times a factor."""
+    """Return a match whose result, and all that is said about it, is that of the matched record times a factor.
+
+    Args:
+        match: a result of matching.
+        factor: dimensionless.
+    """
     if factor == 1.0:
         return match
     matched = match.matched.scaled(factor)

@@ -41,13 +41,20 @@ class Sensitivity:
         """Return the sample at which each oscillator's displacement is largest, the ground first, shape (n_p + 1,).
 
         Oscillators are driven by one impulse a sample: right for the time of the peak, up to a constant factor in size.
+
+        Args:
+            acceleration: (n,) m/s2.
         """
         at = [int(np.argmax(np.abs(acceleration)))]
         at += [int(np.argmax(np.abs(scipy.signal.lfilter(b, a, acceleration)))) for b, a in self._recursion]
         return np.array(at)
 
     def matrix(self, acceleration: np.ndarray) -> np.ndarray:
-        """Return the derivatives, ground first, shape (n_p + 1, n_n)."""
+        """Return the derivatives of the ordinates, ground first, shape (n_p + 1, n_n).
+
+        Args:
+            acceleration: (n,) m/s2.
+        """
         turned = self._roots[np.outer(self.peak_samples(acceleration), self._factor.index) % self._roots.size]
         terms = np.real(self._transfer * self._factor.transform(acceleration) * turned)
         return np.asarray((self._factor.hats.T @ terms.T).T) / np.sum(terms, axis=1, keepdims=True)

@@ -52,7 +52,12 @@ def wavelet(time: np.ndarray, period: float, width: float, even: float, odd: flo
 
 
 def offset(period: np.ndarray | float, width: np.ndarray | float) -> np.ndarray:
-    """The constant k of `wavelet_pair`."""
+    """Return the constant k of `wavelet_pair`.
+
+    Args:
+        period: s.
+        width: of the wavelet, s.
+    """
     return np.asarray(np.exp(-((np.pi * width / period) ** 2)))
 
 

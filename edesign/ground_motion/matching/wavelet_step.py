@@ -70,7 +70,11 @@ class Step:
         return cls(peaks, wavelets, matrix, missing, ordinates)
 
     def amplitudes(self, damping: float) -> np.ndarray:
-        """Amplitudes of the wavelets; see `edesign.ground_motion.matching.amplitudes`."""
+        """Return the amplitudes of the wavelets; see `edesign.ground_motion.matching.amplitudes`.
+
+        Args:
+            damping: of the least squares.
+        """
         return amplitudes(self.matrix, self.missing, np.flatnonzero(self.peaks.largest), damping)
 
     def taught_by(self, trial: State, tried: np.ndarray) -> Step:

@@ -36,6 +36,14 @@ def adjust(
 
     Arguments and result are those of `edesign.ground_motion.matching.result.Adjust`.
 
+    Args:
+        acceleration: (n,) m/s2.
+        time_step: s.
+        target: gives the target, m/s2, at periods, s.
+        periods: (n_p,) s, at which the spectrum is matched.
+        options: of the matching.
+        zero_period: target of the peak ground acceleration, m/s2; None: it is not matched.
+
     Source: Lilhanand & Tseng (1988), 9WCEE; Hancock et al. (2006), Journal of Earthquake Engineering 10; Al Atik &
     Abrahamson (2010), Earthquake Spectra 26(3), 601-617; Marquardt (1963), Journal of SIAM 11, for the damping.
     """

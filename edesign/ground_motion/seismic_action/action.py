@@ -99,6 +99,10 @@ class SeismicAction(Protocol):
 def check_level(hazard: Hazard, level: str) -> None:
     """Check that there is a level.
 
+    Args:
+        hazard: block of the project.
+        level: its name.
+
     Raises:
         InputError: there is not.
     """

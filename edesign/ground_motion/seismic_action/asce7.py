@@ -24,13 +24,22 @@ class AsceAction:
         yield ("T_L",), lambda: self.elastic(None)
 
     def elastic(self, level: str | None) -> AsceSpectrum:
-        """Return S_a(T), 11.4; None is the design earthquake."""
+        """Return S_a(T); None is the design earthquake.
+
+        Args:
+            level: its name in the hazard.
+
+        Source: ASCE/SEI 7, 11.4.
+        """
         h, factor = self.hazard, 1.0 if level is None else self.factor(level)
         edition = h.code.removeprefix("asce")
         return AsceSpectrum(h.S_DS, h.S_D1, h.T_L, factor, h.damping, edition, self._label(level))
 
     def vertical(self, level: str | None) -> AsceSpectrum:
-        """Refuse.
+        """Refuse a vertical spectrum.
+
+        Args:
+            level: its name in the hazard.
 
         Raises:
             InputError: always; 11.9 is not here.
@@ -38,7 +47,14 @@ class AsceAction:
         raise InputError(f"there is no vertical spectrum of {find_code(self.hazard.code).title} here (its 11.9)")
 
     def design(self, level: str | None, q: float | None) -> AsceDesignSpectrum | None:
-        """Return S_a / (R / I_e), 12.9.1.2; q stands for R."""
+        """Return S_a / (R / I_e).
+
+        Args:
+            level: its name in the hazard.
+            q: stands for R; None: that of the hazard.
+
+        Source: ASCE/SEI 7, 12.9.1.2.
+        """
         R = self.hazard.R if q is None else q
         if R is None:
             return None
@@ -46,16 +62,32 @@ class AsceAction:
         return AsceDesignSpectrum(self.elastic(level), R, self.hazard.I_e, label)
 
     def vertical_design(self, level: str | None, q: float) -> AsceDesignSpectrum:
-        """Refuse, as `vertical`."""
+        """Refuse a vertical spectrum.
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
+
+        Raises:
+            InputError: always; 11.9 is not here.
+        """
         return AsceDesignSpectrum(self.vertical(level), q)
 
     def factor(self, level: str) -> float:
-        """Return 1 for the design earthquake, 1.5 for MCE_R (7-22, 11.4.6; 7-16, 11.4.7)."""
+        """Return 1 for the design earthquake, 1.5 for MCE_R (7-22, 11.4.6; 7-16, 11.4.7).
+
+        Args:
+            level: its name in the hazard.
+        """
         check_level(self.hazard, level)
         return EARTHQUAKES[self.hazard.levels[level].earthquake]
 
     def facts(self, level: str) -> str:
-        """Return the earthquake."""
+        """Return the earthquake.
+
+        Args:
+            level: its name in the hazard.
+        """
         return f"{self.hazard.levels[level].earthquake}, {self.factor(level):g} x design spectrum"
 
     def _label(self, level: str | None) -> str:

@@ -95,20 +95,39 @@ class EC8Action:
         return replace(table, **self.hazard.parameters.model_dump(exclude_none=True))
 
     def elastic(self, level: str | None) -> ElasticSpectrum:
-        """Return S_e(T), 3.2.2.2; None is the reference action, gamma_I = 1."""
+        """Return S_e(T); None is the reference action, gamma_I = 1.
+
+        Args:
+            level: its name in the hazard.
+
+        Source: EN 1998-1:2004, 3.2.2.2.
+        """
         parameters = self.parameters
         shape = f"type {parameters.spectrum_type}, ground {parameters.ground}"
         label = f"{self.title} {shape}, {self._action(level)}"
         return ElasticSpectrum(self.a_gR, parameters, self._gamma_I(level), self.hazard.damping, label)
 
     def vertical(self, level: str | None) -> VerticalSpectrum:
-        """Return S_ve(T), 3.2.2.3."""
+        """Return S_ve(T).
+
+        Args:
+            level: its name in the hazard.
+
+        Source: EN 1998-1:2004, 3.2.2.3.
+        """
         label = f"{self.title} type {self.hazard.spectrum}, vertical, {self._action(level)}"
         parameters = self.national.vertical(self.spectrum_type)
         return VerticalSpectrum(self.a_gR, parameters, self._gamma_I(level), self.hazard.damping, label)
 
     def design(self, level: str | None, q: float | None) -> DesignSpectrum | None:
-        """Return S_d(T), 3.2.2.5."""
+        """Return S_d(T); None: there is no behaviour factor.
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
+
+        Source: EN 1998-1:2004, 3.2.2.5.
+        """
         q = self.hazard.behaviour_factor if q is None else q
         if q is None:
             return None
@@ -116,11 +135,27 @@ class EC8Action:
         return DesignSpectrum.of(self.elastic(level), q, self.national.beta, label)
 
     def vertical_design(self, level: str | None, q: float) -> DesignSpectrum:
-        """Return S_vd(T), 3.2.2.5(5) to (7)."""
+        """Return S_vd(T).
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
+
+        Source: EN 1998-1:2004, 3.2.2.5(5) to (7).
+        """
         return vertical_design_spectrum(self.vertical(level), q, self.national.beta)
 
     def factor(self, level: str) -> float:
-        """Return gamma_I of a level, 2.1(4) Note and 4.2.5(5)P; thesis Eq. 5.5."""
+        """Return gamma_I of a level.
+
+        Args:
+            level: its name in the hazard.
+
+        Raises:
+            InputError: there is no such level, or it says nothing of its importance.
+
+        Source: EN 1998-1:2004, 2.1(4) Note and 4.2.5(5)P; thesis Eq. 5.5.
+        """
         check_level(self.hazard, level)
         given, national = self.hazard.levels[level], self.national
         k = self.hazard.k if self.hazard.k is not None else national.hazard_exponent
@@ -135,7 +170,11 @@ class EC8Action:
         raise InputError(f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I")
 
     def facts(self, level: str) -> str:
-        """Return probability or return period, and importance factor, of a level."""
+        """Return probability or return period, and importance factor, of a level.
+
+        Args:
+            level: its name in the hazard.
+        """
         given = self.hazard.levels[level]
         chance = f"{100 * given.probability:g} % in 50 years, " if given.probability is not None else ""
         if given.return_period is not None:

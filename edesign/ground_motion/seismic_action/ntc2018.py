@@ -39,20 +39,38 @@ class NtcAction:
         yield ("levels",), lambda: [self.elastic(level) for level in self.hazard.levels]
 
     def elastic(self, level: str | None) -> NtcSpectrum:
-        """Return S_e(T), 3.2.3.2.1."""
+        """Return S_e(T).
+
+        Args:
+            level: its name in the hazard.
+
+        Source: NTC 2018, 3.2.3.2.1.
+        """
         name, given = self._level(level)
         return NtcSpectrum(*given, self.hazard.damping, self._rules(name), self._label(name, "elastic"))
 
     def vertical(self, level: str | None) -> NtcVerticalSpectrum:
-        """Return S_ve(T), 3.2.3.2.2."""
+        """Return S_ve(T).
+
+        Args:
+            level: its name in the hazard.
+
+        Source: NTC 2018, 3.2.3.2.2.
+        """
         name, given = self._level(level)
         return NtcVerticalSpectrum(*given, self.hazard.damping, self._rules(name), self._label(name, "vertical"))
 
     def design(self, level: str | None, q: float | None) -> NtcDesignSpectrum | None:
-        """Return S_d(T), 3.2.3.5.
+        """Return S_d(T); None: there is no behaviour factor.
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
 
         Raises:
             InputError: the level is of SLO, whose design spectrum is the elastic one (3.2.3.4).
+
+        Source: NTC 2018, 3.2.3.5.
         """
         given = q is not None
         q = self.hazard.behaviour_factor if q is None else q
@@ -66,10 +84,16 @@ class NtcAction:
         return NtcDesignSpectrum(self.elastic(level), q, self._label(name, f"design, q = {q:g}"))
 
     def vertical_design(self, level: str | None, q: float) -> NtcDesignSpectrum:
-        """Return S_vd(T), 3.2.3.5.
+        """Return S_vd(T).
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
 
         Raises:
             InputError: q is above 1.5, which 7.3.1 has for the vertical component.
+
+        Source: NTC 2018, 3.2.3.5.
         """
         if q > LARGEST_VERTICAL_Q:
             raise InputError(
@@ -79,12 +103,20 @@ class NtcAction:
         return NtcDesignSpectrum(self.vertical(level), q, self._label(name, f"design, vertical, q = {q:g}"))
 
     def factor(self, level: str) -> float:
-        """Return 1: each level has a spectrum of its own."""
+        """Return 1: each level has a spectrum of its own.
+
+        Args:
+            level: its name in the hazard.
+        """
         check_level(self.hazard, level)
         return 1.0
 
     def facts(self, level: str) -> str:
-        """Return limit state, probability, return period, and the parameters of the site on rock."""
+        """Return limit state, probability, return period, and the parameters of the site on rock.
+
+        Args:
+            level: its name in the hazard.
+        """
         state = LIMIT_STATES[self.hazard.levels[level].limit_state]
         given = self.hazard.levels[level]
         life = reference_life(self.hazard.nominal_life / YEAR, self.hazard.class_of_use)

@@ -29,7 +29,11 @@ class UserAction:
             yield tuple(map(str, keys)), partial(self._spectrum, table, 1.0, "")
 
     def elastic(self, level: str | None) -> TabulatedSpectrum:
-        """Return the table of a level, or that of the action times its factor."""
+        """Return the table of a level, or that of the action times its factor.
+
+        Args:
+            level: its name in the hazard.
+        """
         if self.hazard.spectrum is not None:
             factor = 1.0 if level is None else self.factor(level)
             name = "spectrum of the user" if level is None else f"spectrum of the user, {level}: x {factor:.4g}"
@@ -41,7 +45,10 @@ class UserAction:
         return self._spectrum(table, 1.0, f"spectrum of the user, {name}")
 
     def vertical(self, level: str | None) -> Spectrum:
-        """Refuse.
+        """Refuse a vertical spectrum.
+
+        Args:
+            level: its name in the hazard.
 
         Raises:
             InputError: always; a table is of the horizontal component.
@@ -49,7 +56,11 @@ class UserAction:
         raise InputError("a spectrum of the user is that of the horizontal component; there is no vertical one")
 
     def design(self, level: str | None, q: float | None) -> DesignOrdinates | None:
-        """Refuse a q; without one there is none.
+        """Refuse a behaviour factor; without one there is no design spectrum.
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
 
         Raises:
             InputError: q is given; a table does not say how it is reduced.
@@ -59,16 +70,32 @@ class UserAction:
         return None
 
     def vertical_design(self, level: str | None, q: float) -> DesignOrdinates:
-        """Refuse, as `vertical`."""
+        """Refuse a vertical spectrum.
+
+        Args:
+            level: its name in the hazard.
+            q: behaviour factor.
+
+        Raises:
+            InputError: always; a table is of the horizontal component.
+        """
         raise InputError("a spectrum of the user is that of the horizontal component; there is no vertical one")
 
     def factor(self, level: str) -> float:
-        """Return the factor of a level on the spectrum of the action; 1 where levels have tables of their own."""
+        """Return the factor of a level on the spectrum of the action; 1 where levels have tables of their own.
+
+        Args:
+            level: its name in the hazard.
+        """
         check_level(self.hazard, level)
         return self.hazard.levels[level].factor or 1.0
 
     def facts(self, level: str) -> str:
-        """Return how rare a level is, if the file says so, and its factor."""
+        """Return how rare a level is, if the file says so, and its factor.
+
+        Args:
+            level: its name in the hazard.
+        """
         given = self.hazard.levels[level]
         parts = [f"{100 * given.probability:g} % in 50 years"] if given.probability is not None else []
         parts += [f"T_R = {given.return_period / YEAR:.4g} years"] if given.return_period is not None else []

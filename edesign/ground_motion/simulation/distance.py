@@ -12,6 +12,10 @@ def pseudo_depth(magnitude: float, crust: Crust) -> float:
 
     Two straight lines of log10 h over magnitude, joined by a parabola that has the slope of each at its ends.
 
+    Args:
+        magnitude: moment magnitude.
+        crust: parameters of the crust.
+
     Source: Yenier & Atkinson (2014; 2015, BSSA 105, 1989-2009); joined as by Boore & Thompson (2015).
     """
     (intercept_small, slope_small), (intercept_large, slope_large) = crust.pseudo_depth

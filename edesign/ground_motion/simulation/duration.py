@@ -10,7 +10,11 @@ from edesign.ground_motion.simulation.source import source_duration
 
 
 def path_duration(distance: float, crust: Crust) -> float:
-    """Return what the path adds, in s, at the point-source distance in m.
+    """Return what the path adds to the duration, in s.
+
+    Args:
+        distance: point-source distance, m.
+        crust: parameters of the crust.
 
     Source: Boore & Thompson (2014, BSSA 104, 2541-2552), Table 1.
     """
@@ -20,5 +24,11 @@ def path_duration(distance: float, crust: Crust) -> float:
 
 
 def ground_motion_duration(magnitude: float, distance: float, crust: Crust) -> float:
-    """Return the duration T_gm of the ground motion, in s, at the closest distance in m."""
+    """Return the duration T_gm of the ground motion, in s.
+
+    Args:
+        magnitude: moment magnitude.
+        distance: closest distance to the rupture, m.
+        crust: parameters of the crust.
+    """
     return source_duration(magnitude, crust) + path_duration(effective_distance(magnitude, distance, crust), crust)

@@ -14,7 +14,11 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 
 
 def spreading(distance: float, crust: Crust) -> float:
-    """Return the geometrical spreading Z(R), 1 at 1 km, at a point-source distance in m.
+    """Return the geometrical spreading Z(R), 1 at 1 km.
+
+    Args:
+        distance: point-source distance, m.
+        crust: parameters of the crust.
 
     Source: Boore (2003), Eq. 9.
     """
@@ -29,7 +33,15 @@ def spreading(distance: float, crust: Crust) -> float:
 
 
 def path(frequency: np.ndarray, distance: float, crust: Crust) -> np.ndarray:
-    """Return spreading and anelastic attenuation over a point-source distance in m (shape of `frequency`, in Hz, > 0).
+    """Return spreading and anelastic attenuation on the path.
+
+    Args:
+        frequency: (n,) Hz, above zero.
+        distance: point-source distance, m.
+        crust: parameters of the crust.
+
+    Returns:
+        In the shape of `frequency`, dimensionless.
 
     Source: Boore (2003), path effects.
     """
@@ -39,7 +51,14 @@ def path(frequency: np.ndarray, distance: float, crust: Crust) -> np.ndarray:
 
 
 def rock(frequency: np.ndarray, crust: Crust) -> np.ndarray:
-    """Return amplification and diminution by the crust's reference rock (shape of `frequency`, in Hz, > 0).
+    """Return amplification and diminution by the crust's reference rock.
+
+    Args:
+        frequency: (n,) Hz, above zero.
+        crust: parameters of the crust.
+
+    Returns:
+        In the shape of `frequency`, dimensionless.
 
     Source: Boore & Joyner (1997, BSSA 87, 327-341), Boore (2016); Anderson & Hough (1984) for kappa.
     """

@@ -16,7 +16,13 @@ PAD = 0.75 * _ORDER / LOW_CUT
 
 
 def low_cut(frequency: np.ndarray) -> np.ndarray:
-    """Return the amplitude of the filter (shape of `frequency`, in Hz); it shifts no phase.
+    """Return the amplitude of the low-cut filter, which shifts no phase.
+
+    Args:
+        frequency: (n,) Hz.
+
+    Returns:
+        In the shape of `frequency`, dimensionless.
 
     Source: Butterworth filter run forwards and backwards, as recordings are processed; Boore (2005).
     """

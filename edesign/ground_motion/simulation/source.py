@@ -22,7 +22,10 @@ class Corners:
 
 
 def seismic_moment(magnitude: float) -> float:
-    """Return M_0 in N m of a moment magnitude.
+    """Return the seismic moment M_0, N m.
+
+    Args:
+        magnitude: moment magnitude.
 
     Source: Hanks & Kanamori (1979), as Boore (2003) has it for dyn cm: M = 2/3 log10 M_0 - 10.7.
     """
@@ -32,6 +35,10 @@ def seismic_moment(magnitude: float) -> float:
 def corner_frequency(magnitude: float, crust: Crust) -> float:
     """Return the corner frequency f_c that belongs to the stress drop, in Hz.
 
+    Args:
+        magnitude: moment magnitude.
+        crust: parameters of the crust.
+
     Source: Brune (1970, 1971), as in Boore (2003): 4.906e6 beta (stress drop / M_0)^(1/3) in km/s, bar and dyn cm.
     """
     return float(0.4906 * crust.shear_velocity * (crust.stress_drop / seismic_moment(magnitude)) ** (1.0 / 3.0))
@@ -39,6 +46,10 @@ def corner_frequency(magnitude: float, crust: Crust) -> float:
 
 def corners(magnitude: float, crust: Crust) -> Corners:
     """Return the corners; of two, the upper one is such that high frequencies are those of the stress drop.
+
+    Args:
+        magnitude: moment magnitude.
+        crust: parameters of the crust.
 
     Source: Boore, Di Alessandro & Abrahamson (2014, BSSA 104, 2387-2398), additive double-corner-frequency spectrum.
     """
@@ -53,7 +64,15 @@ def corners(magnitude: float, crust: Crust) -> Corners:
 
 
 def source(frequency: np.ndarray, magnitude: float, crust: Crust) -> np.ndarray:
-    """Return the acceleration spectrum of the source at 1 km, in m/s (shape of `frequency`, which is in Hz).
+    """Return the acceleration spectrum of the source at 1 km.
+
+    Args:
+        frequency: (n,) Hz, above zero.
+        magnitude: moment magnitude.
+        crust: parameters of the crust.
+
+    Returns:
+        In the shape of `frequency`, m/s.
 
     Source: omega-square spectrum of Brune (1970), as in Boore (2003); two corners: Atkinson & Silva (2000).
     """
@@ -67,6 +86,10 @@ def source(frequency: np.ndarray, magnitude: float, crust: Crust) -> np.ndarray:
 
 def source_duration(magnitude: float, crust: Crust) -> float:
     """Return the duration of the source, in s: 1 / f_c of one corner, the mean of both reciprocals of two.
+
+    Args:
+        magnitude: moment magnitude.
+        crust: parameters of the crust.
 
     Source: Hanks & McGuire (1981); Boore (2003); equal weights: Boore & Thompson (2015).
     """

@@ -12,7 +12,11 @@ _LENGTH = 2.12  # f_Tgm: 2.0 in Boore (2003), 2.12 in SMSIM 6.0 for the duration
 
 
 def window_length(duration: float) -> float:
-    """Return the length t_eta of the window, in s, for a ground motion of duration T_gm in s."""
+    """Return the length t_eta of the window, in s.
+
+    Args:
+        duration: T_gm of the ground motion, s.
+    """
     return _LENGTH * duration
 
 

@@ -192,7 +192,11 @@ def _collectors(frame: SpaceFrame, braces: np.ndarray, cosine: np.ndarray) -> tu
 
 
 def joined_beams(frame: SpaceFrame) -> Iterator[list[int]]:
-    """Yield the beams of each frame and floor that are joined end to end, by their numbers."""
+    """Yield the beams of each frame and floor that are joined end to end, by their numbers.
+
+    Args:
+        frame: of the building.
+    """
     lines: dict[tuple[str, int], list[tuple[int, Member]]] = {}
     for number, member in enumerate(frame.members):
         if member.kind == "beam":

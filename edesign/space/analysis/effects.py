@@ -29,12 +29,20 @@ class Effects:
     seismic: np.ndarray
 
     def of_static(self, combination: Combination) -> np.ndarray:
-        """Return the static part of a combination, (n_members, n_stations, 6)."""
+        """Return the static part of a combination, (n_members, n_stations, 6).
+
+        Args:
+            combination: of load cases and responses.
+        """
         factors = np.array([combination.static.get(case, 0.0) for case in self.cases])
         return np.asarray(np.tensordot(factors, self.static, 1))
 
     def of_seismic(self, combination: Combination) -> np.ndarray:
-        """Return the magnitude of the seismic part of a combination, (n_members, n_stations, 6)."""
+        """Return the magnitude of the seismic part of a combination, (n_members, n_stations, 6).
+
+        Args:
+            combination: of load cases and responses.
+        """
         factors = np.abs(combination.seismic[:2])
         if combination.directions == "srss":
             return np.asarray(np.sqrt(np.tensordot(factors**2, self.seismic**2, 1)))
@@ -51,6 +59,12 @@ def effects(
 
     A brace that does not count in compression carries alone what the model divides between two.
 
+    Args:
+        frame: of the building.
+        static: effects of the load cases.
+        seismic: effects of the seismic action, by direction.
+        storeys: with the factors for second-order effects.
+
     Source: EN 1998-1:2004, 4.4.2.2(3), 6.7.2(2)P.
     """
     alone = np.where(frame.in_compression, 1.0, 1.0 / TENSION_ONLY_SHARE)
@@ -61,7 +75,12 @@ def effects(
 
 
 def largest(effects: Effects, combinations: Sequence[Combination]) -> np.ndarray:
-    """Return the largest magnitude of each internal force over combinations, (n_members, n_stations, 6)."""
+    """Return the largest magnitude of each internal force over combinations, (n_members, n_stations, 6).
+
+    Args:
+        effects: of the actions.
+        combinations: of load cases and responses.
+    """
     found = np.zeros(effects.static.shape[1:])
     alike = {  # which differ in signs of the seismic action only
         (tuple(sorted(row.static.items())), tuple(np.abs(row.seismic)), row.directions): row for row in combinations

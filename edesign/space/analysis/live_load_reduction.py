@@ -55,7 +55,11 @@ class LiveLoadReduction:
         }
 
     def rows(self, combinations: Sequence[Combination]) -> tuple[Combination, ...]:
-        """Return persistent combinations with reduced imposed loads in the place of those that lead."""
+        """Return persistent combinations with reduced imposed loads in the place of those that lead.
+
+        Args:
+            combinations: of load cases and responses.
+        """
         return tuple(self._row(row) for row in combinations)
 
     def _row(self, row: Combination) -> Combination:
@@ -67,7 +71,11 @@ class LiveLoadReduction:
         return replace(row, name=name, static=static)
 
     def added(self, effects: Effects) -> Effects:
-        """Return effects with those of the reduced imposed loads as cases of their own."""
+        """Return effects with those of the reduced imposed loads as cases of their own.
+
+        Args:
+            effects: of the load cases.
+        """
         if not self.factors:
             return effects
         more = [effects.static[effects.cases.index(case)] * of[:, None] for case, of in self.factors.items()]
@@ -86,7 +94,11 @@ def _reduced(case: str) -> str:
 
 
 def whole_case(case: str) -> str:
-    """Return the name of the load case that a reduced one is of, or its own name."""
+    """Return the name of the load case that a reduced one is of, or its own name.
+
+    Args:
+        case: name of a load case.
+    """
     return case.removeprefix(_ALPHA)
 
 

@@ -81,7 +81,12 @@ class SeismicResponse:
 
 
 def static_response(model: SpaceModel, frame: SpaceFrame) -> StaticResponse:
-    """Return the effects of all load cases of a frame."""
+    """Return the effects of all load cases of a frame.
+
+    Args:
+        model: of the core.
+        frame: of the building.
+    """
     return static_cases(model, tuple(frame.cases.values()))
 
 
@@ -291,7 +296,12 @@ def _modal_drift(frame: SpaceFrame, modes: SpaceModes, direction: int) -> tuple[
 
 
 def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticResponse:
-    """Return the effects of load cases."""
+    """Return the effects of load cases.
+
+    Args:
+        model: of the core.
+        cases: the load cases.
+    """
     points = Points(
         case=np.repeat(np.arange(len(cases)), [case.point_member.size for case in cases]),
         member=np.concatenate([case.point_member for case in cases]),
@@ -305,6 +315,12 @@ def static_cases(model: SpaceModel, cases: tuple[LoadCase, ...]) -> StaticRespon
 
 
 def nodal_case(frame: SpaceFrame, name: str, nodal: np.ndarray) -> LoadCase:
-    """Return a load case of forces and moments on nodes, (n_nodes, 6) N and N m."""
+    """Return a load case of forces and moments on nodes.
+
+    Args:
+        frame: of the building.
+        name: of the case.
+        nodal: (n_nodes, 6) N and N m.
+    """
     none = np.zeros(0, dtype=int)
     return LoadCase(name, "seismic", nodal, np.zeros((len(frame.members), 3)), none, np.zeros(0), np.zeros((0, 3)))

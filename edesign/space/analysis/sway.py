@@ -57,7 +57,11 @@ class SwayStability:
     rows: tuple[Combination, ...]
 
     def added(self, effects: Effects) -> Effects:
-        """Return effects of load cases with those of the imperfections."""
+        """Return effects of load cases with those of the imperfections.
+
+        Args:
+            effects: of the load cases.
+        """
         if not self.cases:
             return effects
         static = np.concatenate([effects.static, self.internal])
@@ -243,6 +247,10 @@ def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criteri
     Shapes that twist have a criterion of their own where they are the first. Without imperfections the values inform
     only: second-order effects are then left to the buckling lengths (5.2.2(8)).
 
+    Args:
+        stability: of the building.
+        imperfections: whether they are among the actions.
+
     Source: EN 1993-1-1:2005, 5.2.2(5)B and (6).
     """
     x, y, least = stability.alpha_cr.T
@@ -262,7 +270,11 @@ def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criteri
 
 
 def sway_notes(stability: SwayStability) -> list[str]:
-    """Return what an engineer should know of the sway stability, a sentence each."""
+    """Return what an engineer should know of the sway stability, a sentence each.
+
+    Args:
+        stability: of the building.
+    """
     found = []
     for number, axis in enumerate(AXES):
         alpha_cr = float(stability.alpha_cr[:, number].min())

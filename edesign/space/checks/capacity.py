@@ -76,7 +76,13 @@ class Joint:
 def by_section(
     frame: SpaceFrame, materials: Mapping[str, Steel], value: Callable[[SteelSection, Steel], float]
 ) -> np.ndarray:
-    """Return a value of section and steel for each member, (n_members,); each pair of them is asked once."""
+    """Return a value of section and steel for each member, (n_members,); each pair of them is asked once.
+
+    Args:
+        frame: of the building.
+        materials: steels by name.
+        value: of one section and steel.
+    """
     pairs, of_members = frame.sections
     return np.array([value(steel_section(name), materials[steel]) for name, steel in pairs])[of_members]
 
@@ -186,7 +192,12 @@ def joints(
 
 
 def bends_about_y(member: Member, axis: Axis) -> bool:
-    """Say whether a column bends about its strong axis under horizontal forces along an axis."""
+    """Say whether a column bends about its strong axis under horizontal forces along an axis.
+
+    Args:
+        member: the column.
+        axis: of the horizontal forces.
+    """
     return abs(member.web[AXES.index(axis)]) > _DIAGONAL
 
 

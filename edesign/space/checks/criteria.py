@@ -54,7 +54,11 @@ def largest_q(building: Building, system: System, axis: Axis, low_ductility_q: f
 
 
 def modal_criteria(modes: SpaceModes) -> list[Criterion]:
-    """Return whether the modes taken have enough mass in both directions."""
+    """Return whether the modes taken have enough mass in both directions.
+
+    Args:
+        modes: that are taken.
+    """
     return [
         check_modes(modes.effective_mass_ratio[:, number], modes.period.size, axis) for number, axis in enumerate(AXES)
     ]
@@ -118,12 +122,22 @@ def allowed_class(design: Design, q: float, limit: float, regular: Regular) -> i
 
 @cache
 def dissipative_class(section: str, fy: float, bent: bool) -> SectionClass:
-    """Return the class of a dissipative section: bent without axial force (beams), or compressed (diagonals)."""
+    """Return the class of a dissipative section.
+
+    Args:
+        section: its name.
+        fy: yield strength, Pa.
+        bent: it bends without axial force (beams); otherwise it is compressed (diagonals).
+    """
     return section_class(steel_section(section), fy, 0.0 if bent else -1.0, about_y=bent)
 
 
 def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
-    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts."""
+    """Yield whether second-order effects and drifts of one direction are within limits; the worst storey counts.
+
+    Args:
+        storeys: of one direction.
+    """
     worst = int(storeys.theta.argmax())
     yield at_most(
         "4.4.2.2(3)",
@@ -144,7 +158,12 @@ def storey_criteria(storeys: Storeys) -> Iterator[Criterion]:
 
 
 def joint_criteria(joints: Sequence[Joint], axis: Axis) -> list[Criterion]:
-    """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts."""
+    """Return whether columns are stronger than beams at the joints of one direction; the worst joint counts.
+
+    Args:
+        joints: of one direction.
+        axis: direction.
+    """
     asked = [joint for joint in joints if not joint.exempt]
     if not asked:
         return []
@@ -188,13 +207,22 @@ def brace_slenderness(building: Building, frame: SpaceFrame, members: np.ndarray
 
 
 def slenderness_of_one_metre(section: SteelSection, steel: Steel) -> float:
-    """Return the non-dimensional slenderness of a bar of one metre, about the axis with the smaller inertia."""
+    """Return the non-dimensional slenderness of a bar of one metre, about the axis with the smaller inertia.
+
+    Args:
+        section: of the bar.
+        steel: of the bar.
+    """
     N_cr = critical_force(steel.E, min(section.I_y, section.I_z), 1.0)
     return flexural_slenderness(section.A, steel.fy, N_cr)
 
 
 def pattern_of(member: Member) -> str:
-    """Return what EN 1998-1, 6.7.3 calls the bracing of a diagonal: `x`, `diagonal` or `v`."""
+    """Return what EN 1998-1, 6.7.3 calls the bracing of a diagonal: `x`, `diagonal` or `v`.
+
+    Args:
+        member: the diagonal.
+    """
     return _PATTERNS.get(member.bracing, "diagonal")
 
 

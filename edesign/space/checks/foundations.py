@@ -43,7 +43,11 @@ class Supports:
     to_reactions: np.ndarray
 
     def modal(self, end_forces: np.ndarray) -> np.ndarray:
-        """Return the reactions of each mode in the linear model, (k, s, 6), from the end forces of all members."""
+        """Return the reactions of each mode in the linear model, (k, s, 6), N and N m.
+
+        Args:
+            end_forces: (k, n_members, 12) of all members, N and N m.
+        """
         k = len(end_forces)
         local = np.where(self.at_end[:, None], end_forces[:, self.member, 6:], end_forces[:, self.member, :6])
         turned = np.einsum("kpci,pij->kpcj", local.reshape(k, -1, 2, 3), self.rotation).reshape(k, -1, 6)

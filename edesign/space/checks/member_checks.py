@@ -305,6 +305,12 @@ def amplified_combinations(
     An Omega below 1, of a dissipative member that fails its own check, counts as 1. More than the effects of the
     elastic spectrum, q times those of the design spectrum, cannot come: the factor is at most q.
 
+    Args:
+        design: of the building.
+        seismic: combinations for the seismic design situation.
+        overstrength: Omega of both directions.
+        q: behaviour factors of both directions.
+
     Source: EN 1998-1:2004, 6.6.3(1)P, Eq. 6.6; 6.7.4(1), Eq. 6.12.
     """
     if design.ductility_class == "low":

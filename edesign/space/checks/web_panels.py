@@ -43,7 +43,11 @@ class Panel:
     doubler: float
 
     def utilisation(self, doubler_plates: bool) -> float:
-        """Return V_wp,Ed / V_wp,Rd, with a plate where one is needed and allowed."""
+        """Return V_wp,Ed / V_wp,Rd.
+
+        Args:
+            doubler_plates: a plate is allowed where one is needed.
+        """
         resistance = self.V_wp_Rd_doubled if doubler_plates and self.doubler > 0.0 else self.V_wp_Rd
         return self.V_wp_Ed / resistance if resistance > 0.0 else np.inf
 

@@ -30,7 +30,11 @@ class _Known(NamedTuple):
 
 
 def bending_and_compression(equation: int) -> Callable[[Calculation, int], None]:
-    """Return the function that writes the steps of Eq. 6.61 or 6.62; its station does not count."""
+    """Return the function that writes the steps of an interaction equation; its station does not count.
+
+    Args:
+        equation: 61 for Eq. 6.61, 62 for Eq. 6.62.
+    """
     pair = ("yy", "yz") if equation == 61 else ("zy", "zz")
 
     def write(w: Calculation, station: int) -> None:

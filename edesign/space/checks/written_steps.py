@@ -151,19 +151,40 @@ class Calculation:
         return value
 
     def use(self, value: float, expression: str, clause: str) -> None:
-        """The utilisation."""
+        """Write the utilisation.
+
+        Args:
+            value: dimensionless.
+            expression: in symbols.
+            clause: of EN 1993-1-1.
+        """
         self.add("utilisation", value, "1", expression, clause)
 
     # ---- effects ----------------------------------------------------------------------------------------------------
 
     def force(self, of: int, station: int) -> float:
-        """The magnitude of a force at a station."""
+        """Write the magnitude of a force at a station.
+
+        Args:
+            of: index of the force: N, V_Y, ...
+            station: its index.
+
+        Returns:
+            N or N m.
+        """
         steady, swing = (float(part[station, of]) for part in (self.forces.steady, self.forces.swing))
         at = f"at x = {self.forces.stations[station]:.3g} L"
         return self.add(_SYMBOL[of], abs(steady) + swing, _unit(of), f"{_parts(steady, swing, of)} {at}")
 
     def largest(self, of: int) -> float:
-        """The largest magnitude of a force along the member."""
+        """Write the largest magnitude of a force along the member.
+
+        Args:
+            of: index of the force: N, V_Y, ...
+
+        Returns:
+            N or N m.
+        """
         return self.force(of, int(self.forces.size[:, of].argmax()))
 
     def compression(self) -> float:
@@ -177,7 +198,11 @@ class Calculation:
     # ---- resistances of the section ---------------------------------------------------------------------------------
 
     def steel(self, stability: bool = False) -> None:
-        """Strength and partial factor; of checks of stability the moduli and the factor of these."""
+        """Write the strength and the partial factor.
+
+        Args:
+            stability: write the moduli and the factor of checks of stability.
+        """
         self.add("f_y", self.member.fy, "Pa")
         if stability:
             self.add("E", self.member.E, "Pa")
@@ -223,7 +248,11 @@ class Calculation:
         return self._V_b_Rd(value) if self.shear_symbol(along) == "V_b,z,Rd" else value
 
     def shear_symbol(self, along: int) -> str:
-        """V_pl,Rd, or V_b,Rd of webs that shear may buckle."""
+        """Return the symbol V_pl,Rd, or V_b,Rd of webs that shear may buckle.
+
+        Args:
+            along: V_Y or V_Z.
+        """
         s = self.section
         if along == V_Y:
             return "V_pl,y,Rd"
@@ -320,7 +349,17 @@ class Calculation:
         return Flexural(slenderness, critical, bending, resistance)
 
     def torsional(self, chi: float, curve: str) -> float:
-        """chi_z, by torsional buckling where that is less."""
+        """Write chi_z, by torsional buckling where that is less.
+
+        Args:
+            chi: reduction factor of flexural buckling.
+            curve: buckling curve about z.
+
+        Returns:
+            chi_z, dimensionless.
+
+        Source: EN 1993-1-1:2005, 6.3.1.4.
+        """
         critical = self.N_cr_T()
         slenderness = buckling.slenderness(self.section.A, self.member.fy, critical)
         self.add("lambda_T", slenderness, "1", "sqrt(A f_y / N_cr,T)", "6.3.1.4(2), Eq. 6.52")
@@ -330,7 +369,7 @@ class Calculation:
         return self.add("chi_z", min(chi, twisting), "1", "the smaller one", "6.3.1.4(1)")
 
     def N_cr_T(self) -> float:
-        """Elastic critical force of torsional buckling; infinite where the member cannot twist."""
+        """Write the elastic critical force of torsional buckling, N; infinite where the member cannot twist."""
         if not self.twists:
             return math.inf
         s, member = self.section, self.member
@@ -340,7 +379,7 @@ class Calculation:
         return self.add("N_cr,T", critical, "N", "A / (I_y + I_z) (G I_t + pi^2 E I_w / L_T^2)", "6.3.1.4, SN001")
 
     def torsion(self) -> None:
-        """The constants of the section that resist twisting."""
+        """Write the constants of the section that resist twisting."""
         self.add("G", self.member.G, "Pa")
         self.add("I_y", self.section.I_y, "m4")
         self.add("I_z", self.section.I_z, "m4")
@@ -369,7 +408,7 @@ class Calculation:
         return self.word(f"curve {axis}", curve, expression, "6.3.1.2(2), Table 6.2")
 
     def M_b_Rd(self) -> float:
-        """chi_LT M_y,Rk / gamma_M1."""
+        """Write chi_LT M_y,Rk / gamma_M1, N m."""
         s, member = self.section, self.member
         modulus, W = self.modulus("y"), f"W_{self.theory},y"
         if not self.twists:
@@ -384,7 +423,7 @@ class Calculation:
         return self.add("M_b,Rd", value, "N*m", f"{symbol} {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
 
     def M_cr(self) -> tuple[float, float]:
-        """M_cr and C_1 of the member as it is held."""
+        """Write M_cr and C_1 of the member as it is held."""
         s, member, held = self.section, self.member, self.member.stability
         length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
         self.torsion()
@@ -396,7 +435,14 @@ class Calculation:
         return self.add("M_cr", critical, "N*m", expression, "SN003"), C1
 
     def M_cr_of_diagram(self, beam: FreeBeam) -> tuple[float, float]:
-        """M_cr and C_1 by the moment diagram of the combination, with loads on the top flange."""
+        """Write M_cr and C_1 by the moment diagram of the combination, with loads on the top flange.
+
+        Args:
+            beam: without a slab that holds it.
+
+        Returns:
+            M_cr, N m, and C_1.
+        """
         s, member = self.section, self.member
         length = self.add("L_LT", beam.length, "m", "between restraints of the compressed flange")
         self.torsion()
@@ -425,7 +471,15 @@ class Calculation:
         return self.add("M_cr", critical, "N*m", expression, "SN003, Eq. 1"), C1
 
     def chi_LT(self, slenderness: float, C1: float) -> tuple[float, str]:
-        """chi_LT, or chi_LT,mod, and which of them."""
+        """Write chi_LT, or chi_LT,mod.
+
+        Args:
+            slenderness: lambda_LT.
+            C1: of the moment diagram.
+
+        Returns:
+            The factor and its symbol.
+        """
         s, held = self.section, self.member.stability
         if held.general:
             curve = self.word("curve LT", lateral_torsional.general_curve(s.h, s.b), f"h/b = {s.h / s.b:.3g}")

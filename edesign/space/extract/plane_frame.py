@@ -104,15 +104,22 @@ class PlaneFrame:
         }
 
     def node_load(self, factors: Mapping[str, float]) -> AtNodes:
-        """Return what other members bring to its nodes above the base, N, downwards; arguments as `beam_load`.
+        """Return what other members bring to the nodes of the frame above the base, N, downwards.
 
         Beams at right angles bring half of their load, columns and braces half of their weight.
+
+        Args:
+            factors: see `beam_load`.
         """
         own = {name for place in self.beams for name in self._members_of(place)}
         return self._carried(factors, np.array([member.name in own for member in self.space.members]))
 
     def weight(self, factors: Mapping[str, float]) -> AtNodes:
-        """Return what its nodes above the base carry of all members, N, downwards; arguments as `beam_load`."""
+        """Return what the nodes of the frame above the base carry of all members, N, downwards.
+
+        Args:
+            factors: see `beam_load`.
+        """
         return self._carried(factors, None)
 
     def node_mass(self) -> AtNodes:
@@ -142,6 +149,9 @@ class PlaneFrame:
 
     def support(self, i: int) -> str:
         """Return the support of a line in the plane of the frame: fixed, pinned, roller.
+
+        Args:
+            i: index of the line.
 
         Raises:
             InputError: it is a spring, which project files do not have.
@@ -219,7 +229,11 @@ def plane_frame(building: Building, space: SpaceFrame, name: str) -> PlaneFrame:
 
 
 def parallel_frames(frame: PlaneFrame) -> list[PlaneFrame]:
-    """Return all frames of the building in the direction of one, with itself."""
+    """Return all frames of the building in the direction of one, with itself.
+
+    Args:
+        frame: one of them.
+    """
     count = frame.building.n_frames(frame.along)
     return [PlaneFrame(frame.building, frame.space, frame.along, number) for number in range(count)]
 

@@ -35,7 +35,13 @@ def runs(
 
 
 def selection(chosen: list[int], everything: list[int], name: Callable[[int], str]) -> str:
-    """Return a selection as a file writes it: `all`, `3`, `1-4`, `[1, 3-5]`."""
+    """Return a selection as a file writes it: `all`, `3`, `1-4`, `[1, 3-5]`.
+
+    Args:
+        chosen: numbers.
+        everything: all numbers there are.
+        name: gives the name of a number.
+    """
     if chosen == everything:
         return "all"
     spans: list[list[int]] = []
@@ -49,5 +55,10 @@ def selection(chosen: list[int], everything: list[int], name: Callable[[int], st
 
 
 def value(number: float, unit: str) -> str:
-    """Return a number with its unit, six digits."""
+    """Return a number with its unit, six digits.
+
+    Args:
+        number: in the unit.
+        unit: its symbol.
+    """
     return f"{number:.6g} {unit}"

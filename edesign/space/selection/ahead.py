@@ -34,7 +34,11 @@ class Ahead(Generic[T, S]):
         self._others = [_Other(function) for _ in range(others)]
 
     def expect(self, arguments: Iterable[T]) -> None:
-        """Foretell the arguments of the next calls, the nearest first; this replaces what was foretold before."""
+        """Foretell the arguments of the next calls, the nearest first; this replaces what was foretold before.
+
+        Args:
+            arguments: of the next calls.
+        """
         self._next = iter(arguments)
 
     def __call__(self, argument: T) -> S:

@@ -101,15 +101,27 @@ class Evaluator:
         self._ahead.expect(choice for choice in choices if choice not in self._known)
 
     def mass(self, choice: Choice) -> float:
-        """Return the mass of steel, kg."""
+        """Return the mass of steel, kg.
+
+        Args:
+            choice: number of the section of each group.
+        """
         return math.fsum(group.mass[number] for group, number in zip(self.groups, choice, strict=True))
 
     def cost(self, choice: Choice) -> float:
-        """Return what is to be least: the mass of steel in kg, or its price."""
+        """Return what is to be least: the mass of steel in kg, or its price.
+
+        Args:
+            choice: number of the section of each group.
+        """
         return math.fsum(group.cost[number] for group, number in zip(self.groups, choice, strict=True))
 
     def sections(self, choice: Choice) -> dict[str, str]:
-        """Return the section of each group."""
+        """Return the section of each group.
+
+        Args:
+            choice: number of the section of each group.
+        """
         return {group.name: group.sections[number] for group, number in zip(self.groups, choice, strict=True)}
 
     def all_known(self) -> tuple[Evaluation, ...]:
@@ -125,6 +137,9 @@ class Evaluator:
 
     def design(self, choice: Choice) -> ElasticDesign:
         """Return the whole design of a choice.
+
+        Args:
+            choice: number of the section of each group.
 
         Raises:
             OutOfEvaluations: the budget is used up.
@@ -147,11 +162,19 @@ class Evaluator:
         return found
 
     def broken(self, design: ElasticDesign) -> list[Criterion]:
-        """Return the rules for the building that a design does not meet and that the selection looks at."""
+        """Return the rules for the building that a design does not meet and that the selection looks at.
+
+        Args:
+            design: of the building.
+        """
         return [rule for rule in design.criteria if rule.passed is False and rule.clause in self.searched]
 
     def weak_columns(self, design: ElasticDesign) -> set[int]:
-        """Return the groups of columns below joints where columns or web panels are too weak for the beams."""
+        """Return the groups of columns below joints where columns or web panels are too weak for the beams.
+
+        Args:
+            design: of the building.
+        """
         nodes: set[str] = set()
         if JOINTS in self.searched:
             nodes |= {joint.node for joint in design.joints if not joint.passed}
@@ -189,6 +212,9 @@ def searched_clauses(analysis: ElasticAnalysis) -> frozenset[str]:
 
     The symmetry of diagonals is one of them where those of a storey are of several groups; all others (q, modes) are
     those of the file whatever its sections.
+
+    Args:
+        analysis: of the building.
     """
     found = {CLASS, FEET, PANELS, TORSION, THETA, DRIFT, JOINTS, HOMOGENEOUS, STABLE, *SLENDER}
     limits = design_of(analysis.building).serviceability.beams

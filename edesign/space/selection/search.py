@@ -399,7 +399,12 @@ def _gain(base: Evaluation, found: Evaluation | None) -> float:
 
 
 def column_order(frame: SpaceFrame, groups: Sequence[Group]) -> list[tuple[int, int]]:
-    """Return pairs of groups of columns, upper and lower, that stand on each other somewhere."""
+    """Return pairs of groups of columns, upper and lower, that stand on each other somewhere.
+
+    Args:
+        frame: of the building.
+        groups: of members.
+    """
     numbers = {group.name: number for number, group in enumerate(groups)}
     columns = [member for member in frame.members if member.kind == "column"]
     below = {member.end: member.group for member in columns}

@@ -29,7 +29,11 @@ class BeamShare:
     points: tuple[tuple[float, float], ...] = ()
 
     def total(self, length: float) -> float:
-        """Return the sum, N, on a beam of a length in m."""
+        """Return the sum of the loads on a beam, N.
+
+        Args:
+            length: m.
+        """
         return self.uniform * length + sum(force for _, force in self.points)
 
 

@@ -34,6 +34,9 @@ def design_of(building: Building) -> Design:
 
     These are the partial factors, gamma_ov, and nu of the importance class of its level, II where it is of none.
 
+    Args:
+        building: the building.
+
     Raises:
         InputError: the file has none.
     """
@@ -64,5 +67,10 @@ def _completed(block: M, values: Mapping[str, float]) -> M:
 
 
 def system_of(design: Design, axis: Axis) -> System:
-    """Return the structural system of one direction."""
+    """Return the structural system of one direction.
+
+    Args:
+        design: of the building.
+        axis: direction.
+    """
     return design.systems.x if axis == "x" else design.systems.y

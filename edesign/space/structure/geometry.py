@@ -97,7 +97,11 @@ def _columns(building: Building, nodes: Mapping[str, int]) -> list[Member]:
 
 
 def frames_of(line: ColumnLine) -> tuple[str, str]:
-    """Return the plane frames that a column line stands in."""
+    """Return the plane frames that a column line stands in.
+
+    Args:
+        line: the column line.
+    """
     return frame_name("x", line.j), frame_name("y", line.i)
 
 
@@ -116,7 +120,11 @@ def _beams(building: Building, nodes: Mapping[str, int]) -> list[Member]:
 
 
 def half_names(place: BeamPlace) -> tuple[str, str]:
-    """Return the names of the two members of a beam that braces meet in the middle."""
+    """Return the names of the two members of a beam that braces meet in the middle.
+
+    Args:
+        place: of the beam.
+    """
     return f"{place}_1", f"{place}_2"
 
 

@@ -62,7 +62,11 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
 
 
 def live_case(category: str) -> str:
-    """Return the name of the load case of a category of use: `Q_B`."""
+    """Return the name of the load case of a category of use: `Q_B`.
+
+    Args:
+        category: of use, A to H.
+    """
     return f"Q_{category}"
 
 
@@ -148,20 +152,35 @@ def _case(name: str, loads: _Sum, frame: SpaceFrame) -> LoadCase:
 
 
 def members_of(place: BeamPlace, members: dict[str, int]) -> list[int]:
-    """The member of a beam, or those of its two halves."""
+    """Return the member of a beam, or those of its two halves.
+
+    Args:
+        place: of the beam.
+        members: numbers by name.
+    """
     name = str(place)
     return [members[name]] if name in members else [members[f"{name}_1"], members[f"{name}_2"]]
 
 
 def on_members(frame: SpaceFrame, case: LoadCase) -> np.ndarray:
-    """Return the whole load of a case on each member, (n_members, 3) N, global."""
+    """Return the whole load of a case on each member, (n_members, 3) N, global.
+
+    Args:
+        frame: of the building.
+        case: the load case.
+    """
     found = case.uniform * frame.length[:, None]
     np.add.at(found, case.point_member, case.point_force)
     return found
 
 
 def self_weight(building: Building, frame: SpaceFrame) -> LoadCase:
-    """Return the weight of the members."""
+    """Return the weight of the members.
+
+    Args:
+        building: the building.
+        frame: of the building.
+    """
     pairs, of_members = frame.sections
     weight = [steel_section(name).A * building.materials[steel].density * STANDARD_GRAVITY for name, steel in pairs]
     uniform = np.zeros((len(frame.members), 3))

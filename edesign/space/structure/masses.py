@@ -19,6 +19,10 @@ from edesign.space.structure.load_cases import on_nodes
 def psi_2(building: Building, category: str) -> float:
     """Return psi_2 of a category of loads: that of `masses.from_loads`, otherwise that of the country.
 
+    Args:
+        building: the building.
+        category: of the loads.
+
     Source: EN 1990, Table A1.1.
     """
     masses = building.masses
@@ -46,7 +50,11 @@ class FloorMasses:
 
 
 def floor_masses(frame: SpaceFrame) -> FloorMasses:
-    """Return the mass of each floor, its centre and its radius of gyration."""
+    """Return the mass of each floor, its centre and its radius of gyration.
+
+    Args:
+        frame: of the building.
+    """
     floors, count = frame.level_of_nodes, frame.n_floors + 1
 
     def sums(values: np.ndarray) -> np.ndarray:

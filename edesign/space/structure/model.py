@@ -58,9 +58,15 @@ def space_model(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool
 
 
 def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity: bool = False) -> np.ndarray:
-    """Return the properties of the members in the model, (n_members, 8) in the order of `PROPERTIES`, in SI.
+    """Return the properties of the members in the model, in the order of `PROPERTIES`.
 
-    Arguments are those of `space_model`.
+    Args:
+        frame: of the building.
+        materials: steels by name.
+        gravity: see `space_model`.
+
+    Returns:
+        (n_members, 8), SI.
     """
     pairs, of_members = frame.sections
     table = []
@@ -77,7 +83,11 @@ def member_properties(frame: SpaceFrame, materials: Mapping[str, Steel], gravity
 
 
 def diaphragm_floors(frame: SpaceFrame) -> tuple[int, ...]:
-    """Return the floors that are rigid in their plane, from below."""
+    """Return the floors that are rigid in their plane, from below.
+
+    Args:
+        frame: of the building.
+    """
     return tuple(sorted({int(floor) for floor in frame.node_floor if floor != NO_DIAPHRAGM}))
 
 

@@ -66,6 +66,9 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
 def with_steel_by_thickness(building: Building) -> Building:
     """Return a building whose members are of steels by their thickness, if its file asks for that.
 
+    Args:
+        building: the building.
+
     Raises:
         InputError: as `steel_by_thickness`.
     """

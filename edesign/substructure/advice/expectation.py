@@ -151,7 +151,11 @@ class ExpectedTest:
 
 
 def force_delay(laboratory: VirtualLaboratory) -> float:
-    """Return the delay of the force beside that of the rig, s: of its sensor, and half a step if it is held over it."""
+    """Return the delay of the force beside that of the rig, s: of its sensor, and half a step if it is held over it.
+
+    Args:
+        laboratory: with the tests.
+    """
     file = laboratory.file
     held = file.loop.force == "held" and file.integration.method in OVER_THE_STEP
     return laboratory.laboratory.sensors.force_delay + (0.5 * file.loop.main_step if held else 0.0)
@@ -333,6 +337,9 @@ class LinearModel:
 
         Root mean square of the remainder over that of the force. Both fade out at the end, where a dashpot would see
         the deformation jump.
+
+        Args:
+            direct: response of the structure without laboratory.
         """
         step, size = self.laboratory.file.loop.main_step, direct.force.size
         fade = np.minimum((size - 1 - np.arange(size)) / max(FADE * size, 1.0), 1.0)
@@ -460,6 +467,10 @@ def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
     """Return the frequency of the first mode that moves the specimen, Hz; with the specimen's stiffness there.
 
     A dashpot has no stiffness that would share in that of a mode, but its force does: |k_E| counts.
+
+    Args:
+        part: the numerical part.
+        specimen: its complex stiffness over omega.
     """
 
     def at(stiffness: complex) -> float:

@@ -58,6 +58,10 @@ def swings(poles: np.ndarray) -> bool:
 
 
 def swinging(poles: np.ndarray) -> str:
-    """Return the unstable pole in words."""
+    """Return the unstable pole in words.
+
+    Args:
+        poles: (n,), the rightmost first, 1/s.
+    """
     pole = complex(poles[0])
     return f"pole at {pole.real:.3g} 1/s, {abs(pole.imag) / (2.0 * math.pi):.3g} Hz"

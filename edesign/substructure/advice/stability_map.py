@@ -71,7 +71,11 @@ class StabilityMap:
     left_out: tuple[tuple[str, str], ...]
 
     def without_line(self, stable: bool) -> tuple[str, ...]:
-        """Return compensators that have no line on the map, as the test is stable, or unstable, all over it."""
+        """Return compensators that have no line on the map, as the test is stable, or unstable, all over it.
+
+        Args:
+            stable: whether those are wanted with which the test is stable.
+        """
         return tuple(one.compensator for one in self.regions if self._alike(one) is stable)
 
     def _alike(self, region: StableRegion) -> bool | None:
@@ -86,7 +90,11 @@ class StabilityMap:
         return True if all(one >= height for one in inside) else None
 
     def is_stable(self, compensator: str) -> bool:
-        """Say whether the test as it is does not grow with a compensator: in main steps, or else in its region."""
+        """Say whether the test as it is does not grow with a compensator: in main steps, or else in its region.
+
+        Args:
+            compensator: its name.
+        """
         region = next((one for one in self.regions if one.compensator == compensator), None)
         if region is None or region.stable is not None:
             return region is not None and bool(region.stable)

@@ -106,7 +106,12 @@ def force_over_step(force: str, step: float) -> Transfer:
 
 
 def late(delay: float, transfer: Transfer) -> Transfer:
-    """Return a transfer function behind a delay, s."""
+    """Return a transfer function behind a delay.
+
+    Args:
+        delay: s.
+        transfer: without it.
+    """
     return lambda s: np.asarray(np.exp(-s * delay) * transfer(s))
 
 
@@ -259,7 +264,12 @@ def _polynomial_weights(order: int) -> list[int]:
 
 
 def live_delay_command(order: int, delay: float) -> Transfer:
-    """Command over target of a polynomial of an order through points a delay (s) apart."""
+    """Return command over target of a polynomial through points of the past.
+
+    Args:
+        order: of the polynomial.
+        delay: between the points, s.
+    """
     weights = _polynomial_weights(order)
 
     def command(s: np.ndarray) -> np.ndarray:
@@ -297,7 +307,13 @@ def of_adaptive_series(
 def series_command(
     described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, alpha: np.ndarray, step: float
 ) -> Transfer:
-    """Command over target of an adaptive time series with coefficients (3,), by the derivatives that it takes."""
+    """Return command over target of an adaptive time series, by the derivatives that it takes.
+
+    Args:
+        described: block of the compensator.
+        alpha: (3,) coefficients: -, s, s2.
+        step: main step, s.
+    """
     derivatives = _differences(step) if described.derivatives == "differences" else lambda s: (s, s**2)
 
     def command(s: np.ndarray) -> np.ndarray:
@@ -326,9 +342,15 @@ def series_equation(alpha: np.ndarray, derivatives: str, step: float) -> Differe
 def converged_series(
     described: kinds.AtsCompensator | kinds.ModifiedAtsCompensator, rig: Transfer, motion: np.ndarray, step: float
 ) -> np.ndarray:
-    """Return alpha_0 (-), alpha_1 (s), alpha_2 (s2) of the least squares; arguments as `of_adaptive_series`.
+    """Return alpha_0 (-), alpha_1 (s), alpha_2 (s2) of the least squares.
 
     For a slow motion they are the series of the inverse rig.
+
+    Args:
+        described: block of the compensator.
+        rig: its transfer function.
+        motion: (n,) target, m.
+        step: main step, s.
     """
     s = 2j * np.pi * np.fft.rfftfreq(motion.size, step)[1:]
     weight = np.abs(np.fft.rfft(motion))[1:]

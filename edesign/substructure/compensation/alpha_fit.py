@@ -10,7 +10,11 @@ ORDER, CUTOFF = 6, 20.0
 
 
 def filtered(step: float) -> bool:
-    """Say whether a record with samples a step (s) apart goes through the filter: it is fast enough for it."""
+    """Say whether a record goes through the filter: it is sampled fast enough for it.
+
+    Args:
+        step: between its samples, s.
+    """
     return CUTOFF < 0.5 / step
 
 

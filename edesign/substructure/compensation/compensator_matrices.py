@@ -35,7 +35,14 @@ class StateSpace:
         return len(self.A)
 
     def run(self, inputs: np.ndarray) -> np.ndarray:
-        """Return the outputs (m, 2) to inputs (m, 4)."""
+        """Return the outputs to inputs.
+
+        Args:
+            inputs: (m, 4).
+
+        Returns:
+            (m, 2).
+        """
         z, outputs = np.zeros(self.states), np.empty((len(inputs), len(OUTPUTS)))
         for k, w in enumerate(inputs):
             outputs[k] = self.C @ z + self.D @ w
@@ -48,6 +55,9 @@ def state_space(equation: DifferenceEquation) -> StateSpace:
 
     There are as many states as main steps that command and force correction look back, each by itself. None can be
     spared, unless a numerator and a denominator have a factor in common, or the correction depends on past commands.
+
+    Args:
+        equation: of a compensator.
     """
     direct, late, past = _coefficients(equation.terms)
     n = len(late)

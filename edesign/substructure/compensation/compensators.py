@@ -81,6 +81,10 @@ def linear_acceleration(delay: float, step: float) -> DifferenceEquation:
 def inverse(delay: float, step: float) -> DifferenceEquation:
     """Return u_k = a x_k - (a - 1) x_(k-1), a = delay / step + 1: the inverse of a first-order rig.
 
+    Args:
+        delay: of the rig, s.
+        step: main step, s.
+
     Source: Chen & Ricles (2009), Earthquake Engng Struct. Dyn. 38, 1147-1165.
     """
     a = delay / step + 1.0
@@ -88,7 +92,13 @@ def inverse(delay: float, step: float) -> DifferenceEquation:
 
 
 def phase_lead(lead: float, lag: float, step: float) -> DifferenceEquation:
-    """Return (lead s + 1) / (lag s + 1) by the bilinear rule; both in s."""
+    """Return (lead s + 1) / (lag s + 1) by the bilinear rule.
+
+    Args:
+        lead: s.
+        lag: s.
+        step: main step, s.
+    """
     forward, backward = 2.0 * lead / step, 2.0 * lag / step
     below = backward + 1.0
     return DifferenceEquation(
@@ -205,9 +215,13 @@ def _bilinear(above: tuple[float, float], below: tuple[float, float], step: floa
 
 
 def ats(window: float, every: int, step: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTimeSeries:
-    """Return the adaptive time series compensator over a window (s) with equal weights.
+    """Return the adaptive time series compensator over a window with equal weights.
 
-    `adaptive` has limits, rates and filter; of each `every` main steps one counts.
+    Args:
+        window: s.
+        every: of so many main steps one counts.
+        step: main step, s.
+        adaptive: its limits, rates and filter.
 
     Source: Chae, Kazemibidokhti & Ricles (2013), Earthquake Engng Struct. Dyn. 42, 1697-1715; thesis 6.2.2.
     """
@@ -215,7 +229,11 @@ def ats(window: float, every: int, step: float, adaptive: AdaptiveTimeSeries) ->
 
 
 def modified_ats(forgetting: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTimeSeries:
-    """Return the modified adaptive time series compensator, whose samples lose weight by `forgetting` each step.
+    """Return the modified adaptive time series compensator, whose samples lose weight each step.
+
+    Args:
+        forgetting: factor on the weight each step.
+        adaptive: its limits, rates and filter.
 
     Source: Malloy & Blakeborough in the thesis, 6.2.3, Eqs. 6.18-6.27.
     """
@@ -223,7 +241,13 @@ def modified_ats(forgetting: float, adaptive: AdaptiveTimeSeries) -> AdaptiveTim
 
 
 def response(compensator: DifferenceEquation, step: float, s: np.ndarray) -> np.ndarray:
-    """Return command over target at complex frequencies s (rad/s); terms of the measured displacement do not count."""
+    """Return command over target; terms of the measured displacement do not count.
+
+    Args:
+        compensator: the difference equation.
+        step: main step, s.
+        s: (m,) complex frequencies, 1/s.
+    """
     above, below = np.zeros(np.shape(s), dtype=complex), np.ones(np.shape(s), dtype=complex)
     order = {"target": 0, "velocity": 1, "acceleration": 2}
     for term in compensator.terms:

@@ -89,7 +89,11 @@ def check_export(folder: Path, name: str, *, overwrite: bool = False) -> None:
 
 
 def identifier(name: str) -> str:
-    """Return a name as it can stand in C: letters of ASCII, digits and underscores, and none of edesign's own."""
+    """Return a name as it can stand in C: letters of ASCII, digits and underscores, and none of edesign's own.
+
+    Args:
+        name: of the compensator.
+    """
     known_as = re.sub(r"[^A-Za-z0-9]+", "_", name).strip("_")
     usual = re.match(r"[A-Za-z]", known_as) and not known_as.lower().startswith("ed_")
     return known_as if usual else f"compensator_{known_as}".rstrip("_")

@@ -40,7 +40,13 @@ def channel(name: str, values: ArrayLike, samples: int | None = None) -> np.ndar
 
 
 def time_step(step: float) -> float:
-    """The time step, s.
+    """Check the time step.
+
+    Args:
+        step: s.
+
+    Returns:
+        The step, s.
 
     Raises:
         InputError: not above zero or not finite.

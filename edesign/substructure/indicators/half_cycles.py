@@ -62,7 +62,14 @@ def half_cycles(channel: np.ndarray, threshold: float) -> HalfCycles:
 
 
 def threshold_of(target: np.ndarray, threshold: float | None) -> float:
-    """The threshold asked for, m, or `QUIET` of the largest target.
+    """Return the threshold asked for, or `QUIET` of the largest target.
+
+    Args:
+        target: (n,) m.
+        threshold: m, or None.
+
+    Returns:
+        m.
 
     Raises:
         Untold: the target is zero throughout.
@@ -76,9 +83,12 @@ def threshold_of(target: np.ndarray, threshold: float | None) -> float:
 
 
 def quarter_period(target: np.ndarray) -> float:
-    """Quarter of the period at the rms frequency of a target (rms velocity over rms displacement), samples.
+    """Return a quarter of the period at the rms frequency of a target (rms velocity over rms displacement), in samples.
 
     A sine of that frequency goes within it from threshold to threshold if its amplitude is 1.4 thresholds or more.
+
+    Args:
+        target: (n,) m.
     """
     motion = target - np.mean(target)
     velocity = float(np.mean(np.diff(motion) ** 2))

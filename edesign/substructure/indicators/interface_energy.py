@@ -27,7 +27,15 @@ def work(force: ArrayLike, displacement: ArrayLike) -> np.ndarray:
 
 
 def work_along(force: np.ndarray, displacement: np.ndarray) -> np.ndarray:
-    """`work` of arrays (n,) that need no check, n > 0."""
+    """Return `work` of arrays that need no check.
+
+    Args:
+        force: (n,) N, n > 0.
+        displacement: (n,) m.
+
+    Returns:
+        (n,) J.
+    """
     return np.concatenate(([0.0], np.cumsum(0.5 * (force[1:] + force[:-1]) * np.diff(displacement))))
 
 
@@ -66,10 +74,17 @@ def energy_error(
 def relative_energy_error(
     force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None
 ) -> float:
-    """Energy error at the end over the largest work done on the specimen; arguments and InputError: as `energy_error`.
+    """Return the energy error at the end over the largest work done on the specimen.
+
+    Args:
+        force: see `energy_error`.
+        target: see `energy_error`.
+        measured: see `energy_error`.
+        applied: see `energy_error`.
 
     Raises:
         Untold: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
+        InputError: as `energy_error`.
     """
     error = float(energy_error(force, target, measured, applied)[-1])
     done = work(force, measured)

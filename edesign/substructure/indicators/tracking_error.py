@@ -28,12 +28,25 @@ def nrms(target: ArrayLike, measured: ArrayLike) -> float:
 
 
 def nrms_root(target: ArrayLike, measured: ArrayLike) -> float:
-    """Root of `nrms`: what Tables 6.1, 6.3 and 6.4 of the thesis hold; of a short delay tau it is omega_rms tau."""
+    """Return the root of `nrms`, which Tables 6.1, 6.3 and 6.4 of the thesis hold; of a short delay tau omega_rms tau.
+
+    Args:
+        target: (n,) m.
+        measured: (n,) m.
+    """
     return math.sqrt(nrms(target, measured))
 
 
 def maximum_error(target: ArrayLike, measured: ArrayLike) -> float:
-    """Largest |x_m - x_t| over largest |x_t|; arguments and raises as `nrms`. J3 of the benchmark is 100 times it."""
+    """Return the largest |x_m - x_t| over the largest |x_t|; J3 of the benchmark is 100 times it.
+
+    Args:
+        target: (n,) m.
+        measured: (n,) m.
+
+    Raises:
+        InputError: as `nrms`.
+    """
     x_t, x_m = _pair(target, measured)
     return float(np.max(np.abs(x_m - x_t)) / np.max(np.abs(x_t)))
 

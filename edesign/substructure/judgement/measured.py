@@ -72,6 +72,7 @@ def read_measured(path: Path | str, *needed: str) -> MeasuredRecord:
 
     Args:
         path: CSV with headers as `EXAMPLE`, in any order and in other units (`target_m`, `Force (N)`).
+        *needed: names of `COLUMNS` that must be there, beside the time.
         needed: names of `COLUMNS` that must be there, beside the time.
 
     Raises:

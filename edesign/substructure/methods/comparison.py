@@ -13,7 +13,14 @@ from edesign.substructure.indicators.response_error import response_error
 
 
 def checked_ground(step: float, ground: ArrayLike) -> np.ndarray:
-    """Return the acceleration of the ground (n,) in m/s2, sampled at `step` (s).
+    """Check the acceleration of the ground.
+
+    Args:
+        step: between the samples, s.
+        ground: (n,) m/s2.
+
+    Returns:
+        (n,) m/s2.
 
     Raises:
         InputError: the step is not greater than zero, there are less than two samples, one is not finite, or the
@@ -33,6 +40,10 @@ def checked_ground(step: float, ground: ArrayLike) -> np.ndarray:
 
 def positive(name: str, value: float) -> None:
     """Refuse a number that is not greater than zero and finite.
+
+    Args:
+        name: of the number, for the message.
+        value: the number.
 
     Raises:
         InputError: so it is; the message begins with the name.

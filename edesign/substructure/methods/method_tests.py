@@ -131,12 +131,20 @@ def _control_error(described: AnyControlError | None) -> ControlError:
 
 
 def forcing_of(test: EffectiveForceTest) -> Forcing:
-    """Return the actuators of an effective force test."""
+    """Return the actuators of an effective force test.
+
+    Args:
+        test: block of the test.
+    """
     return Forcing(test.gain, test.oil_stiffness or inf, test.velocity_feedback)
 
 
 def table_of(test: ShakingTableTest) -> ShakingTable:
-    """Return the table of a test."""
+    """Return the shaking table of a test.
+
+    Args:
+        test: block of the test.
+    """
     return ShakingTable(test.table.mass, test.table.oil_frequency, test.table.gain, test.table.leakage)
 
 

@@ -45,7 +45,11 @@ class RateEffect:
         return self.change <= tolerance
 
     def sentence(self, tolerance: float) -> str:
-        """Say what the slow test does to the damper, and whether the method is valid within a tolerance (share)."""
+        """Say what the slow test does to the damper, and whether the method is valid.
+
+        Args:
+            tolerance: of the change of the force, dimensionless.
+        """
         slow, fast = self.slow_stiffness, self.stiffness
         verdict = "valid" if self.valid(tolerance) else "not valid"
         return (

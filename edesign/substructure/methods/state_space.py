@@ -46,7 +46,11 @@ class LinearSystem:
 
 
 def fixed_base(part: LinearPart) -> LinearSystem:
-    """Return a structure under the acceleration of its base (m/s2): the state is displacement and velocity, (2 n,)."""
+    """Return a structure under the acceleration of its base (m/s2): the state is displacement and velocity, (2 n,).
+
+    Args:
+        part: the numerical part.
+    """
     n = len(part.names)
     zero = np.zeros(n)
     inverse = np.linalg.inv(part.mass)

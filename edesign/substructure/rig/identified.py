@@ -16,7 +16,11 @@ _SHOWN = {"s": (1e3, "ms"), "m": (1e6, "um")}
 
 
 def rig_file_text(found: IdentifiedRig) -> str:
-    """Return the text of a rig file, which a file of substructure tests names by `rig: {file: rig.yaml}`."""
+    """Return the text of a rig file, which a file of substructure tests names by `rig: {file: rig.yaml}`.
+
+    Args:
+        found: identified properties.
+    """
     chosen = found.chosen
     a0, a1, a2 = found.alpha
     data = {
@@ -31,7 +35,11 @@ def rig_file_text(found: IdentifiedRig) -> str:
 
 
 def rig_data(found: IdentifiedRig) -> dict[str, Any]:
-    """Return what was found as plain data in SI, for JSON."""
+    """Return what was found as plain data in SI, for JSON.
+
+    Args:
+        found: identified properties.
+    """
     return {
         "source": str(found.source),
         "step": found.step,

@@ -44,7 +44,11 @@ class RigTransfer:
         return self.delay + of_denominator - of_numerator
 
     def inverse_series(self, order: int) -> tuple[float, ...]:
-        """Return alpha_0 ... alpha_order of 1 / G = alpha_0 + alpha_1 s + alpha_2 s2 + ...; it compensates the rig."""
+        """Return alpha_0 ... alpha_order of 1 / G = alpha_0 + alpha_1 s + alpha_2 s2 + ...; it compensates the rig.
+
+        Args:
+            order: of the series.
+        """
         lead = [self.delay**k / math.factorial(k) for k in range(order + 1)]
         ahead = np.convolve(self.denominator[::-1], lead)[: order + 1]
         ahead = np.concatenate([ahead, np.zeros(order + 1 - len(ahead))])
@@ -56,7 +60,10 @@ class RigTransfer:
         return tuple(found)
 
     def discrete(self, sub_step: float) -> LinearRig:
-        """Return the rig over sub-steps (s), exact for a command that is linear over each.
+        """Return the rig over sub-steps, exact for a command that is linear over each.
+
+        Args:
+            sub_step: s.
 
         Raises:
             InputError: there are too many states, or the output jumps with the command beside some dynamics.
@@ -103,17 +110,35 @@ def ideal() -> RigTransfer:
 
 
 def pure_delay(delay: float, gain: float = 1.0) -> RigTransfer:
-    """Return a rig that does what it was told `delay` s ago."""
+    """Return a rig that follows the command after a delay.
+
+    Args:
+        delay: s.
+        gain: displacement over command.
+    """
     return RigTransfer((gain,), (1.0,), delay)
 
 
 def first_order(time_constant: float, delay: float = 0.0, gain: float = 1.0) -> RigTransfer:
-    """Return gain / (time_constant s + 1) behind a delay."""
+    """Return gain / (time_constant s + 1) behind a delay.
+
+    Args:
+        time_constant: s.
+        delay: s.
+        gain: displacement over command.
+    """
     return RigTransfer((gain,), (time_constant, 1.0), delay)
 
 
 def second_order(frequency: float, damping: float, delay: float = 0.0, gain: float = 1.0) -> RigTransfer:
-    """Return gain / (s2/w2 + 2 zeta s/w + 1) behind a delay; frequency in Hz, damping as ratio."""
+    """Return gain / (s2/w2 + 2 zeta s/w + 1) behind a delay.
+
+    Args:
+        frequency: w / 2 pi, Hz.
+        damping: zeta, ratio of critical.
+        delay: s.
+        gain: displacement over command.
+    """
     omega = 2.0 * np.pi * frequency
     return RigTransfer((gain,), (omega**-2, 2.0 * damping / omega, 1.0), delay)
 

@@ -84,7 +84,11 @@ class Connection:
                 self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_QUICKACK, 1)
 
     def write(self, message: bytes) -> bool:
-        """Send a message; return whether the client is there and takes it in time."""
+        """Send a message; return whether the client is there and takes it in time.
+
+        Args:
+            message: bytes as they are sent.
+        """
         rest = memoryview(message)
         until = time.monotonic() + self.patience
         while rest:
@@ -104,6 +108,9 @@ class Connection:
 
 def wait_for_client(listener: socket.socket) -> None:
     """Wait until a client connects.
+
+    Args:
+        listener: the listening socket.
 
     Raises:
         KeyboardInterrupt: Ctrl-C; Stopped: a wish of `edesign.stopping.stoppable`.
@@ -138,7 +145,11 @@ def listen(host: str, port: int) -> socket.socket:
 
 
 def address(pair: tuple[str, int]) -> str:
-    """Return an address as people write it."""
+    """Return an address as people write it.
+
+    Args:
+        pair: host and port.
+    """
     return f"{pair[0]}:{pair[1]}"
 
 

@@ -117,6 +117,9 @@ class Measured:
 def check_first_size(received: bytes) -> None:
     """Check the first four bytes of a greeting, so that a web browser need not be waited for.
 
+    Args:
+        received: four bytes.
+
     Raises:
         NotTheProtocol: they are no size.
     """
@@ -186,6 +189,9 @@ class Messages:
     def code(self, message: memoryview) -> Code:
         """Return the code of a message of DATA_SIZE numbers.
 
+        Args:
+            message: as it was received.
+
         Raises:
             RefusedClient: it is unknown.
         """
@@ -197,6 +203,9 @@ class Messages:
 
     def motion(self, message: memoryview) -> Motion:
         """Return where a trial puts the specimen.
+
+        Args:
+            message: as it was received.
 
         Raises:
             RefusedClient: a number is not finite: the client's own analysis has failed.
@@ -210,7 +219,12 @@ class Messages:
         return Motion(time, displacement, self._along(numbers[1 + n : 1 + 2 * n]) if self._moves else None)
 
     def answer(self, question: Code, measured: Measured) -> bytes:
-        """Return the answer to one of QUESTIONS."""
+        """Return the answer to one of QUESTIONS.
+
+        Args:
+            question: one of QUESTIONS.
+            measured: state of the specimen.
+        """
         if question is Code.FORCE:
             return _filled([share * measured.force for share in self._interface])
         if question is Code.ALL_MEASURED:
@@ -233,13 +247,21 @@ class Messages:
 
 
 def code_of(message: memoryview) -> Code | None:
-    """Return the code of a message; None: it is unknown."""
+    """Return the code of a message; None: it is unknown.
+
+    Args:
+        message: as it was received.
+    """
     (number,) = _FIRST.unpack_from(message)
     return _CODES.get(number)
 
 
 def no_answer(data_size: int) -> bytes:
-    """Return an answer of NaN, by which a client that waits for a force learns that there is none."""
+    """Return an answer of NaN, by which a client that waits for a force learns that there is none.
+
+    Args:
+        data_size: numbers of a message.
+    """
     return struct.pack("<d", math.nan) * data_size
 
 

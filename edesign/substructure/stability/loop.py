@@ -30,17 +30,29 @@ def phase_delay(transfer: Transfer, frequency: float) -> float:
 
 
 def ideal(s: np.ndarray) -> np.ndarray:
-    """Rig without error, or no compensator: 1."""
+    """Return the transfer function of a rig without error, or of no compensator: 1.
+
+    Args:
+        s: (m,) complex frequencies, 1/s.
+    """
     return np.ones_like(s, dtype=complex)
 
 
 def nothing(s: np.ndarray) -> np.ndarray:
-    """Rig that stands still: 0."""
+    """Return the transfer function of a rig that stands still: 0.
+
+    Args:
+        s: (m,) complex frequencies, 1/s.
+    """
     return np.zeros_like(s, dtype=complex)
 
 
 def pure_delay(delay: float) -> Transfer:
-    """exp(-s tau) of a delay tau in s."""
+    """Return the transfer function exp(-s tau) of a delay tau.
+
+    Args:
+        delay: tau, s.
+    """
 
     def transfer(s: np.ndarray) -> np.ndarray:
         value: np.ndarray = np.exp(-np.asarray(s) * delay)
@@ -66,12 +78,20 @@ class Loop:
     compensator: Transfer = ideal
 
     def actuation(self, s: np.ndarray) -> np.ndarray:
-        """G C at s: measured displacement over target."""
+        """Return G C at s: measured displacement over target.
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         value: np.ndarray = self.rig(s) * self.compensator(s)
         return value
 
     def transfer(self, s: np.ndarray) -> np.ndarray:
-        """L = k_E H G C, with H the receptance of the numerical part at the interface; (m,) at s of shape (m,)."""
+        """Return L = k_E H G C, with H the receptance of the numerical part at the interface; (m,).
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         over, under = self.parts(self.actuation(s), self.whole.specimen_share(s), s)
         with np.errstate(divide="ignore", invalid="ignore"):  # without damping: at a frequency of the part
             return np.asarray(over / under)
@@ -90,7 +110,11 @@ class Loop:
         return actuation * share, 1.0 - share
 
     def ratio(self, s: np.ndarray) -> np.ndarray:
-        """R = (1 + L)/(1 + L of the ideal loop) = 1 + (G C - 1) T: its zeros are the roots of the loop; (m,)."""
+        """Return R = (1 + L)/(1 + L of the ideal loop) = 1 + (G C - 1) T, (m,): its zeros are the roots of the loop.
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         value: np.ndarray = 1.0 + (self.actuation(s) - 1.0) * self.whole.specimen_share(s)
         return value
 
@@ -113,6 +137,12 @@ class RigDelayLoop(Loop):
     opened: Transfer = ideal
 
     def parts(self, actuation: np.ndarray, share: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """A and B of L = A / B, as of any loop."""
+        """Return A and B of L = A / B, as of any loop.
+
+        Args:
+            actuation: (m,), what `actuation` gives at s.
+            share: (m,), the share T of the specimen at s.
+            s: (m,) complex frequencies, 1/s.
+        """
         moving, standing = (1.0 + (one - 1.0) * share for one in (actuation, self.still(s)))
         return moving * self.opened(s) - standing, standing

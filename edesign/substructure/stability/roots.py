@@ -19,7 +19,13 @@ DISTINCT = 1e-6
 
 
 def loop_roots(loop: Loop) -> np.ndarray:
-    """Root of each mode in the loop as it is, (n,), 1/s, while G C goes from 1 to itself; nan: lost on the way."""
+    """Return the root of each mode in the loop as it is, (n,), 1/s; nan: lost on the way.
+
+    The root is followed while G C goes from 1 to itself.
+
+    Args:
+        loop: with rig and compensator.
+    """
     whole, found = loop.whole, np.full(len(loop.whole.modes), complex(np.nan, np.nan))
 
     def late(s: np.ndarray, share: np.ndarray) -> np.ndarray:

@@ -103,7 +103,11 @@ class SampledPlant:
         return int(np.sum(np.abs(self._numerical.poles) > np.exp(SLOWEST)))
 
     def values(self, s: np.ndarray) -> np.ndarray:
-        """Return target displacement, velocity and acceleration over force, then what `RigSteps` says; (6, m)."""
+        """Return target displacement, velocity and acceleration over force, then what `RigSteps` says; (6, m).
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         z = np.exp(s * self.step)
         over = self._numerical(z) + self._direct[:, :, None]
         return np.vstack([(over[:, 0] + over[:, 1] / z) / z, self._rig(s)])

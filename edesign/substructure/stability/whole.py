@@ -94,7 +94,11 @@ class WholeStructure:
             raise InputError("mass: a degree of freedom of the numerical part has no mass, so the loop has no inertia")
 
     def specimen_at(self, s: np.ndarray) -> np.ndarray:
-        """k_E at s, N/m."""
+        """Return the stiffness k_E of the specimen at s, N/m.
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         return np.asarray(self.specimen(-1j * s))
 
     def receptances(self, load: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -115,7 +119,11 @@ class WholeStructure:
         return found[:, 0], found[:, 1]
 
     def specimen_share(self, s: np.ndarray) -> np.ndarray:
-        """T = k_E times the receptance of the whole structure at the interface, (m,) at s of shape (m,)."""
+        """Return T = k_E times the receptance of the whole structure at the interface, (m,).
+
+        Args:
+            s: (m,) complex frequencies, 1/s.
+        """
         force = self.specimen_at(s) * self.receptances(self.interface, s)[0]
         return np.asarray(force / (1.0 + force))
 
@@ -154,12 +162,21 @@ class WholeStructure:
         return tuple(sorted(modes, key=lambda mode: mode.omega))
 
     def pencil(self, coupling: Callable[[np.ndarray, np.ndarray], np.ndarray], damps: bool = True) -> Pencil:
-        """Numerical part with something in the specimen's place; arguments as of `Pencil`."""
+        """Return the numerical part with something in the specimen's place.
+
+        Args:
+            coupling: see `Pencil`.
+            damps: see `Pencil`.
+        """
         own = self._own
         return Pencil(own.damping, own.squares, own.interface, coupling, damps)
 
     def share_of(self, mode: StructureMode) -> float:
-        """Share of a mode's stiffness that is the specimen's; NaN: it does not swing."""
+        """Return the share of a mode's stiffness that is the specimen's; NaN: it does not swing.
+
+        Args:
+            mode: of the structure.
+        """
         if not mode.omega > 0.0:
             return math.nan
         deformation = abs(complex(self._own.interface @ mode.shape)) ** 2

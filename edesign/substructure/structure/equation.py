@@ -29,11 +29,20 @@ class Known:
     ground_ahead: float
 
     def force_at(self, share: float, force: ForceBetween) -> float:
-        """Return the assumed force after a share of the step, N."""
+        """Return the assumed force after a share of the step, N.
+
+        Args:
+            share: 0 to 1.
+            force: how the force goes on in the step.
+        """
         return self.force + (share * (self.force - self.force_before) if force == "extrapolated" else 0.0)
 
     def ground_at(self, share: float) -> float:
-        """Return the ground acceleration after a share of the step, m/s2; it is linear over the step."""
+        """Return the ground acceleration after a share of the step, m/s2; it is linear over the step.
+
+        Args:
+            share: 0 to 1.
+        """
         return self.ground + share * (self.ground_ahead - self.ground)
 
 
@@ -85,15 +94,34 @@ class Equation:
         return np.asarray(self.part.mass @ self.part.influence)
 
     def load(self, force: float, ground: float) -> np.ndarray:
-        """Return -M influence a_g - interface F, (n,) N."""
+        """Return -M influence a_g - interface F, (n,) N.
+
+        Args:
+            force: of the specimen, N.
+            ground: acceleration a_g, m/s2.
+        """
         return np.asarray(-self.inertia * ground - self.part.interface * force)
 
     def unbalance(self, displacement: np.ndarray, velocity: np.ndarray, force: float, ground: float) -> np.ndarray:
-        """Return the force that accelerates the masses, (n,) N."""
+        """Return the force that accelerates the masses, (n,) N.
+
+        Args:
+            displacement: (n,) m.
+            velocity: (n,) m/s.
+            force: of the specimen, N.
+            ground: acceleration a_g, m/s2.
+        """
         part = self.part
         return np.asarray(self.load(force, ground) - part.damping @ velocity - part.stiffness @ displacement)
 
     def balanced(self, displacement: np.ndarray, velocity: np.ndarray, force: float, ground: float) -> Motion:
-        """Return the motion with the acceleration that balances it."""
+        """Return the motion with the acceleration that balances it.
+
+        Args:
+            displacement: (n,) m.
+            velocity: (n,) m/s.
+            force: of the specimen, N.
+            ground: acceleration a_g, m/s2.
+        """
         p = self.unbalance(displacement, velocity, force, ground)
         return Motion(displacement, velocity, self.inverse_mass @ p)

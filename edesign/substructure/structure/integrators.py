@@ -22,7 +22,12 @@ from edesign.substructure.structure.equation import Advance, Equation, ForceBetw
 
 
 def newmark_explicit(eq: Equation) -> Instant:
-    """Newmark's explicit method: gamma 1/2, beta 0. State: displacement, and velocity without a_k dt/2.
+    """Return Newmark's explicit method: gamma 1/2, beta 0.
+
+    The state is the displacement, and the velocity without a_k dt/2.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: thesis Eqs. 6.1-6.3; damping makes 6.1 an equation, (M + dt/2 C) a = ...
     """
@@ -40,7 +45,12 @@ def newmark_explicit(eq: Equation) -> Instant:
 
 
 def central_difference(eq: Equation) -> Instant:
-    """Central difference method. State: displacements now and a step ago.
+    """Return the central difference method.
+
+    The state is the displacements now and a step ago.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: Chopra, Dynamics of Structures, 5.3; the displacements are those of the explicit Newmark method.
     """
@@ -59,9 +69,13 @@ def central_difference(eq: Equation) -> Instant:
 
 
 def cr(eq: Equation) -> Instant:
-    """CR method: poles of Newmark's average acceleration. State: displacement and velocity.
+    """Return the CR method, with the poles of Newmark's average acceleration.
 
-    As x_(k+1) - x_k = dt v_(k+1), its velocity is that of half a step before; the motion has v + a dt/2.
+    The state is displacement and velocity. As x_(k+1) - x_k = dt v_(k+1), its velocity is that of half a step before;
+    the motion has v + a dt/2.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: Chen & Ricles, J. Eng. Mech. 134(8), 2008; alpha_1 = alpha_2 = 4 (4 M + 2 dt C + dt^2 K)^-1 M.
     """
@@ -78,10 +92,14 @@ def cr(eq: Equation) -> Instant:
 
 
 def kr_alpha(eq: Equation) -> Instant:
-    """KR-alpha method: explicit, damping of high modes by `rho`. State: x, v, and what instant k-1 adds to balance.
+    """Return the KR-alpha method: explicit, damping of high modes by `rho`.
 
-    Balance is at the weighted instant: M ((1 - a3) a_k + a3 a_(k-1)) = (1 - alpha_f) p_k + alpha_f p_(k-1), with the
-    unbalance p of an instant without inertia. Its velocity is that of gamma dt before; the motion has v + gamma a dt.
+    The state is x, v, and what instant k-1 adds to balance. Balance is at the weighted instant: M ((1 - a3) a_k + a3
+    a_(k-1)) = (1 - alpha_f) p_k + alpha_f p_(k-1), with the unbalance p of an instant without inertia. Its velocity is
+    that of gamma dt before; the motion has v + gamma a dt.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: Kolay & Ricles, Earthquake Eng. Struct. Dyn. 43, 2014.
     """
@@ -108,10 +126,13 @@ def kr_alpha(eq: Equation) -> Instant:
 
 
 def chang(eq: Equation) -> Instant:
-    """Chang's explicit method: poles of Newmark's average acceleration. State: as of `newmark_explicit`.
+    """Return Chang's explicit method, with the poles of Newmark's average acceleration.
 
-    x_(k+1) = x_k + b1 dt v_k + b2 dt^2 a_k with b1 = H (I + dt/2 M^-1 C), b2 = H / 2,
-    H = (I + dt/2 M^-1 C + dt^2/4 M^-1 K)^-1; the velocity is that of the trapezoidal rule.
+    The state is that of `newmark_explicit`. x_(k+1) = x_k + b1 dt v_k + b2 dt^2 a_k with b1 = H (I + dt/2 M^-1 C), b2 =
+    H / 2, H = (I + dt/2 M^-1 C + dt^2/4 M^-1 K)^-1; the velocity is that of the trapezoidal rule.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: Chang, J. Eng. Mech. 128(9), 2002.
     """
@@ -132,12 +153,15 @@ def chang(eq: Equation) -> Instant:
 
 
 def alpha_os(eq: Equation) -> Instant:
-    """Operator splitting with Hilber's alpha: the specimen is driven to the predictor, then corrected once.
+    """Return operator splitting with Hilber's alpha: the specimen is driven to the predictor, then corrected once.
 
     The specimen is implicit with the estimate of its stiffness: its force at the corrected displacement is taken as
     F + k_E (e - e_predictor). alpha = -(1 - rho)/(1 + rho), gamma = 1/2 - alpha, beta = (1 - alpha)^2/4. State:
     predictors of displacement and velocity, unbalance of the last instant. Balance is at an instant of weights, so the
     acceleration of the motion is that of the unbalance p_k.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
 
     Source: Combescure & Pegon, Nuclear Eng. Design 169, 1997; alpha by `rho`: Hilber, Hughes & Taylor, 1977.
     """
@@ -160,7 +184,11 @@ def alpha_os(eq: Equation) -> Instant:
 
 
 def bogacki_shampine(eq: Equation, force: ForceBetween) -> Advance:
-    """Third-order Runge-Kutta method of three stages, `ode3` of Simulink, which the thesis used.
+    """Return the third-order Runge-Kutta method of three stages, `ode3` of Simulink, which the thesis used.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
+        force: how the force goes on in the step.
 
     Source: Bogacki & Shampine, Appl. Math. Letters 2(4), 1989: nodes 0, 1/2, 3/4, weights 2/9, 1/3, 4/9.
     """
@@ -181,9 +209,13 @@ def bogacki_shampine(eq: Equation, force: ForceBetween) -> Advance:
 
 
 def exact(eq: Equation, force: ForceBetween) -> Advance:
-    """Exact solution for ground motion and force linear over the step.
+    """Return the exact solution for ground motion and force linear over the step.
 
     With loads p + q t, t in steps, the state (x, v, p, q) has a constant matrix; its exponential is the step.
+
+    Args:
+        eq: equation of motion of the numerical part over a step.
+        force: how the force goes on in the step.
 
     Source: Van Loan, IEEE Trans. Autom. Control 23(3), 1978.
     """

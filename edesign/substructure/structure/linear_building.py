@@ -47,7 +47,11 @@ class LinearBuilding:
         return self._matrix(self.floors)
 
     def drifts(self, displacements: np.ndarray) -> np.ndarray:
-        """Return the drifts of the storeys (nt, storeys) by the displacements (nt, n) of the degrees, m."""
+        """Return the drifts of the storeys (nt, storeys).
+
+        Args:
+            displacements: (nt, n) of the degrees, m.
+        """
         return displacements @ self._matrix(self.drift).T
 
     def group(
@@ -110,7 +114,13 @@ class LinearBuilding:
 
 
 def building_of_frame(frame: FrameModel, rows: np.ndarray, period: float) -> LinearBuilding:
-    """Return what is told of a frame: the quantities of its histories; arguments as the attributes."""
+    """Return the floors and storeys of a frame: the quantities of its histories.
+
+    Args:
+        frame: its model.
+        rows: see `LinearBuilding`.
+        period: fundamental, s.
+    """
     return LinearBuilding(
         floor_displacements(frame, history=True),
         (floor_accelerations(frame, history=True), floor_relative_accelerations(frame)),
@@ -123,7 +133,12 @@ def building_of_frame(frame: FrameModel, rows: np.ndarray, period: float) -> Lin
 
 
 def building_of_floors(count: int, period: float) -> LinearBuilding:
-    """Return what is told of a shear building of so many floors, whose degrees are their displacements."""
+    """Return the floors and storeys of a shear building, whose degrees are their displacements.
+
+    Args:
+        count: number of floors.
+        period: fundamental, s.
+    """
     floors = tuple(((1.0, "displacement", i, ACROSS),) for i in range(count))
     below = ((), *(((-1.0, "displacement", i, ACROSS),) for i in range(count - 1)))
     storeys = tuple((*own, *other) for own, other in zip(floors, below, strict=True))

@@ -66,11 +66,18 @@ class LinearPart:
             raise InputError("numerical part: the mass matrix is not positive definite; a motion has no inertia")
 
     def with_specimen(self, stiffness: float) -> np.ndarray:
-        """Return the (n, n) stiffness in N/m with a spring of `stiffness` N/m in the place of the specimen."""
+        """Return the (n, n) stiffness with a spring in the place of the specimen, N/m.
+
+        Args:
+            stiffness: of the spring, N/m.
+        """
         return np.asarray(self.stiffness + stiffness * np.outer(self.interface, self.interface))
 
     def modes(self, specimen_stiffness: float = 0.0) -> tuple[np.ndarray, np.ndarray]:
-        """Return the undamped natural modes, with a spring of `specimen_stiffness` N/m in the specimen's place.
+        """Return the undamped natural modes, with a spring in the specimen's place.
+
+        Args:
+            specimen_stiffness: of the spring, N/m.
 
         Returns:
             Circular frequencies (n,) in rad/s, rising; shapes (n, n), a column each, of generalised mass 1.
@@ -81,7 +88,11 @@ class LinearPart:
         return natural_modes(self.mass, self.with_specimen(specimen_stiffness))
 
     def frequencies(self, specimen_stiffness: float = 0.0) -> np.ndarray:
-        """Return the natural frequencies (n,) in Hz, rising; otherwise as `modes`."""
+        """Return the natural frequencies (n,) in Hz, rising; otherwise as `modes`.
+
+        Args:
+            specimen_stiffness: of a spring in the specimen's place, N/m.
+        """
         return np.asarray(self.modes(specimen_stiffness)[0] / (2.0 * math.pi))
 
 

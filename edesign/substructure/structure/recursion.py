@@ -102,7 +102,20 @@ def unchecked_recursion(
     rho: float = 0.75,
     accelerations: np.ndarray | None = None,
 ) -> Recursion:
-    """Return the recursion of a method without asking whether it is stable; arguments as of `recursion`."""
+    """Return the recursion of a method without asking whether it is stable.
+
+    Args:
+        part: the numerical part.
+        step: main step, s.
+        method: see `recursion`.
+        force: see `recursion`.
+        specimen_stiffness: N/m, see `recursion`.
+        rho: see `recursion`.
+        accelerations: see `recursion`.
+
+    Raises:
+        InputError: there is no such method.
+    """
     if method not in METHODS:
         raise InputError(unknown_name("method", method, METHODS))
     between = next((known for known in FORCES if known == force), None)
