@@ -32,7 +32,7 @@ class DeviceDemand:
 
 
 def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0) -> DeviceDemand | None:
-    """The demand of histories of one variant at one level; None: none was completed.
+    """Return the demand of histories of one variant at one level; None: none was completed.
 
     Of each history the damper of the storey that has most counts. The stroke is without the brace; the velocity is
     that of the dashpot at its largest force, (F / c)^(1 / alpha). The cumulated plastic deformation is the work of the

@@ -44,5 +44,5 @@ __all__ = [
 
 
 def version() -> str:
-    """Version of the C core."""
+    """Return the version of the C core."""
     return str(ffi.string(lib.ed_version()).decode())

@@ -192,7 +192,7 @@ class Analysis:
             self.tolerance = float(value)
 
     def stiffness(self) -> scipy.sparse.csc_matrix:
-        """Tangent stiffness over the equations at the present state, N/m."""
+        """Return the tangent stiffness over the equations at the present state, N/m."""
         n = self.n_equations
         return scipy.sparse.csc_matrix(self._stiffness_columns(), shape=(n, n))
 
@@ -217,13 +217,13 @@ class Analysis:
         return value, row, start
 
     def masses(self) -> np.ndarray:
-        """Lumped masses (n_equations,) in kg and kg m2."""
+        """Return the lumped masses (n_equations,) in kg and kg m2."""
         mass = np.empty(self.n_equations)
         lib.ed_mass(self._c, ffi.from_buffer("double[]", mass))
         return mass
 
     def modes(self, count: int, damper_stiffness: ArrayLike | None = None) -> Modes:
-        """The lowest natural modes at the present state.
+        """Return the lowest natural modes at the present state.
 
         Args:
             count: how many.
@@ -247,7 +247,7 @@ class Analysis:
         return natural_modes(stiffness, self.masses(), self.equations, influence, count)
 
     def damper_directions(self) -> scipy.sparse.csr_matrix:
-        """Deformation of each damper by displacements of the equations, (n_dampers, n_equations)."""
+        """Return the deformation of each damper by displacements of the equations, (n_dampers, n_equations)."""
         rows, columns, values = [], [], []
         for damper, terms in enumerate(self.model.damper_terms):
             for coefficient, node, degree in terms:
@@ -259,7 +259,7 @@ class Analysis:
         return scipy.sparse.csr_matrix((values, (rows, columns)), shape=shape)
 
     def install_dampers(self) -> None:
-        """From now on the dampers act; their deformation counts from the present state."""
+        """Let the dampers act from now on; their deformation counts from the present state."""
         self._check(lib.ed_install_dampers(self._c))
 
     def rayleigh(self, a0: float, a1: float, stiffness: str = "current") -> None:
@@ -303,7 +303,7 @@ class Analysis:
         self._check(lib.ed_initial_velocity(self._c, _doubles(v)))
 
     def state(self) -> np.ndarray:
-        """A copy of the whole committed state."""
+        """Return a copy of the whole committed state."""
         state = np.empty(int(lib.ed_state_size(self._c)))
         lib.ed_state_get(self._c, ffi.from_buffer("double[]", state))
         return state
@@ -384,7 +384,7 @@ class Analysis:
         energies: bool = True,
         supports: Sequence[SupportMotion] = (),
     ) -> Response:
-        """Time history under ground acceleration.
+        """Run a time history under ground acceleration.
 
         Args:
             ground_acceleration: (nt,) m/s2 along x, `dt` s apart; the first sample is at time 0.

@@ -40,7 +40,7 @@ FLAGS = [
 
 
 def compiler() -> list[str]:
-    """Command of the C compiler: CC, or the one that built Python."""
+    """Return the command of the C compiler: CC, or the one that built Python."""
     return shlex.split(os.environ.get("CC") or sysconfig.get_config_var("CC") or "cc")
 
 

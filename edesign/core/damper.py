@@ -118,7 +118,7 @@ class CoreDamper:
         method: Method = "best",
         tolerance: float = TOLERANCE,
     ) -> np.ndarray:
-        """Force history from rest, the damper held at the first deformation for long before.
+        """Return the force history from rest, the damper held at the first deformation for long before.
 
         Args:
             time: (n,) s, ascending.
@@ -167,7 +167,7 @@ class CoreDamper:
         back: float = 1.0,
         damping: float = 0.0,
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Force history in series with a rig whose pins have play and whose parts are flexible.
+        """Return the force history in series with a rig whose pins have play and whose parts are flexible.
 
         The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is within (e - z) +
         stiffness z (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none
@@ -273,7 +273,7 @@ class CoreDamper:
         return found, held[0]
 
     def start(self) -> np.ndarray:
-        """State at rest, for `step`."""
+        """Return the state at rest, for `step`."""
         state = np.zeros(lib.ed_damper_state_size(self._handle))
         lib.ed_damper_start(self._handle, ffi.from_buffer("double[]", state))
         return state

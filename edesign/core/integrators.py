@@ -15,7 +15,7 @@ class Newmark:
     beta: float = 0.25
 
     def parameters(self) -> tuple[int, list[float]]:
-        """Method and parameters for the core."""
+        """Return method and parameters for the core."""
         return lib.ED_NEWMARK, [self.gamma, self.beta]
 
 
@@ -26,7 +26,7 @@ class GeneralisedAlpha:
     rho_inf: float = 0.8
 
     def parameters(self) -> tuple[int, list[float]]:
-        """Method and parameters for the core."""
+        """Return method and parameters for the core."""
         am = (2.0 * self.rho_inf - 1.0) / (self.rho_inf + 1.0)
         af = self.rho_inf / (self.rho_inf + 1.0)
         return lib.ED_GENERALISED_ALPHA, [am, af, 0.5 - am + af, 0.25 * (1.0 - am + af) ** 2]
@@ -39,7 +39,7 @@ class HHT:
     alpha: float = -0.05
 
     def parameters(self) -> tuple[int, list[float]]:
-        """Method and parameters for the core."""
+        """Return method and parameters for the core."""
         af = -self.alpha
         return lib.ED_GENERALISED_ALPHA, [0.0, af, 0.5 + af, 0.25 * (1.0 + af) ** 2]
 

@@ -38,7 +38,10 @@ class Model:
         self.damper_terms: list[tuple[tuple[float, int, int], ...]] = []
 
     def freeze(self) -> Any:
-        """The core's handle, for Analysis; nothing can be added afterwards, because analyses refer to what is here."""
+        """Return the core's handle, for Analysis, and freeze the model.
+
+        Nothing can be added afterwards, because analyses refer to what is here.
+        """
         self._frozen = True
         return self._handle
 

@@ -45,7 +45,7 @@ def natural_modes(
     influence_x: np.ndarray,
     count: int,
 ) -> Modes:
-    """The lowest modes of K phi = omega^2 M phi with lumped, partly zero masses.
+    """Return the lowest modes of K phi = omega^2 M phi with lumped, partly zero masses.
 
     Degrees without mass are condensed statically (exact for a lumped mass matrix; Chopra 2012, 9.3); few remain, so the
     condensed problem is solved densely. Larger problems go to ARPACK. Small structures are condensed densely as well.

@@ -14,7 +14,7 @@ from edesign.core.stop import STOP, raise_if_stopped
 def peak_displacement(
     acceleration: np.ndarray, time_step: float, period: np.ndarray, damping: np.ndarray
 ) -> np.ndarray:
-    """Largest relative displacement of oscillators that start at rest, during the motion and after it.
+    """Return the largest relative displacement of oscillators from rest, during the motion and after it.
 
     Args:
         acceleration: (n,) m/s2.
@@ -90,7 +90,7 @@ def rotated_peak_displacement(
 def recursion_peaks(
     samples: np.ndarray, numerator: np.ndarray, denominator: np.ndarray, share: float, most: int
 ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Local maxima of |y| of recursions of the second order from rest, as `scipy.signal.lfilter` runs them.
+    """Return local maxima of |y| of recursions of the second order from rest, as `scipy.signal.lfilter` runs them.
 
     Args:
         samples: (n,), at least three.

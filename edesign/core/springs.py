@@ -40,7 +40,7 @@ class MultilinearSpring:
         return self.corners[0][1] / self.corners[0][0] if self.corners else self.slope
 
     def parameters(self) -> tuple[int, list[float]]:
-        """The core's number of the law and its parameters."""
+        """Return the core's number of the law and its parameters."""
         return lib.ED_SPRING_MULTILINEAR, [*(value for corner in self.corners for value in corner), self.slope]
 
 
@@ -52,7 +52,7 @@ class ContactSpring:
     capacity: float = inf
 
     def parameters(self) -> tuple[int, list[float]]:
-        """The core's number of the law and its parameters."""
+        """Return the core's number of the law and its parameters."""
         return lib.ED_SPRING_CONTACT, [self.stiffness, self.capacity]
 
 
@@ -103,7 +103,7 @@ class DeterioratingSpring:
     exponents: tuple[float, float, float] = (1.0, 1.0, 1.0)
 
     def parameters(self) -> tuple[int, list[float]]:
-        """The core's number of the law and its parameters."""
+        """Return the core's number of the law and its parameters."""
         values = [self.stiffness]
         for side in (self.positive, self.negative):
             values += [side.plastic, side.capping, side.ultimate, side.yield_force]

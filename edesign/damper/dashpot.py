@@ -77,7 +77,7 @@ def locks_when_small(law: LawValues) -> bool:
 
 
 def energy_factor(alpha: float) -> float:
-    """Energy of a power-law dashpot in a harmonic cycle over the largest force times the amplitude, lambda.
+    """Return lambda: energy of a power-law dashpot in a harmonic cycle over the largest force times the amplitude.
 
     pi for alpha = 1, towards 4 for alpha = 0.
 
@@ -91,7 +91,7 @@ def energy_factor(alpha: float) -> float:
 
 
 def linear_dashpot(c: float | np.ndarray, alpha: float, amplitude: float | np.ndarray, omega: float) -> np.ndarray:
-    """The linear dashpot, N s/m, that dissipates as much as a power-law dashpot in a harmonic cycle.
+    """Return the linear dashpot, N s/m, that dissipates as much as a power-law dashpot in a harmonic cycle.
 
     Args:
         c: damping coefficient, N (s/m)^alpha.
@@ -107,7 +107,7 @@ def linear_dashpot(c: float | np.ndarray, alpha: float, amplitude: float | np.nd
 def added_damping(
     c: np.ndarray, alpha: float, deformation: np.ndarray, roof: float, period: float, modal_mass: float
 ) -> float:
-    """Damping ratio that power-law dashpots add to a mode, with rigid braces.
+    """Return the damping ratio that power-law dashpots add to a mode, with rigid braces.
 
     Args:
         c: damping coefficient of each device, (d,) N (s/m)^alpha.

@@ -39,9 +39,10 @@ def steady_cycle(
 def complex_stiffness(
     law: LawValues, amplitude: float, frequency: float, brace: float = 0.0, play: float = 0.0
 ) -> complex:
-    """Stiffness of a damper in a steady sine: in phase with the deformation and, imaginary, with the velocity.
+    """Return the stiffness of a damper in a steady sine.
 
-    First harmonic of the last of 12 cycles; amendments that count what happened are as far as they are there.
+    The real part is in phase with the deformation, the imaginary one with the velocity. It is the first harmonic of the
+    last of 12 cycles; amendments that count what happened are as far as they are there.
 
     Args:
         law: the law with its parameters and amendments.

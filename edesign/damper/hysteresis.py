@@ -267,7 +267,7 @@ def hysteresis(law: LawValues) -> Hysteresis:
 
 
 def behind_brace(loop: Hysteresis, deformation: np.ndarray, flexibility: np.ndarray) -> np.ndarray:
-    """Amplitude of the damper (d,) m in a steady cycle of damper and brace: u + f F(u) is that of both.
+    """Return the amplitude (d,) m of the damper in a steady cycle of damper and brace: u + f F(u) is that of both.
 
     Nothing in the brace dissipates, so the cycle of the damper is one of this amplitude.
 

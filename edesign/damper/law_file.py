@@ -104,7 +104,7 @@ def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescript
 def resolve(
     described: LawDescription, source: Source, temperature_C: float | None, asked: Source | None = None
 ) -> ResolvedLaw:
-    """The law, its parameters and its effects at a temperature.
+    """Return the law, its parameters and its effects at a temperature.
 
     Args:
         described: has type and parameters.

@@ -106,7 +106,7 @@ class DamperTest:
         return self.start_ramp or float(self.time[1] - self.time[0])
 
     def measured_force(self) -> np.ndarray:
-        """Force (n,) N.
+        """Return the measured force (n,) N.
 
         Raises:
             InputError: it was not measured.
@@ -116,7 +116,7 @@ class DamperTest:
         return self.force
 
     def varying_force(self) -> np.ndarray:
-        """Measured force (n,) N that is not the same throughout.
+        """Return the measured force (n,) N, which must not be the same throughout.
 
         Raises:
             InputError: it was not measured, or does not change.

@@ -20,7 +20,7 @@ def steady_loops(
     samples: int = SAMPLES,
     arrangement: Arrangement = "printed",
 ) -> np.ndarray:
-    """Force of the MGMM over one steady cycle of amplitude sin(2 pi frequency t).
+    """Return the force of the MGMM over one steady cycle of amplitude sin(2 pi frequency t).
 
     Args:
         values: parameters by name, SI units.

@@ -9,10 +9,10 @@ from edesign.errors import InputError
 
 
 def nrms(predicted: ArrayLike, measured: ArrayLike) -> float:
-    """Sum of squared errors over the sum of squared measurements; no root is taken. Times 100 it is in per cent.
+    """Return the sum of squared errors over the sum of squared measurements; no root is taken.
 
-    A law without any force has 1. Eq. 4.28 of the thesis divides by the predictions, which says the same of a law that
-    follows the test, but grows without bound for one with hardly any force.
+    Times 100 it is in per cent. A law without any force has 1. Eq. 4.28 of the thesis divides by the predictions, which
+    says the same of a law that follows the test, but grows without bound for one with hardly any force.
 
     Args:
         predicted: force (n,), N.

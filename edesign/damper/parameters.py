@@ -135,7 +135,7 @@ def parameter_set(law: Law, name: str) -> ParameterSet:
 
 
 def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
-    """Parameters in kN, mm and s as text that `read_parameters` reads back to a relative 1e-12.
+    """Return parameters in kN, mm and s as text that `read_parameters` reads back to a relative 1e-12.
 
     Args:
         law: the law.

@@ -66,7 +66,7 @@ class CycleProperties:
 
 
 def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] | None = None) -> Properties:
-    """Mean properties of a test with a steady amplitude.
+    """Return mean properties of a test with a steady amplitude.
 
     Of several blocks of cycles the longest is taken.
 
@@ -106,7 +106,7 @@ def properties(test: DamperTest, specimen: Specimen, cycles: tuple[int, int] | N
 
 
 def cycle_properties(test: DamperTest, specimen: Specimen) -> CycleProperties:
-    """Properties of each full cycle, whatever the amplitudes.
+    """Return the properties of each full cycle, whatever the amplitudes.
 
     Args:
         test: with measured force.

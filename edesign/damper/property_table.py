@@ -208,7 +208,9 @@ def _multilinear(axes: Sequence[np.ndarray], grid: np.ndarray, points: Sequence[
 
 
 def usable(found: Mapping[str, Properties]) -> tuple[list[Properties], list[str]]:
-    """Rows that can stand in a table, and notes on those that cannot: of dampers that store or dissipate nothing.
+    """Return the rows that can stand in a table, and notes on those that cannot.
+
+    Dampers that store or dissipate nothing make such rows.
 
     Args:
         found: properties by name of the test.

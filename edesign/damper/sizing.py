@@ -13,7 +13,9 @@ Real = TypeVar("Real", float, np.ndarray)
 
 
 def largest_damping(loss_factor: float, brace_ratio: float = math.inf) -> float:
-    """The added damping ratio that no damper of this loss factor exceeds: n/2 with a rigid brace, less with a real one.
+    """Return the added damping ratio that no damper of this loss factor exceeds.
+
+    It is n/2 with a rigid brace, less with a real one.
 
     Args:
         loss_factor: n of the elastomer.
@@ -29,7 +31,7 @@ def largest_damping(loss_factor: float, brace_ratio: float = math.inf) -> float:
 
 
 def stiffness_ratio(damping: float, loss_factor: float, brace_ratio: float = math.inf) -> float:
-    """k_D / k_S: storage stiffness of the dampers of a storey over the stiffness of the storey.
+    """Return k_D / k_S: storage stiffness of the dampers of a storey over the stiffness of the storey.
 
     Args:
         damping: target ratio of critical that the dampers add.
@@ -65,7 +67,7 @@ def in_series(damper: complex, brace: float) -> complex: ...
 @overload
 def in_series(damper: np.ndarray, brace: float | np.ndarray) -> np.ndarray: ...
 def in_series(damper: complex | np.ndarray, brace: float | np.ndarray) -> complex | np.ndarray:
-    """Complex stiffness of dampers and their braces in series.
+    """Return the complex stiffness of dampers and their braces in series.
 
     Args:
         damper: K' + i K'', N/m.
@@ -117,7 +119,7 @@ def equivalent_damping(
 
 
 def layer_area(k_D: Real, thickness: float, G_storage: float, layers: int, dampers: Real) -> Real:
-    """Area of one layer of elastomer, m2.
+    """Return the area of one layer of elastomer, m2.
 
     Args:
         k_D: horizontal storage stiffness of all dampers of the storey, N/m.
@@ -132,7 +134,7 @@ def layer_area(k_D: Real, thickness: float, G_storage: float, layers: int, dampe
 
 
 def layer_thickness(drift: float, height: float, strain_limit: float, cosine: float = 1.0) -> float:
-    """Thickness of a layer that strains to its limit at a storey drift, m.
+    """Return the thickness of a layer that strains to its limit at a storey drift, m.
 
     Args:
         drift: storey drift over storey height.

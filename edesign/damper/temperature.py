@@ -285,7 +285,7 @@ def at(
     model: TemperatureModel | None = None,
     reference_C: float = REFERENCE_C,
 ) -> tuple[dict[str, float], tuple[str, ...]]:
-    """Parameters of a law at a temperature.
+    """Return the parameters of a law at a temperature.
 
     Args:
         law: the law.

@@ -65,7 +65,7 @@ class TemperatureLaw(Model):
         return self
 
     def model(self) -> GammaT | FerryShift:
-        """The temperature law."""
+        """Return the temperature law."""
         if self.ferry is not None:
             return FerryShift(self.ferry.p1, self.ferry.p2, self.ferry.reference)
         assert self.gamma_T is not None

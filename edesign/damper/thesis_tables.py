@@ -33,11 +33,11 @@ class Residuals:
     loss_factor: np.ndarray
 
     def rms(self) -> tuple[float, float, float]:
-        """Root of the mean square of each."""
+        """Return the root of the mean square of each property."""
         return _each(self, lambda r: float(np.sqrt(np.mean(r**2))))
 
     def mean(self) -> tuple[float, float, float]:
-        """Mean of each."""
+        """Return the mean of each property."""
         return _each(self, lambda r: float(np.mean(r)))
 
 
@@ -47,7 +47,7 @@ def _each(r: Residuals, function: Callable[[np.ndarray], float]) -> tuple[float,
 
 @cache
 def measured() -> PropertyRows:
-    """The 120 rows of Tables A.1-A.4.
+    """Return the 120 rows of Tables A.1-A.4.
 
     In Table A.4 the rows of 30 % strain at 1 and 2 Hz are identical: a slip of the source.
     """
@@ -61,7 +61,7 @@ def measured() -> PropertyRows:
 
 
 def prototype_damper() -> Damper:
-    """The prototype by the MGMM with Table 4.2."""
+    """Return the prototype by the MGMM with Table 4.2."""
     mgmm = law("mgmm")
     return Damper(mgmm, read_parameters(mgmm, "thesis_table_4_2"))
 

@@ -85,7 +85,7 @@ def tuned_mass(mass_ratio: float, mass: float, frequency: float, optimum: str = 
 
 
 def sloshing_frequency(length: float, depth: float, mode: int = 1) -> float:
-    """Circular frequency (rad/s) of sloshing in a rectangular tank, exact for small waves.
+    """Return the circular frequency (rad/s) of sloshing in a rectangular tank, exact for small waves.
 
     Args:
         length: of the tank along the motion, m.

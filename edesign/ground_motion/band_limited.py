@@ -14,7 +14,7 @@ _MARGIN = 256  # samples beyond each end, over which the motion fades away
 
 
 def upsampled(acceleration: np.ndarray, factors: Iterable[int]) -> Iterator[np.ndarray]:
-    """The motion at a multiple of its rate, without content above the Nyquist frequency of the given samples.
+    """Return the motion at a multiple of its rate, without content above the Nyquist frequency of the given samples.
 
     Beyond both ends the motion is continued by point reflection and faded out, so that a record that starts or ends
     with a value does not ring there, and its end does not reach round into its beginning. Given samples stay as they
@@ -81,7 +81,7 @@ def band_limited_at(acceleration: np.ndarray, positions: np.ndarray) -> np.ndarr
 
 
 def polygon_samples(acceleration: np.ndarray) -> np.ndarray:
-    """Corners of a polygon that has the content of the band-limited motion through the given samples.
+    """Return the corners of a polygon that has the content of the band-limited motion through the given samples.
 
     Linear interpolation multiplies the content at frequency f by sinc^2(f dt), too little by (pi f dt)^2 / 3. The
     second difference over 12 makes up for it: what is left is of the order of (f dt)^4. The ends stay as they are.

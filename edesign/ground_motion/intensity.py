@@ -40,7 +40,7 @@ class Measures:
 
 
 def velocity(acceleration: ArrayLike, time_step: float) -> np.ndarray:
-    """Ground velocity from rest, exact for acceleration that is linear between samples (trapezoidal rule).
+    """Return the ground velocity from rest, exact for acceleration that is linear between samples.
 
     Args:
         acceleration: (n,) m/s2.
@@ -59,7 +59,7 @@ def velocity(acceleration: ArrayLike, time_step: float) -> np.ndarray:
 
 
 def displacement(acceleration: ArrayLike, time_step: float) -> np.ndarray:
-    """Ground displacement from rest, exact for acceleration that is linear between samples (a cubic in each step).
+    """Return the ground displacement from rest, exact for acceleration that is linear between samples.
 
     Args:
         acceleration: (n,) m/s2.
@@ -78,7 +78,7 @@ def displacement(acceleration: ArrayLike, time_step: float) -> np.ndarray:
 
 
 def husid(acceleration: ArrayLike, time_step: float) -> np.ndarray:
-    """Share of the Arias intensity up to each sample, from 0 to 1; zero throughout where there is no motion.
+    """Return the share of the Arias intensity up to each sample, from 0 to 1; zero throughout where nothing moves.
 
     Args:
         acceleration: (n,) m/s2.

@@ -35,7 +35,7 @@ def upsampling_factors(step: float, period: np.ndarray) -> np.ndarray:
 def over_periods(
     motions: Sequence[np.ndarray], step: float, period: np.ndarray, threads: int, task: Task
 ) -> np.ndarray:
-    """Calls task(corners of each motion, their step, indices, periods at these) until all periods are done.
+    """Call task(corners of each motion, their step, indices, periods at these) until all periods are done.
 
     Args:
         motions: (n,) each, m/s2.

@@ -43,7 +43,7 @@ class ResponseSpectra:
 def response_spectra(
     acceleration: ArrayLike, time_step: float, periods: ArrayLike, dampings: ArrayLike = (0.05,), threads: int = 1
 ) -> ResponseSpectra:
-    """Spectra of relative displacement, true relative velocity and true absolute acceleration.
+    """Return spectra of relative displacement, true relative velocity and true absolute acceleration.
 
     Args:
         acceleration: (n,) m/s2; the motion through them without content above their Nyquist frequency is meant.
@@ -78,7 +78,7 @@ def response_spectra(
 def psa(
     acceleration: ArrayLike, time_step: float, periods: ArrayLike, damping: float = 0.05, threads: int = 1
 ) -> np.ndarray:
-    """Pseudo acceleration spectrum omega^2 SD for one damping ratio; the same as of `response_spectra`, but quicker.
+    """Return the pseudo acceleration spectrum omega^2 SD for one damping ratio, quicker than `response_spectra`.
 
     Args:
         acceleration: (n,) m/s2.
@@ -115,9 +115,10 @@ def rotated_spectra(
     percentiles: Sequence[float] = (50, 100),
     threads: int = 1,
 ) -> np.ndarray:
-    """Percentiles over all directions of the pseudo acceleration of two horizontal components (RotD50, RotD100).
+    """Return percentiles over all directions of the pseudo acceleration of two horizontal components.
 
-    The peak displacement of the rotated motion is taken in steps of one degree, for each period by itself.
+    RotD50 and RotD100 are such percentiles. The peak displacement of the rotated motion is taken in steps of one
+    degree, for each period by itself.
 
     Args:
         first: (n,) m/s2.

@@ -11,7 +11,7 @@ SYSTEM = 0.75
 
 
 def largest_property_factor(ageing: float = 1.0, test: float = 1.0, specification: float = 1.0) -> float:
-    """lambda_max = (1 + 0.75 (lambda_ae,max - 1)) lambda_test,max lambda_spec,max, at least 1.2.
+    """Return lambda_max = (1 + 0.75 (lambda_ae,max - 1)) lambda_test,max lambda_spec,max, at least 1.2.
 
     Args:
         ageing: lambda_ae,max, ageing and environment, at least 1.

@@ -241,7 +241,7 @@ def moment_resistance_with_axial_force_z(M_Rd: float, n: float, a: float) -> flo
     """Return M_N,z,Rd, N m, of an I section: M_Rd up to n = a, then M_Rd [1 - ((n - a) / (1 - a))2].
 
     Args:
-        M_Rd: M_pl,z,Rd, N m.
+        M_Rd: plastic, reduced by shear if need be, N m.
         n: N_Ed / N_pl,Rd, magnitude.
         a: share of the web in the area, by `web_share`.
 
@@ -256,7 +256,7 @@ def moment_resistance_with_axial_force_round(M_Rd: float, n: float) -> float:
     """Return M_N,Rd = M_Rd (1 - n^1.7), N m, of a circular hollow section.
 
     Args:
-        M_Rd: M_pl,Rd, N m.
+        M_Rd: plastic, reduced by shear if need be, N m.
         n: N_Ed / N_pl,Rd, magnitude.
 
     Source: EN 1993-1-1:2005/AC:2009, 6.2.9.1(5).

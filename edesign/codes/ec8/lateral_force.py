@@ -10,7 +10,7 @@ LONGEST_PERIOD = 2.0  # s, Eq. 4.4
 
 
 def correction_factor(period: float, T_C: float, storeys: int) -> float:
-    """lambda: 0.85 if T_1 <= 2 T_C and there are more than two storeys, else 1.
+    """Return lambda: 0.85 if T_1 <= 2 T_C and there are more than two storeys, else 1.
 
     Args:
         period: T_1, s.
@@ -35,7 +35,7 @@ def is_applicable(period: float, T_C: float) -> bool:
 
 
 def lateral_forces(base_shear: float, mass: np.ndarray, shape: np.ndarray) -> np.ndarray:
-    """F_i = F_b s_i m_i / sum(s_j m_j), N, in the shape of `mass`.
+    """Return F_i = F_b s_i m_i / sum(s_j m_j), N, in the shape of `mass`.
 
     Args:
         base_shear: F_b = S_d(T_1) m lambda (Eq. 4.5), N.

@@ -23,7 +23,7 @@ def doubts_of(
     errors: Mapping[str, float],
     found: Uncertainty,
 ) -> list[str]:
-    """Doubts about what the data can tell.
+    """List doubts about what the data can tell.
 
     Args:
         names: of the fitted parameters, in the order of `found`.
@@ -72,7 +72,7 @@ def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
 
 
 def misfit_doubts(mean: float) -> list[str]:
-    """Doubts about a law that does not follow the tests.
+    """List doubts about a law that does not follow the tests.
 
     Args:
         mean: over the tests, of rms error / rms of the force.

@@ -59,7 +59,7 @@ LIMITED_BY = {"mgmm": {"c1": "c_b", "k_b": "k0"}}
 
 
 def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:
-    """Values of the parameters that are not fitted by default.
+    """Return the values of the parameters that are not fitted by default.
 
     Args:
         law: the law.

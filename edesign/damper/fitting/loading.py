@@ -87,7 +87,7 @@ class Loading:
         )
 
     def for_search(self) -> Loading:
-        """With no more samples than a search needs."""
+        """Return the loading with no more samples than a search needs."""
         step = float(np.median(np.diff(self.time)))
         fastest = self.frequency * max(1.0, _fast_share(self))
         return self.thinned(max(1, int(1.0 / (fastest * _PER_CYCLE * step))))
@@ -98,7 +98,7 @@ Predict = Callable[[Mapping[str, float], Loading], np.ndarray]
 
 
 def prepare(tests: Sequence[DamperTest], weights: Mapping[str, float] | None = None) -> tuple[Loading, ...]:
-    """Tests for a fit.
+    """Prepare tests for a fit.
 
     Args:
         tests: with force.

@@ -29,7 +29,7 @@ class Scales:
         return self.deformation / self.velocity
 
     def of(self, unit: str, values: Mapping[str, float]) -> float:
-        """Size of a quantity.
+        """Return the size of a quantity.
 
         Args:
             unit: of a parameter, as in edesign.damper.laws.

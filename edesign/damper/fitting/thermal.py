@@ -97,7 +97,7 @@ def gamma_name(temperature_C: float) -> str:
 def thermal(
     law: Law, kind: ThermalKind | None, temperatures: Sequence[float], reference_C: float | None = None
 ) -> Thermal:
-    """Unknowns for tests at these temperatures.
+    """Return the unknowns for tests at these temperatures.
 
     Args:
         law: the law.

@@ -77,7 +77,7 @@ class PeakFinder:
 
 
 def recursion(period: float, damping: float) -> tuple[np.ndarray, np.ndarray]:
-    """Numerator and denominator of the filter from acceleration, linear between samples, to pseudo acceleration.
+    """Return the filter from acceleration, linear between samples, to pseudo acceleration: numerator and denominator.
 
     Args:
         period: in time steps.

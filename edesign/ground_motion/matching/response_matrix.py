@@ -34,7 +34,7 @@ class Wavelets:
     size: np.ndarray
 
     def motion(self, amplitudes: np.ndarray, samples: int, time_step: float) -> np.ndarray:
-        """Sum of the wavelets.
+        """Return the sum of the wavelets.
 
         Args:
             amplitudes: of the even, then of the odd ones, shape (2 m,).

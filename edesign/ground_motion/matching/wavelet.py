@@ -12,7 +12,7 @@ NEGLIGIBLE = 1e-7
 
 
 def wavelet_pair(time: np.ndarray, period: np.ndarray, width: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Accelerations of the even and the odd wavelet, about 1 in size.
+    """Return the accelerations of the even and the odd wavelet, about 1 in size.
 
         even = exp(-(t/w)^2) (cos qt - k),    odd = exp(-(t/w)^2) (sin qt - k qt),    k = exp(-(qw/2)^2), q = 2 pi / T
 
@@ -64,11 +64,11 @@ def offset(period: np.ndarray | float, width: np.ndarray | float) -> np.ndarray:
 def oscillator_response(
     oscillator: np.ndarray, damping: float, time: np.ndarray, period: np.ndarray, width: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
-    """Pseudo acceleration, omega^2 times minus the displacement, of oscillators under the even and the odd wavelet.
+    """Return the pseudo acceleration of oscillators under the even and the odd wavelet.
 
-    The oscillator's impulse response is the imaginary part of an exponential with a complex rate, the wavelet consists
-    of Gaussians times exponentials: each integral is a Faddeeva function (a complementary error function), and once the
-    wavelet is over, free vibration.
+    It is omega^2 times minus the displacement. The oscillator's impulse response is the imaginary part of an
+    exponential with a complex rate, the wavelet consists of Gaussians times exponentials: each integral is a Faddeeva
+    function (a complementary error function), and once the wavelet is over, free vibration.
 
     Args:
         oscillator: natural period, s; all arrays have the same shape (m,).

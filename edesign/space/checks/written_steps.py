@@ -188,7 +188,7 @@ class Calculation:
         return self.force(of, int(self.forces.size[:, of].argmax()))
 
     def compression(self) -> float:
-        """The largest compression along the member, at least 0."""
+        """Write the largest compression along the member, at least 0."""
         along = self.forces.swing[:, N] - self.forces.steady[:, N]
         station = int(along.argmax())
         steady, swing = float(self.forces.steady[station, N]), float(self.forces.swing[station, N])
@@ -273,7 +273,7 @@ class Calculation:
 
     @property
     def theory(self) -> str:
-        """ "pl" for plastic and "el" for elastic moduli, as in symbols."""
+        """Index of symbols: "pl" for plastic and "el" for elastic moduli."""
         return "pl" if self.plastic else "el"
 
     def modulus(self, axis: str) -> float:

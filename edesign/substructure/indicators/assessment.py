@@ -75,7 +75,7 @@ class Tracking:
 
 
 def definitions() -> dict[str, tuple[str, str]]:
-    """Meaning with source, and unit, of each indicator by its name."""
+    """Return meaning with source, and unit, of each indicator by its name."""
     return {
         entry.name: (entry.metadata["long_name"], entry.metadata["unit"])
         for entry in dataclasses.fields(Tracking)
@@ -92,7 +92,7 @@ def tracking(
     applied: ArrayLike | None = None,
     threshold: float | None = None,
 ) -> Tracking:
-    """All indicators of tracking of a test.
+    """Return all indicators of tracking of a test.
 
     Args:
         target: x_t (n,), m.

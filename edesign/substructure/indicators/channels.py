@@ -18,7 +18,7 @@ _HUGE = (
 
 
 def channel(name: str, values: ArrayLike, samples: int | None = None) -> np.ndarray:
-    """A channel as an array of finite numbers.
+    """Return a channel as an array of finite numbers.
 
     Args:
         name: for people.

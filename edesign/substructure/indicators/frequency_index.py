@@ -28,7 +28,7 @@ class FrequencyIndex:
 
 
 def frequency_index(target: ArrayLike, measured: ArrayLike, step: float) -> FrequencyIndex:
-    """Mean of measured over target in the frequency domain, weighted by the target's squared amplitude.
+    """Return the mean of measured over target in the frequency domain, weighted by the target's squared amplitude.
 
     FEI = sum(O / I |I|^2) / sum |I|^2; amplitude |FEI|, phase arg FEI, frequency sum(|I|^2 f) / sum |I|^2. I and O are
     the Fourier transforms of target and measured channel. The mean of a channel (f = 0) is left out: it is no motion.
@@ -66,7 +66,7 @@ def frequency_index(target: ArrayLike, measured: ArrayLike, step: float) -> Freq
 
 
 def equivalent_frequency(target: ArrayLike, step: float) -> float:
-    """Mean frequency of a target, Hz, weighted by squared Fourier amplitude; source: as `frequency_index`.
+    """Return the mean frequency of a target, Hz, weighted by squared Fourier amplitude; source: as `frequency_index`.
 
     Args:
         target: x_t (n,), m.

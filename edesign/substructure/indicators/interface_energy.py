@@ -42,7 +42,7 @@ def work_along(force: np.ndarray, displacement: np.ndarray) -> np.ndarray:
 def energy_error(
     force: ArrayLike, target: ArrayLike, measured: ArrayLike, applied: ArrayLike | None = None
 ) -> np.ndarray:
-    """Integral of F dx_m - F_a dx_t: what the specimen took less what the structure believes to have given.
+    """Return the integral of F dx_m - F_a dx_t: what the specimen took less what the structure believes to have given.
 
     Without a correction of the force F_a = F, and it is the integral of F d(x_m - x_t).
 

@@ -9,7 +9,7 @@ from edesign.substructure.indicators.channels import channel
 
 
 def tracking_indicator(target: ArrayLike, measured: ArrayLike) -> np.ndarray:
-    """Signed area between measured over target displacement and the 45-degree line, summed from the first sample.
+    """Return the signed area between measured over target displacement and the 45-degree line, sample by sample.
 
     TI = (A - TA) / 2 with A the integral of x_t dx_m and TA that of x_m dx_t, by trapezoids. It grows while the
     measured channel is late and falls while it leads. A sine of amplitude a, late by phi, adds pi a^2 sin(phi) a cycle;

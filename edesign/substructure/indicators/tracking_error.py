@@ -13,7 +13,7 @@ from edesign.substructure.indicators.untold import Untold
 
 
 def nrms(target: ArrayLike, measured: ArrayLike) -> float:
-    """Sum of squared errors over the sum of squared targets, without a root: thesis Eq. 6.28 as it is printed.
+    """Return the sum of squared errors over the sum of squared targets, without a root, as thesis Eq. 6.28 is printed.
 
     Args:
         target: x_t (n,), m.

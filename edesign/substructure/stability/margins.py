@@ -168,7 +168,7 @@ def delay_factor(critical: float, late: float, step: float) -> float:
 
 
 def critical_delays(whole: WholeStructure, highest_frequency: float | None = None) -> tuple[Crossing, ...]:
-    """Pure delay of the specimen's force, without rig and compensator, at which each mode goes; the least one first.
+    """Return the pure delays of the specimen's force, without rig and compensator, at which modes go, the least first.
 
     Args:
         whole: the structure.
@@ -183,7 +183,7 @@ def critical_delays(whole: WholeStructure, highest_frequency: float | None = Non
 
 
 def crossings_of(loop: Loop, swept: Sweep) -> tuple[Crossing, ...]:
-    """Where |L| = 1: the delay that brings L to -1, and the lead one turn before it; the nearest first.
+    """Return where |L| = 1: the delay that brings L to -1, and the lead one turn before it; the nearest first.
 
     Args:
         loop: with rig and compensator.

@@ -44,7 +44,7 @@ class Pencil:
     def roots_near(
         self, starts: np.ndarray, share: np.ndarray, shapes: np.ndarray | None = None
     ) -> tuple[np.ndarray, np.ndarray]:
-        """Roots and shapes near starts in the upper half plane.
+        """Find roots and shapes near starts in the upper half plane.
 
         The matrix is linear in the next correction of s; an inverse iteration finds that correction, and the shape.
 
@@ -130,7 +130,7 @@ def _normed(forms: np.ndarray) -> np.ndarray:
 
 
 def follow(pencil: Pencil, starts: np.ndarray, shapes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Roots and shapes at the end of the way along which a pencil changes.
+    """Find roots and shapes at the end of the way along which a pencil changes.
 
     Args:
         pencil: with its way.

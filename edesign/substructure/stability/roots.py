@@ -41,7 +41,7 @@ def loop_roots(loop: Loop) -> np.ndarray:
 def further_roots(
     loop: Loop, dips: np.ndarray, highest: float, known: np.ndarray, unstable: int
 ) -> tuple[complex, ...]:
-    """Roots of the loop that are not the structure's modes: the rig's, the compensator's, the delay's.
+    """Return the roots of the loop that are not the structure's modes: the rig's, the compensator's, the delay's.
 
     Those near the imaginary axis are sought from it; unstable ones that are still missing, from a net of starts.
 

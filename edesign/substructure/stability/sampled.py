@@ -159,7 +159,7 @@ class SampledLoop:
     corrected: bool = False
 
     def determinant(self, s: np.ndarray, values: np.ndarray) -> np.ndarray:
-        """Determinant of the loop's equations in its commands, and in the force, (m,).
+        """Return the determinant of the loop's equations in its commands, and in the force, (m,).
 
         The unknowns are the command of the compensator, the command with the correction of the rig, and the force that
         the numerical part gets. The determinant is 0 at roots of the loop, 1 at z = infinity, and its only poles are

@@ -12,7 +12,7 @@ from edesign.substructure.stability.whole import ComplexStiffness
 
 
 def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexStiffness:
-    """Complex stiffness through given values: a cubic spline over frequency, constant outside them.
+    """Return the complex stiffness through given values: a cubic spline over frequency, constant outside them.
 
     Off the imaginary axis it is continued by its Taylor series to the second order, exact for spring, dashpot and mass.
 
@@ -43,7 +43,7 @@ def tabulated_specimen(frequency: np.ndarray, stiffness: np.ndarray) -> ComplexS
 
 
 def linearised_law(law: LawValues, amplitude: float, frequency: np.ndarray, brace: float = 0.0) -> ComplexStiffness:
-    """A damper law as it is in steady sines of one amplitude.
+    """Return a damper law as it is in steady sines of one amplitude.
 
     Args:
         law: with parameters and amendments.

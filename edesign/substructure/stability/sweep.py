@@ -62,7 +62,7 @@ class Sweep:
 
 
 def sweep(loop: Loop, highest_frequency: float | None = None) -> Sweep:
-    """The loop from zero to where it has faded.
+    """Sweep the loop from frequency zero to where it has faded.
 
     Args:
         loop: with its rig and compensator.

@@ -102,7 +102,7 @@ class WholeStructure:
         return np.asarray(self.specimen(-1j * s))
 
     def receptances(self, load: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Deformation of the specimen's place in the numerical part alone, under loads of size 1.
+        """Return the deformation of the specimen's place in the numerical part alone, under loads of size 1.
 
         Args:
             load: (n,), N.
