@@ -35,6 +35,9 @@ def residual(group: Group, quantity: str) -> np.ndarray | None:
     Args:
         group: results of one analysis.
         quantity: "roof_displacement" or "storey_drift".
+
+    Returns:
+        One value a component, in the unit of the quantity, or None.
     """
     variable = group.variables.get(f"residual_{quantity}")
     return None if variable is None else np.abs(np.asarray(variable.values, dtype=float))
@@ -48,6 +51,9 @@ def final(group: Group, quantity: str) -> np.ndarray | None:
     Args:
         group: results of one analysis.
         quantity: "floor_displacement" or "storey_drift".
+
+    Returns:
+        One value a component, in the unit of the quantity, or None.
     """
     variable = group.variables.get(f"{quantity}_final")
     if variable is None or residual(group, "storey_drift") is None:

@@ -159,6 +159,9 @@ def collapse_margin_ratio(theta: float, level_intensity: float) -> float:
         theta: median intensity of collapse.
         level_intensity: intensity of the hazard level, in the same unit.
 
+    Returns:
+        The collapse margin ratio, dimensionless.
+
     Source: FEMA P-695 (2009), Eq. 1-1, there of the maximum considered earthquake.
     """
     return theta / level_intensity

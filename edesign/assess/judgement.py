@@ -87,6 +87,9 @@ def share_met(
         not_run: names of those that have not run.
         most: upper limit in the unit of the values.
         least: lower limit in the unit of the values.
+
+    Returns:
+        The share, 0 to 1, and the answer.
     """
     ended = [value for key, value in values.items() if key not in not_run]
     met = sum(value is not None and met_by(value, most, least) for value in ended)

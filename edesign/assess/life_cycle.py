@@ -72,6 +72,9 @@ class Exceedance:
 
         Args:
             years: length of the period of time.
+
+        Returns:
+            0 to 1.
         """
         return -math.expm1(-self.rate * years)
 

@@ -22,6 +22,9 @@ def probit(x: np.ndarray, n: np.ndarray, k: np.ndarray) -> tuple[float, float]:
         n: (m,) observations at each.
         k: (m,) how many of them count.
 
+    Returns:
+        Intercept and slope.
+
     Raises:
         AnalysisError: the maximum was not reached; `check_overlap` says before whether there is one.
     """

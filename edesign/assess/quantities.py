@@ -160,6 +160,9 @@ def floor_spectral_acceleration(time: np.ndarray, floors: np.ndarray, asked: Qua
         time: (nt,) s, in equal steps.
         floors: (nt, n) total accelerations, m/s2.
         asked: has the frequency, Hz, and damping ratio of the oscillator.
+
+    Returns:
+        One value a floor, m/s2.
     """
     step, period = float(time[-1] - time[0]) / (time.size - 1), 1.0 / _known(asked.frequency)
     damping = _known(asked.damping)
@@ -173,6 +176,9 @@ def damper_velocity(time: np.ndarray, deformations: np.ndarray, asked: QuantityC
         time: (n,) s.
         deformations: (n, dampers) m.
         asked: the criterion.
+
+    Returns:
+        One value a damper, m/s.
     """
     return largest_velocity(time, deformations)
 
@@ -183,6 +189,9 @@ def largest_velocity(time: np.ndarray, deformations: np.ndarray) -> np.ndarray:
     Args:
         time: (nt,) s.
         deformations: (nt, n) m.
+
+    Returns:
+        (n,) m/s.
 
     Source: the derivative of a spline at its knots errs by h^4 u'''''/180; at 5 Hz and 0.01 s by 5e-5.
     """

@@ -82,6 +82,9 @@ def statistic(name: str, values: Mapping[str, float]) -> float | None:
     Args:
         name: of `STATISTICS`, or a percentile such as "90%", counted as `counted_percentile` does.
         values: of each history by its name.
+
+    Returns:
+        The statistic in the unit of the values.
     """
     if name in STATISTICS or not values:
         return STATISTICS[name](statistics(values)) if values else None
@@ -124,6 +127,9 @@ def dispersion(values: list[float]) -> float | None:
 
     Args:
         values: in any unit.
+
+    Returns:
+        Dimensionless, or None.
     """
     if len(values) < 2 or min(values) <= 0.0 or math.isinf(max(values)):
         return None

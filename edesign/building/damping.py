@@ -44,6 +44,9 @@ def proportional_factors(damping: ProportionalDamping, omega: np.ndarray) -> tup
         damping: as the project gives it.
         omega: circular frequencies of the lowest modes, as many as `modes_needed` says, rad/s.
 
+    Returns:
+        a0, 1/s, and a1, s.
+
     Raises:
         InputError: a frequency is not greater than zero, or both are the same.
 

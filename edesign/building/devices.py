@@ -97,6 +97,9 @@ class DeviceSize:
         Args:
             law: of the prototype.
 
+        Returns:
+            Factor on the force, factor on the deformation, and thickness, m.
+
         Source: thesis Eqs. 5.18-5.21.
         """
         if law.layers is None or law.layer_area is None or law.layer_thickness is None:

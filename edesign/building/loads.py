@@ -86,6 +86,9 @@ class MemberLoads:
 
         Args:
             stretches: elements and arms of the member.
+
+        Returns:
+            Loads of each element; sums at the start and at the end, N.
         """
         places = stretches.places
         parts = [MemberLoads(self.uniform) for _ in stretches.lengths]
@@ -119,6 +122,9 @@ class MemberLoads:
 
         Args:
             length: m.
+
+        Returns:
+            At the start and at the end, N.
         """
         start = end = self.uniform * 0.5 * length
         for position, force in self.points:

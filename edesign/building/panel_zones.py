@@ -183,6 +183,9 @@ class PanelBuilder:
             joints: names of the nodes at its start and end.
             EI: bending stiffness, N m2.
             geometry: of the member.
+
+        Returns:
+            Numbers of the nodes at its start and its end.
         """
         (x0, y0), (x1, y1) = (self._places[self._nodes[joint]] for joint in joints)
         length = hypot(x1 - x0, y1 - y0)

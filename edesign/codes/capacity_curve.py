@@ -118,6 +118,9 @@ def fitting(target: Callable[[float], float], most: float) -> float:
         target: the target displacement, m, from the displacement of the idealisation, m; above 0 at small ones.
         most: the largest displacement of the idealisation, m.
 
+    Returns:
+        m.
+
     Raises:
         InputError: the target is too small for a displacement of its own on the curve.
     """
@@ -139,6 +142,9 @@ def zero(function: Callable[[float], float], low: float, high: float) -> float:
         function: of one number.
         low: where the function is below zero.
         high: where it is above.
+
+    Returns:
+        The place, between `low` and `high`.
     """
     from scipy.optimize import brentq  # which takes a tenth of a second to load
 

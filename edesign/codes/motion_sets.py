@@ -131,6 +131,9 @@ class SetRules:
         Args:
             T_1: fundamental period, s.
 
+        Returns:
+            Shortest and longest period, s.
+
         Raises:
             InputError: T_1 is not greater than zero.
         """

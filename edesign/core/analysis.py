@@ -303,7 +303,11 @@ class Analysis:
         self._check(lib.ed_initial_velocity(self._c, _doubles(v)))
 
     def state(self) -> np.ndarray:
-        """Return a copy of the whole committed state."""
+        """Return a copy of the whole committed state.
+
+        Returns:
+            (n,), for `restore`.
+        """
         state = np.empty(int(lib.ed_state_size(self._c)))
         lib.ed_state_get(self._c, ffi.from_buffer("double[]", state))
         return state

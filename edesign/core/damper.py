@@ -273,7 +273,11 @@ class CoreDamper:
         return found, held[0]
 
     def start(self) -> np.ndarray:
-        """Return the state at rest, for `step`."""
+        """Return the state at rest, for `step`.
+
+        Returns:
+            (n,) of the law.
+        """
         state = np.zeros(lib.ed_damper_state_size(self._handle))
         lib.ed_damper_start(self._handle, ffi.from_buffer("double[]", state))
         return state

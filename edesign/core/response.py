@@ -116,6 +116,9 @@ class Response:
 
         Args:
             name: of the channel.
+
+        Returns:
+            In the unit of the channel.
         """
         return max(abs(self.maximum[name]), abs(self.minimum[name]))
 

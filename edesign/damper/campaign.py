@@ -136,7 +136,7 @@ class Campaign:
 
     @property
     def readings(self) -> tuple[str, ...]:
-        """Notes on how files that are not plain were read, and where motions begin; one line for tests with the same."""
+        """Notes on how files that are not plain were read and where motions begin; one line for tests with the same."""
         return _readings(self.tests)
 
     @property

@@ -99,6 +99,9 @@ def linear_dashpot(c: float | np.ndarray, alpha: float, amplitude: float | np.nd
         amplitude: of the dashpot's deformation, m.
         omega: rad/s.
 
+    Returns:
+        N s/m, in the shape of the arguments.
+
     Source: lambda c (omega u)^alpha u = pi c_eq omega u^2; Constantinou and Symans (1993).
     """
     return np.asarray(energy_factor(alpha) / math.pi * c * (omega * amplitude) ** (alpha - 1.0))

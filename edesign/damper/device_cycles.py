@@ -91,6 +91,9 @@ class Run:
 
         Args:
             values: (n,) in any unit.
+
+        Returns:
+            (n,), dimensionless.
         """
         return values / values[LEAST_CYCLES - 1] - 1.0
 

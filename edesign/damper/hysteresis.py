@@ -40,6 +40,9 @@ class Hysteresis(Protocol):
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N, in the shape of `amplitude`.
         """
 
     def tangent(self, amplitude: np.ndarray) -> np.ndarray:
@@ -47,6 +50,9 @@ class Hysteresis(Protocol):
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N/m, in the shape of `amplitude`.
         """
 
     def energy(self, amplitude: np.ndarray) -> np.ndarray:
@@ -54,6 +60,9 @@ class Hysteresis(Protocol):
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            J, in the shape of `amplitude`.
         """
 
 

@@ -87,6 +87,9 @@ def read_law_file(path: Path, content: bytes | None = None) -> tuple[LawDescript
         path: the file.
         content: of the file, if it has been read.
 
+    Returns:
+        The law, and where its keys stand in the file.
+
     Raises:
         InputError: it cannot be read, or is wrong; the message has file, line, column and key.
     """
@@ -168,6 +171,9 @@ def strain_of_tests(described: LawDescription) -> float | None:
 
     Args:
         described: the law of the file.
+
+    Returns:
+        Dimensionless, or None.
     """
     ranges = described.tested or {}
     if isinstance(described.parameters, str):

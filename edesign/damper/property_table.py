@@ -214,6 +214,9 @@ def usable(found: Mapping[str, Properties]) -> tuple[list[Properties], list[str]
 
     Args:
         found: properties by name of the test.
+
+    Returns:
+        The rows; the notes, a sentence each.
     """
     rows, notes = [], []
     for name, row in found.items():

@@ -49,6 +49,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N, in the shape of `amplitude`.
         """
         return self._peak(np.asarray(amplitude), _TENSION)
 
@@ -57,6 +60,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N, in the shape of `amplitude`.
         """
         return self._peak(np.asarray(amplitude), _COMPRESSION)
 
@@ -67,6 +73,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            In the shape of `amplitude`.
         """
         by_force, by_deformation = self.brace.strain_of_core
         return np.asarray(by_force * self.tension(amplitude) + by_deformation * np.asarray(amplitude))
@@ -76,6 +85,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N, in the shape of `amplitude`.
         """
         return np.asarray(0.5 * (self.tension(amplitude) + self.compression(amplitude)))
 
@@ -84,6 +96,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            N/m, in the shape of `amplitude`.
         """
         u = np.asarray(amplitude)
         return np.asarray(0.5 * (self._slope(u, _TENSION) + self._slope(u, _COMPRESSION)))
@@ -95,6 +110,9 @@ class RestrainedCycles:
 
         Args:
             amplitude: largest deformation (...), m.
+
+        Returns:
+            J, in the shape of `amplitude`.
         """
         u, alpha = np.asarray(amplitude), self.brace.post_yield_ratio
         half_range = (self.force(u) - alpha * self.stiffness * u) / (1.0 - alpha)

@@ -33,11 +33,19 @@ class Residuals:
     loss_factor: np.ndarray
 
     def rms(self) -> tuple[float, float, float]:
-        """Return the root of the mean square of each property."""
+        """Return the root of the mean square of each property.
+
+        Returns:
+            One value a property, dimensionless.
+        """
         return _each(self, lambda r: float(np.sqrt(np.mean(r**2))))
 
     def mean(self) -> tuple[float, float, float]:
-        """Return the mean of each property."""
+        """Return the mean of each property.
+
+        Returns:
+            One value a property, dimensionless.
+        """
         return _each(self, lambda r: float(np.mean(r)))
 
 

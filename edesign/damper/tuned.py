@@ -108,6 +108,9 @@ def sloshing_mass_ratio(length: float, depth: float, mode: int = 1) -> float:
         depth: of the liquid, m.
         mode: number of the mode.
 
+    Returns:
+        Dimensionless, 0 to 1.
+
     Source: Graham & Rodriguez (1952), J. Applied Mechanics 19; Housner (1957) has 0.264 for 8 / pi^3 = 0.258 in mode 1.
     """
     n = 2 * mode - 1

@@ -124,6 +124,9 @@ def code_spectra(
         q: behaviour factor; None takes that of the hazard for a horizontal component, and without one, or for the
             vertical component, gives no design spectrum.
 
+    Returns:
+        The elastic spectrum; the design spectrum, or None where there is none.
+
     Raises:
         InputError: as `elastic_spectrum`, or something that the code does not allow or has not.
     """

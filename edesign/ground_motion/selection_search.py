@@ -45,6 +45,9 @@ def search(library: Library, caps: Sequence[Cap], count: int, exhaustive_limit: 
             always be completed.
         count: records wanted; the caller made sure that so many can be had.
         exhaustive_limit: up to how many combinations all are compared.
+
+    Returns:
+        The choice; True where all choices were compared.
     """
     n = len(library.pga)
     allowed = _Allowed(caps)

@@ -250,6 +250,9 @@ class ElasticAnalysis:
             group: of members.
             section: its name.
 
+        Returns:
+            Name of the steel, and the steel.
+
         Raises:
             InputError: with yield strengths by thickness the section is thicker than the standard knows.
         """

@@ -147,6 +147,9 @@ class ComputedStructure:
             drive: with a ground motion.
             record: of the loop.
             failed: why the test has no result; empty: it has one.
+
+        Returns:
+            The group; drifts, (n, n_storeys).
         """
         structure = self.laboratory.structure
         assert drive.ground is not None and structure is not None

@@ -249,6 +249,9 @@ def tangent_of(damper: TestedDamper) -> tuple[float, float]:
 
     Args:
         damper: in the rig.
+
+    Returns:
+        Stiffness, N/m, and damping coefficient, N s/m.
     """
     _, _, (of_u, of_v) = _small_step(damper)
     return max(of_u, 0.0), max(of_v, 0.0)

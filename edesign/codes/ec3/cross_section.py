@@ -271,6 +271,9 @@ def biaxial_exponents(shape: Shape, n: float) -> tuple[float, float]:
         shape: I, RHS or CHS.
         n: N_Ed / N_pl,Rd, magnitude.
 
+    Returns:
+        alpha and beta.
+
     Source: EN 1993-1-1:2005, 6.2.9.1(6), Eq. 6.41.
     """
     if shape == "CHS":

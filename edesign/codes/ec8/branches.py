@@ -41,6 +41,9 @@ def checked_periods(period: ArrayLike) -> np.ndarray:
     Args:
         period: s, of any shape; not negative.
 
+    Returns:
+        s, in the shape of `period`.
+
     Raises:
         InputError: a period is negative or not finite.
     """
@@ -57,6 +60,9 @@ def displacement_of(acceleration: np.ndarray, period: ArrayLike) -> np.ndarray:
     Args:
         acceleration: S_e, m/s2.
         period: s, of any shape; not negative.
+
+    Returns:
+        m, in the shape of `acceleration`.
 
     Source: EN 1998-1:2004, Eq. 3.7.
     """

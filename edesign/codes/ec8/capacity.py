@@ -20,6 +20,9 @@ def overstrength(resistance: ArrayLike, demand: ArrayLike) -> np.ndarray:
         resistance: plastic resistance: M_pl,Rd of beams (N m), N_pl,Rd of diagonals (N).
         demand: design value in the seismic design situation, gravity included, in the same unit, any sign.
 
+    Returns:
+        Omega_i, dimensionless, in the shape of the arguments.
+
     Raises:
         InputError: a resistance is not greater than zero, or a demand is not a number.
 
@@ -40,6 +43,9 @@ def foundation_factor(Omega: ArrayLike, q: float) -> np.ndarray:
         Omega: R_di / E_di of the dissipative member that has most influence on the effect; values above q count as q,
             values below 1, of members that fail their own check, as 1.
         q: behaviour factor.
+
+    Returns:
+        Dimensionless, in the shape of the arguments.
 
     Source: EN 1998-1:2004, 4.4.2.6(4), Eq. 4.30. For columns of moment frames Omega is M_Rd / M_Ed at the base, the
         less of both directions (5); for concentric bracings the least of all diagonals (6).

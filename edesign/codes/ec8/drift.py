@@ -39,6 +39,9 @@ def reduced_drift(d_r: ArrayLike, h: ArrayLike, nu: float) -> np.ndarray:
         h: storey height, m.
         nu: for the lower return period of this requirement (`NationalParameters.nu`).
 
+    Returns:
+        Dimensionless, in the shape of the arguments.
+
     Raises:
         InputError: a height or nu is not greater than zero.
 

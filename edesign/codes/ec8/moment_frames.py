@@ -63,6 +63,9 @@ def web_panel_shear(M_over_z: ArrayLike, V_columns: ArrayLike = 0.0) -> np.ndarr
             distance between the centres of their flanges, N.
         V_columns: mean shear of the columns above and below, which relieves the panel, N; 0 is on the safe side.
 
+    Returns:
+        N, in the shape of the arguments.
+
     Source: EN 1998-1:2004, 6.6.3(6); EN 1993-1-8:2005, 5.3(3), Eq. 5.3.
     """
     return np.maximum(np.asarray(M_over_z, dtype=float) - np.asarray(V_columns, dtype=float), 0.0)
@@ -78,6 +81,9 @@ def web_panel_resistance(A_vc: ArrayLike, f_y: ArrayLike, gamma_M0: float = 1.0)
         f_y: yield stress of its web, Pa.
         gamma_M0: partial factor.
 
+    Returns:
+        N, in the shape of the arguments.
+
     Source: EN 1993-1-8:2005, 6.2.6.1(1) and (2), Eq. 6.7; EN 1998-1:2004, 6.6.3(6), Eq. 6.8, asks for
         V_wp,Ed <= V_wp,Rd, and need not count axial force and bending.
     """
@@ -92,6 +98,9 @@ def web_panel_slenderness(d: ArrayLike, t_w: ArrayLike, f_y: ArrayLike) -> np.nd
         d: depth of the web between the fillets, m.
         t_w: thickness of the web, m.
         f_y: yield stress, Pa.
+
+    Returns:
+        Dimensionless, in the shape of the arguments.
 
     Source: EN 1993-1-8:2005, 6.2.6.1(1).
     """

@@ -88,6 +88,9 @@ def torsional_radius(K_theta: ArrayLike, K: ArrayLike) -> np.ndarray:
         K_theta: torsional stiffness about the centre of stiffness, N m/rad.
         K: lateral stiffness in the direction of analysis, N/m.
 
+    Returns:
+        m, in the shape of the arguments.
+
     Source: EN 1998-1:2004, 4.2.3.2(6).
     """
     check_positive(K_theta=K_theta, K=K)

@@ -24,6 +24,9 @@ def drift_sensitivity(P_tot: ArrayLike, d_r: ArrayLike, V_tot: ArrayLike, h: Arr
         V_tot: seismic storey shear, N, any sign.
         h: storey height, m.
 
+    Returns:
+        Dimensionless, in the shape of the arguments.
+
     Raises:
         InputError: a storey has no shear or no height, or a load is negative.
 

@@ -19,6 +19,9 @@ def soil_strain(acceleration: float) -> tuple[float, float]:
     Args:
         acceleration: alpha S, that of the surface over g.
 
+    Returns:
+        G / G_max and the ratio of critical damping.
+
     Raises:
         InputError: it is beyond the table.
 

@@ -21,6 +21,9 @@ def strength_ratio(M_Rc: ArrayLike, M_Rb: ArrayLike) -> np.ndarray:
             forces of the seismic design situation, N m; 0 where there is no column.
         M_Rb: (..., n_beams) resistances of the beams on both sides, N m; 0 where there is none or it is pinned.
 
+    Returns:
+        Dimensionless, in the shape of the arguments.
+
     Raises:
         InputError: a resistance is negative.
 

@@ -37,6 +37,9 @@ def split_cases(cases: Mapping[str, str], psi: Mapping[str, Psi]) -> tuple[list[
         cases: category of each load case by its name, `permanent` or a category of `psi`.
         psi: the categories that are known.
 
+    Returns:
+        Names of the permanent cases; names of the variable ones by kind.
+
     Raises:
         InputError: a category is not known, or no case is permanent.
     """

@@ -45,6 +45,9 @@ class RotationLimits:
             level: IO, LS or CP.
             component: "primary" or "secondary".
 
+        Returns:
+            In the unit of the limits: rad, or multiples of theta_y.
+
         Raises:
             InputError: there is no such level.
         """

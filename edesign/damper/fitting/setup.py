@@ -45,6 +45,9 @@ class Setup:
 
         Args:
             x: (n,) coordinates.
+
+        Returns:
+            (n,) coordinates.
         """
         kinds = [parameter.name for parameter in self.law.branch]
         values = self.coordinates.values(x)

@@ -140,6 +140,9 @@ def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: i
         coordinates: of the fit.
         observed: linear equivalents of the tests.
         seed: of the starts.
+
+    Returns:
+        Coordinates (n,) of the best starts.
     """
     if law.name not in LINEAR_LAWS:
         return []

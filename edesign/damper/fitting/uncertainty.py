@@ -43,6 +43,9 @@ def blocks_of(loadings: Sequence[Loading]) -> tuple[np.ndarray, np.ndarray]:
 
     Args:
         loadings: of the tests.
+
+    Returns:
+        Number of the test and number of the block, (m,) each.
     """
     tests, blocks, first = [], [], 0
     for i, loading in enumerate(loadings):

@@ -119,6 +119,9 @@ def listing(source: Source) -> tuple[list[Listed], list[Refusal]]:
     Args:
         source: folder, package or suite.
 
+    Returns:
+        Recordings and refusals, both by name.
+
     Raises:
         InputError: the folder, package or suite cannot be read.
     """

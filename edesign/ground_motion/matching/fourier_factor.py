@@ -61,6 +61,9 @@ class FourierFactor:
         Args:
             acceleration: shape (samples,), m/s2.
             theta: log of the factor at the nodes, shape (n_n,).
+
+        Returns:
+            (n,) m/s2.
         """
         change = np.zeros(self.length // 2 + 1, dtype=complex)
         change[self.index] = self.transform(acceleration) * np.expm1(self.hats @ theta)

@@ -76,6 +76,9 @@ def oscillator_response(
         time: from the wavelet's centre to the moment asked for, s.
         period: of the wavelet, s.
         width: of the wavelet, s.
+
+    Returns:
+        Under the even and under the odd wavelet, (m,) each, in the unit of the wavelets.
     """
     natural = 2.0 * np.pi / oscillator
     damped = natural * np.sqrt(1.0 - damping**2)

@@ -74,6 +74,9 @@ class Step:
 
         Args:
             damping: of the least squares.
+
+        Returns:
+            One value a wavelet, m/s2.
         """
         return amplitudes(self.matrix, self.missing, np.flatnonzero(self.peaks.largest), damping)
 

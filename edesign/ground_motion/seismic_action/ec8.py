@@ -151,6 +151,9 @@ class EC8Action:
         Args:
             level: its name in the hazard.
 
+        Returns:
+            gamma_I, dimensionless.
+
         Raises:
             InputError: there is no such level, or it says nothing of its importance.
 

@@ -69,6 +69,9 @@ class Bracing:
             internal: (n_members, n_stations, 6) combined, of the linear model.
             axial: (k, n_members) axial force in each mode of the linear model, N, tension positive.
             rho: (k, k) correlation of the modes, scaled by their amplitudes.
+
+        Returns:
+            In the shape of `internal`, N and N m.
         """
         if not self.braces.size:
             return internal

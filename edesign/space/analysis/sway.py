@@ -227,6 +227,9 @@ def critical_factors(modes: SpaceModes, geometric: np.ndarray, mass: float) -> t
         geometric: (n_modes, n_modes) by `geometric_stiffness`.
         mass: that moves, kg.
 
+    Returns:
+        alpha_cr along x, along y, and of all shapes.
+
     Source: EN 1993-1-1:2005, 5.2.1(3), Eq. 5.1: K - alpha K_G singular. In natural modes K is diagonal, omega2.
     """
     scaled = geometric / np.outer(modes.omega, modes.omega)

@@ -94,6 +94,9 @@ def dissipative_members(frame: SpaceFrame, axis: Axis, system: str) -> np.ndarra
         frame: of the building.
         axis: direction of the action.
         system: `moment_frame`, `concentric_diagonal` or `concentric_v`.
+
+    Returns:
+        (n,) numbers.
     """
     kind = "beam" if system == "moment_frame" else "brace"
     return np.array(

@@ -27,6 +27,9 @@ def hinged_feet(frame: SpaceFrame, axis: Axis) -> np.ndarray:
     Args:
         frame: of the building.
         axis: direction of the horizontal forces.
+
+    Returns:
+        (n,) numbers.
     """
     turn = _TURNS[axis]
     held = frame.fixed[:, turn] | (frame.springs[:, turn] > 0.0)

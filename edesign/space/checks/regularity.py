@@ -82,6 +82,9 @@ def regularity(
         frame: with its sections.
         model: for the seismic action.
         of_shape: by `shape`.
+
+    Returns:
+        The regularity; the criteria.
     """
     design = design_of(building)
     of = _floor_stiffness(frame, model)

@@ -188,7 +188,11 @@ class Calculation:
         return self.force(of, int(self.forces.size[:, of].argmax()))
 
     def compression(self) -> float:
-        """Write the largest compression along the member, at least 0."""
+        """Write the largest compression along the member, at least 0.
+
+        Returns:
+            N.
+        """
         along = self.forces.swing[:, N] - self.forces.steady[:, N]
         station = int(along.argmax())
         steady, swing = float(self.forces.steady[station, N]), float(self.forces.swing[station, N])
@@ -423,7 +427,11 @@ class Calculation:
         return self.add("M_b,Rd", value, "N*m", f"{symbol} {W} f_y / gamma_M1", "6.3.2.1(3), Eq. 6.55")
 
     def M_cr(self) -> tuple[float, float]:
-        """Write M_cr and C_1 of the member as it is held."""
+        """Write M_cr and C_1 of the member as it is held.
+
+        Returns:
+            M_cr, N m, and C_1.
+        """
         s, member, held = self.section, self.member, self.member.stability
         length = self.add("L_LT", held.L_LT, "m", "between restraints of the compressed flange")
         self.torsion()

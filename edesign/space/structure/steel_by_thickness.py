@@ -26,6 +26,9 @@ def steel_by_thickness(building: Building, section: str, material: str) -> tuple
         section: name.
         material: one of the file's.
 
+    Returns:
+        Name of the steel, and the steel.
+
     Raises:
         InputError: the name of the material is no grade, its f_y is not that of the grade, or the section is thicker
             than any part that the standard knows.

@@ -23,6 +23,9 @@ def loaded_poles(plant: RigModel, specimen: ComplexStiffness) -> np.ndarray:
     Args:
         plant: the rig of the file.
         specimen: its complex stiffness.
+
+    Returns:
+        (n,) 1/s, complex.
     """
     if not isinstance(plant, ServoHydraulicRig):
         return np.zeros(0, dtype=complex)

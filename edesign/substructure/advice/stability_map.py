@@ -109,6 +109,9 @@ def governing_map(laboratory: VirtualLaboratory, motions: Mapping[str, np.ndarra
         laboratory: of the file.
         motions: (n,) deformation of the damper in the direct analysis at main steps, m, of each test with a loop.
 
+    Returns:
+        Name of the test and its map, or None.
+
     Raises:
         InputError: as `stability_map`.
     """

@@ -351,6 +351,9 @@ def converged_series(
         rig: its transfer function.
         motion: (n,) target, m.
         step: main step, s.
+
+    Returns:
+        (3,) coefficients: -, s, s2.
     """
     s = 2j * np.pi * np.fft.rfftfreq(motion.size, step)[1:]
     weight = np.abs(np.fft.rfft(motion))[1:]

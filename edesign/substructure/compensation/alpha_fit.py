@@ -32,6 +32,9 @@ def fitted_alpha(command: np.ndarray, displacement: np.ndarray, step: float) -> 
         command: (n,) m.
         displacement: (n,) m.
         step: between samples, s.
+
+    Returns:
+        alpha_0, -; alpha_1, s; alpha_2, s2.
     """
     u, x = command - command[0], displacement - displacement[0]
     if filtered(step):

@@ -247,6 +247,9 @@ def response(compensator: DifferenceEquation, step: float, s: np.ndarray) -> np.
         compensator: the difference equation.
         step: main step, s.
         s: (m,) complex frequencies, 1/s.
+
+    Returns:
+        In the shape of `s`, dimensionless.
     """
     above, below = np.zeros(np.shape(s), dtype=complex), np.ones(np.shape(s), dtype=complex)
     order = {"target": 0, "velocity": 1, "acceleration": 2}

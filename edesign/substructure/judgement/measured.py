@@ -107,6 +107,9 @@ def clipped(values: np.ndarray) -> float | None:
 
     Args:
         values: (n,).
+
+    Returns:
+        The level in the unit of the channel, or None.
     """
     steps = np.abs(np.diff(values))
     moves = steps[steps > 0.0]

@@ -34,6 +34,9 @@ def ideal(s: np.ndarray) -> np.ndarray:
 
     Args:
         s: (m,) complex frequencies, 1/s.
+
+    Returns:
+        (m,) ones.
     """
     return np.ones_like(s, dtype=complex)
 
@@ -43,6 +46,9 @@ def nothing(s: np.ndarray) -> np.ndarray:
 
     Args:
         s: (m,) complex frequencies, 1/s.
+
+    Returns:
+        (m,) zeros.
     """
     return np.zeros_like(s, dtype=complex)
 
@@ -82,6 +88,9 @@ class Loop:
 
         Args:
             s: (m,) complex frequencies, 1/s.
+
+        Returns:
+            (m,), dimensionless.
         """
         value: np.ndarray = self.rig(s) * self.compensator(s)
         return value
@@ -143,6 +152,9 @@ class RigDelayLoop(Loop):
             actuation: (m,), what `actuation` gives at s.
             share: (m,), the share T of the specimen at s.
             s: (m,) complex frequencies, 1/s.
+
+        Returns:
+            A and B, (m,) each.
         """
         moving, standing = (1.0 + (one - 1.0) * share for one in (actuation, self.still(s)))
         return moving * self.opened(s) - standing, standing

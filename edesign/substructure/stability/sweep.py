@@ -98,6 +98,9 @@ def refined(
         values: (k, m) there.
         function: values at further frequencies.
         too_far: whether they change too much from each frequency to the next, (m - 1,).
+
+    Returns:
+        Frequencies, rad/s, rising, and values (k, m) there.
     """
     for _ in range(ROUNDS):
         coarse = np.nonzero(too_far(values) & (np.diff(omega) > CLOSEST * omega[1:]))[0]
@@ -115,6 +118,9 @@ def first_grid(resonances: np.ndarray, end: float) -> np.ndarray:
     Args:
         resonances: (k,) roots, 1/s.
         end: rad/s.
+
+    Returns:
+        (m,) rad/s, rising.
     """
     half_width = np.maximum(np.abs(resonances.real), NARROWEST * np.abs(resonances))
     about = (resonances.imag[:, None] + half_width[:, None] * BANDWIDTHS).ravel()

@@ -98,6 +98,9 @@ class WholeStructure:
 
         Args:
             s: (m,) complex frequencies, 1/s.
+
+        Returns:
+            (m,) N/m, complex.
         """
         return np.asarray(self.specimen(-1j * s))
 

@@ -152,6 +152,9 @@ def modal_damping_matrix(
         shapes: (n, m), a column each, of generalised mass 1.
         ratio: of critical damping, dimensionless; one, or (m,).
 
+    Returns:
+        (n, n) N s/m.
+
     Source: Chopra, Dynamics of Structures, Eq. (11.4.5).
     """
     inertia = mass @ shapes

@@ -157,6 +157,9 @@ def largest_step(part: LinearPart, method: str, specimen_stiffness: float = 0.0)
         method: one of METHODS.
         specimen_stiffness: in the place of the specimen, N/m.
 
+    Returns:
+        Step, s, and number of the mode.
+
     Raises:
         InputError: the structure is unstable.
 
