@@ -39,7 +39,7 @@ class FileKind:
 
     @property
     def described(self) -> str:
-        """With its article and format."""
+        """Name of the kind with its article and format."""
         article = "an" if self.name[0] in "aeiou" else "a"
         return f"{article} {self.name} (YAML)" if self.keys else f"{article} {self.name}"
 

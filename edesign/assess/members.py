@@ -30,7 +30,7 @@ yielded, about a tenth of theta_y, and no hinge.
 
 @dataclass(frozen=True)
 class FrameMember:
-    """A column or beam as FEMA 356 sees it.
+    """Column or beam with what FEMA 356 asks of it.
 
     Attributes:
         storey: of a column; of a beam the one below its floor.

@@ -39,7 +39,7 @@ class Block:
 
     @property
     def slenderness(self) -> float:
-        """L / B."""
+        """Slenderness L / B."""
         return self.half_length / self.half_width
 
     @property

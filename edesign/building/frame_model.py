@@ -61,7 +61,7 @@ class Member:
 
     @property
     def bending_stretches(self) -> Stretches:
-        """Where what bends stands on it: its elements without their rigid ends, which are arms."""
+        """Stretches of the member that bend: its elements without their rigid ends, which are arms."""
         if not any(self.rigid_ends):
             return self.stretches
         return Stretches(self.rigid_ends, (self.stretches.length - sum(self.rigid_ends),))
@@ -180,5 +180,5 @@ class FrameModel:
 
     @cached_property
     def leading_nodes(self) -> list[str]:
-        """For each floor from 1 the first node from the left, which stands for the floor."""
+        """First node from the left of each floor from 1, which stands for the floor."""
         return [self.frame.leading_node(floor) for floor in range(1, self.frame.n_storeys + 1)]

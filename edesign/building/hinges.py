@@ -245,7 +245,7 @@ def _side(values: HingeValues, other: HingeSide) -> DeterioratingSide:
 
 @dataclass(frozen=True)
 class BuiltMember:
-    """A member as it stands in the core.
+    """Parts of a member in the core.
 
     Attributes:
         parts: its elements from the start; springs are not among them.

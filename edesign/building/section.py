@@ -58,12 +58,12 @@ class CrossSection:
 
     @cached_property
     def area(self) -> float:
-        """m2."""
+        """Area, m2."""
         return math.fsum([s.width * s.depth for s in self.strips] + [s.area for s in self.spots])
 
     @cached_property
     def depth(self) -> float:
-        """From the lowest to the highest edge of its strips, m."""
+        """Depth from the lowest to the highest edge of the strips, m."""
         edges = [s.centre + half * s.depth for s in self.strips for half in (-0.5, 0.5)]
         return max(edges) - min(edges)
 

@@ -48,7 +48,7 @@ class Stability:
 
 @dataclass(frozen=True)
 class SteelMember:
-    """A member as its checks see it.
+    """Section, steel and restraints of a member for its checks.
 
     Attributes:
         section: by `steel_section`.
@@ -74,7 +74,7 @@ class SteelMember:
 
     @cached_property
     def constants(self) -> MemberConstants:
-        """Its resistances and factors, by `member_constants`."""
+        """Resistances and factors of the member, by `member_constants`."""
         return member_constants(
             self.section,
             self.fy,

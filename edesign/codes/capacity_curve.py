@@ -40,12 +40,12 @@ class CapacityCurve:
 
     @property
     def end(self) -> float:
-        """Its last displacement, m."""
+        """Last displacement of the curve, m."""
         return float(self.displacement[-1])
 
     @cached_property
     def peak(self) -> float:
-        """The displacement at the largest base shear, m; the first of several."""
+        """Displacement at the largest base shear, m; the first of several."""
         return float(self.displacement[int(np.argmax(self.force))])
 
     @cached_property
@@ -59,7 +59,7 @@ class CapacityCurve:
 
     @property
     def stiffness(self) -> float:
-        """Slope of its first part, N/m."""
+        """Slope of the first part of the curve, N/m."""
         return float((self.force[1] - self.force[0]) / (self.displacement[1] - self.displacement[0]))
 
     def force_at(self, displacement: float) -> float:

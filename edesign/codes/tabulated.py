@@ -132,7 +132,7 @@ class TabulatedSpectrum:
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_C, s, where it is known."""
+        """Corner period T_C, s, where it is known."""
         return {} if self.corner_period is None else {"T_C": self.corner_period}
 
     @property

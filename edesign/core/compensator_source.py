@@ -42,7 +42,7 @@ class Sizes:
 
     @property
     def parameters(self) -> int:
-        """Bytes of ed_compensator_parameters, likewise."""
+        """Bytes of ed_compensator_parameters where `double` and `long` are as on this machine."""
         return int(ffi.sizeof("ed_compensator_parameters"))
 
 

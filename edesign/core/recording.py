@@ -101,20 +101,20 @@ class Recording:
 
     @property
     def time(self) -> np.ndarray:
-        """(rows kept,) abscissas."""
+        """Abscissas of the rows that are kept, (rows kept,)."""
         return self._time[: self._rows]
 
     @property
     def values(self) -> dict[str, np.ndarray]:
-        """(rows kept,) of each channel with history."""
+        """Values of each channel with history, (rows kept,)."""
         return {name: self._histories[row, : self._rows] for row, name in enumerate(self._kept)}
 
     @property
     def tail(self) -> dict[str, np.ndarray]:
-        """(last rows,) of each channel with a tail."""
+        """Last rows of each channel with a tail, (last rows,)."""
         return {name: self._tail[:, column] for column, name in enumerate(self._tails)}
 
     @property
     def energy(self) -> dict[str, np.ndarray]:
-        """(rows kept,) J of each of ENERGIES; without values if they are not kept."""
+        """Energies of each of ENERGIES, (rows kept,) J; without values if they are not kept."""
         return {name: self._energies[i, : self._rows] for i, name in enumerate(ENERGIES)}

@@ -67,7 +67,7 @@ class Channel:
 
 @dataclass(frozen=True)
 class Passed:
-    """The channel that ended a run beyond its limit, its value, and when (s)."""
+    """Passing of a limit that ended a run: the channel, its value, and the time (s)."""
 
     channel: str
     value: float
@@ -130,7 +130,7 @@ class Response:
 
     @property
     def load_factor(self) -> np.ndarray:
-        """The abscissa of a run in load control."""
+        """Load factor: the abscissa of a run in load control."""
         return self.time
 
 

@@ -169,7 +169,7 @@ class SpaceModel:
 
     @property
     def n_nonzeros(self) -> int:
-        """Values in the stiffness."""
+        """Number of values that the sparse stiffness holds."""
         return int(lib.ed_space_n_nonzeros(self._handle))
 
     def static(

@@ -69,7 +69,7 @@ class MassFactor:
 
 @dataclass(frozen=True)
 class MassModes:
-    """Modes by what they are caused by.
+    """Modes by the inertia forces that cause them.
 
     Attributes:
         omega: (k,) rad/s.

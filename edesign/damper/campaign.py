@@ -41,7 +41,7 @@ _WHAT, _BEGINS = "campaign file", "specimen:"
 
 
 class CampaignError(FileProblems):
-    """A campaign file is wrong."""
+    """Error: a campaign file is wrong."""
 
 
 class TestEntry(ReadingKeys):

@@ -13,7 +13,7 @@ from edesign.project.reading.problems import Keys
 
 
 class EffectsError(InputError):
-    """Effects of a law are wrong; the message lists all problems.
+    """Error: effects of a law are wrong; the message lists all problems.
 
     Attributes:
         problems: keys below `effects`, and what is wrong there.

@@ -25,7 +25,7 @@ class Hysteresis(Protocol):
 
     @property
     def yield_force(self) -> float:
-        """Force at which it yields, slips or opens, N."""
+        """Force at which the damper yields, slips or opens, N."""
 
     @property
     def stiffness(self) -> float:
@@ -114,7 +114,7 @@ class Bilinear:
 
 @dataclass(frozen=True)
 class RambergOsgood:
-    """u = F/k (1 + a |F/F_y|^(n-1)) with Masing's rule.
+    """Ramberg and Osgood's law u = F/k (1 + a |F/F_y|^(n-1)) with Masing's rule.
 
     Attributes:
         stiffness: k, N/m.
@@ -168,9 +168,10 @@ class RambergOsgood:
 
 
 class BoucWen:
-    """Bouc-Wen: z goes from -z_m to 0 with A + (gamma - beta) |z|^n, and on to z_m with A - (gamma + beta) z^n.
+    """Bouc and Wen's law in steady cycles.
 
-    The integrals over z are cubic Hermite splines between points that Gauss's rule finds to rounding.
+    z goes from -z_m to 0 with A + (gamma - beta) |z|^n, and on to z_m with A - (gamma + beta) z^n. The integrals over z
+    are cubic Hermite splines between points that Gauss's rule finds to rounding.
 
     Args:
         Fy, Y, alpha, A, beta, gamma, n: as of the law.

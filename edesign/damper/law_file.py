@@ -56,7 +56,7 @@ class ResolvedLaw:
 
 @dataclass(frozen=True)
 class Source:
-    """Where a description of a law stands, for messages.
+    """Place of the description of a law, for messages.
 
     Attributes:
         path: of the file.

@@ -92,7 +92,7 @@ class DamperTest:
 
     @property
     def where(self) -> str:
-        """The file, or the name of a test that comes from none."""
+        """File of the test, or the name of a test that comes from none."""
         return self.source or f"test {self.name}"
 
     @property

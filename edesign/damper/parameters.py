@@ -26,7 +26,7 @@ _EXPONENT_TOLERANCE = 1e-9  # of the exponent in a unit against the parameter it
 
 
 class ParameterError(InputError):
-    """Parameters of a law are wrong; the message lists all problems.
+    """Error: parameters of a law are wrong; the message lists all problems.
 
     Attributes:
         problems: name of the parameter and what is wrong with it.

@@ -43,7 +43,7 @@ _WHAT, _BEGINS = "programme file", "specimen:"
 
 
 class ProgrammeError(FileProblems):
-    """A programme file is wrong."""
+    """Error: a programme file is wrong."""
 
 
 def parse_frequency(value: Any) -> float:
@@ -237,7 +237,7 @@ class Programme(Model):
 
     @property
     def path(self) -> Path:
-        """The file, as it was given."""
+        """Programme file, as it was given."""
         return self._path
 
 

@@ -54,7 +54,7 @@ class Interpolated:
 
     @property
     def G_loss(self) -> np.ndarray:
-        """G'' = n G', Pa."""
+        """Loss modulus G'' = n G', Pa."""
         return self.loss_factor * self.G_storage
 
 
@@ -96,7 +96,7 @@ class PropertyTable:
 
     @property
     def G_loss(self) -> np.ndarray:
-        """G'' = n G', (n,) Pa."""
+        """Loss modulus G'' = n G', (n,) Pa."""
         return self.loss_factor * self.G_storage
 
     @cached_property

@@ -88,12 +88,12 @@ class Start:
 
     @property
     def before(self) -> tuple[float, float]:
-        """Deformation m and velocity m/s, the larger one of both ways, of `been`."""
+        """Largest deformation, m, and velocity, m/s, before the test, the larger one of both ways."""
         return max(self.been[0], -self.been[1]), max(self.been[2], -self.been[3])
 
 
 class Recorded(NamedTuple):
-    """A test as its start is looked at.
+    """Record of a test in the form in which its start is sought.
 
     Attributes:
         time, displacement, velocity, force: (n,) s, m, m/s, N; the motion freed from noise where that can be done.
@@ -109,7 +109,7 @@ class Recorded(NamedTuple):
 
     @property
     def largest(self) -> tuple[float, float]:
-        """Deformation and velocity, m, m/s."""
+        """Largest deformation, m, and velocity, m/s."""
         return float(np.max(np.abs(self.displacement))), float(np.max(np.abs(self.velocity)))
 
 

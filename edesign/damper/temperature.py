@@ -34,7 +34,7 @@ class TemperatureModel(Protocol):
 
     @property
     def laws(self) -> tuple[str, ...]:
-        """Names of the laws it is made for."""
+        """Names of the laws that the model is made for."""
 
     def shifted(self, law: Law, values: Mapping[str, float], temperature_C: float) -> Result:
         """Return parameters at a temperature, and warnings.
@@ -91,7 +91,7 @@ class GammaT:
 
     @property
     def laws(self) -> tuple[str, ...]:
-        """The MGMM alone."""
+        """Names of the laws: the MGMM alone."""
         return ("mgmm",)
 
     @property
@@ -235,12 +235,12 @@ class FerryShift:
 
     @property
     def reference_C(self) -> float:
-        """T_ref, degC."""
+        """Reference temperature T_ref, degC."""
         return self.reference
 
     @property
     def laws(self) -> tuple[str, ...]:
-        """The linear viscoelastic laws."""
+        """Names of the linear viscoelastic laws."""
         return LINEAR_LAWS
 
     def factor(self, temperature_C: float) -> float:

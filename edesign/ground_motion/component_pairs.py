@@ -20,7 +20,7 @@ NAMES: dict[CombinedSpectrum, str] = {"geometric_mean": "geometric mean", "rotd5
 
 @dataclass(frozen=True)
 class PairFit:
-    """A pair of components scaled together.
+    """Pair of components scaled together.
 
     Attributes:
         spectrum: what of them was compared.

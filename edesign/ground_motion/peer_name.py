@@ -39,7 +39,7 @@ class PeerName:
 
     @property
     def file(self) -> str:
-        """The name as PEER gives it, as far as it is known."""
+        """Name of the file as PEER gives it, as far as it is known."""
         number = "" if self.rsn is None else f"RSN{self.rsn}_"
         return f"{number}{self.event}_{self.component}.AT2"
 

@@ -22,7 +22,7 @@ from edesign.project.reading.file_bytes import is_folder
 
 @dataclass(frozen=True)
 class Found:
-    """A recording, and where it was found.
+    """Recording that was found, and its place.
 
     Attributes:
         record: as recorded or simulated, m/s2.
@@ -48,7 +48,7 @@ class Found:
 
 
 class NotFound(InputError):
-    """None of the places of a recording has it."""
+    """Error: none of the places of a recording has it."""
 
 
 @dataclass(frozen=True)

@@ -51,7 +51,7 @@ def _package(value: Any) -> Any:
 
 
 class SuiteError(FileProblems):
-    """A suite file is wrong."""
+    """Error: a suite file is wrong."""
 
 
 class StandIn(Model):

@@ -28,7 +28,7 @@ FRAME_FINER = 2
 
 @dataclass(frozen=True)
 class Direct:
-    """The structure with its damper in it, without laboratory.
+    """Response of the structure with its damper in it, without laboratory.
 
     Attributes:
         deformation: (n,) of the damper, m.

@@ -36,7 +36,7 @@ class Drive:
 
     @property
     def wanted(self) -> np.ndarray:
-        """Given target displacements (n,) m; zeros where the structure makes them."""
+        """Target displacements (n,) m that are given; zeros where the structure makes them."""
         return np.zeros(self.time.size) if self.target is None else self.target[:, 0]
 
 

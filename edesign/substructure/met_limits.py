@@ -28,7 +28,7 @@ class MetLimit:
 
     @property
     def times(self) -> str:
-        """In words, after a space; empty where they are not known, as of archives of older versions."""
+        """Times in words, after a space; empty where they are not known, as of archives of older versions."""
         if math.isnan(self.first):
             return ""
         return f" (first at {self.first:.4g} s, last at {self.last:.4g} s, for {self.duration:.3g} s in all)"

@@ -26,7 +26,7 @@ and a decade leaves room for a stable loop that is merely bad, such as 176 % at 
 
 @dataclass(frozen=True)
 class VirtualTest:
-    """A test with one compensator.
+    """Result of a test with one compensator.
 
     Attributes:
         test, compensator: their names.

@@ -61,17 +61,17 @@ class RestrainedBrace:
 
     @property
     def yield_force(self) -> float:
-        """P_ysc = F_ysc A_sc, N (F4.5b.2, without the resistance factor)."""
+        """Yield strength P_ysc = F_ysc A_sc, N (F4.5b.2, without the resistance factor)."""
         return self.yield_stress * self.area
 
     @property
     def stiffness(self) -> float:
-        """K = KF E A_sc / L_wp, N/m, before yielding."""
+        """Stiffness K = KF E A_sc / L_wp before yielding, N/m."""
         return self.stiffness_factor * self.modulus * self.area / self.length
 
     @property
     def yield_deformation(self) -> float:
-        """Delta_by = P_ysc / K, m (K3.3)."""
+        """Deformation at yield Delta_by = P_ysc / K, m (K3.3)."""
         return self.yield_force / self.stiffness
 
     @property

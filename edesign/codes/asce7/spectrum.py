@@ -77,18 +77,18 @@ class AsceSpectrum:
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_0 = 0.2 T_S, T_S = S_D1/S_DS, and T_L, s."""
+        """Corner periods T_0 = 0.2 T_S, T_S = S_D1/S_DS, and T_L, s."""
         T_S = self.S_D1 / self.S_DS
         return {"T_0": 0.2 * T_S, "T_S": T_S, "T_L": self.T_L}
 
     @property
     def zero_period(self) -> float:
-        """0.4 S_DS, m/s2."""
+        """Acceleration at period zero, 0.4 S_DS, m/s2."""
         return self.factor * (0.4 * self.S_DS)
 
     @property
     def last_period(self) -> float:
-        """Infinite: the last branch has no end."""
+        """Last period that has an ordinate: infinite."""
         return math.inf
 
     @property

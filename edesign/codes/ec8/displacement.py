@@ -80,17 +80,17 @@ class LongPeriodSpectrum:
 
     @property
     def zero_period(self) -> float:
-        """a_g S, m/s2."""
+        """Acceleration at period zero, a_g S, m/s2."""
         return self.elastic.zero_period
 
     @property
     def last_period(self) -> float:
-        """Infinite: the last branch has no end."""
+        """Last period that has an ordinate: infinite."""
         return math.inf
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_B to T_F, s."""
+        """Corner periods T_B to T_F, s."""
         return {**self.elastic.corners, "T_E": self.T_E, "T_F": self.T_F}
 
     @property

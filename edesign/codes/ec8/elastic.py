@@ -82,12 +82,12 @@ class ComponentSpectrum(ABC):
 
     @property
     def last_period(self) -> float:
-        """Infinite: the last branch has no end."""
+        """Last period that has an ordinate: infinite."""
         return math.inf
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_B, T_C and T_D, s."""
+        """Corner periods T_B, T_C and T_D, s."""
         p = self.parameters
         return {"T_B": p.T_B, "T_C": p.T_C, "T_D": p.T_D}
 

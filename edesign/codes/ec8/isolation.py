@@ -51,7 +51,7 @@ class EquivalentLinear:
 
     @property
     def period(self) -> float:
-        """T_eff = 2 pi sqrt(M / K_eff), s; Eq. 10.1."""
+        """Effective period T_eff = 2 pi sqrt(M / K_eff), s; Eq. 10.1."""
         return 2.0 * math.pi * math.sqrt(self.mass / self.stiffness)
 
     @property

@@ -99,12 +99,12 @@ class NationalParameters:
 
     @property
     def reference_probability(self) -> float:
-        """P_NCR in 50 years."""
+        """Reference probability of exceedance P_NCR in 50 years."""
         return float(self.parameters["reference_probability"].value)
 
     @property
     def reference_return_period(self) -> float:
-        """T_NCR, years."""
+        """Reference return period T_NCR, years."""
         return float(self.parameters["reference_return_period"].value)
 
     @property

@@ -75,7 +75,7 @@ class TargetDisplacement:
 
     @property
     def ductility(self) -> float:
-        """d_t* / d_y*."""
+        """Ductility d_t* / d_y*."""
         return self.d_t_oscillator / self.idealisation.d_y
 
 

@@ -36,7 +36,7 @@ class ISection:
 
     @property
     def yield_axial_force(self) -> float:
-        """P_ye = A F_ye, N."""
+        """Axial force at yield P_ye = A F_ye, N."""
         return self.area * self.expected_yield
 
     def slenderness_limit(self, coefficient: float) -> float:

@@ -102,13 +102,13 @@ class NtcSpectrum(_Spectrum):
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_B = T_C / 3, T_C = C_C T_C*, T_D = 4 a_g/g + 1.6 (Eqs. 3.2.5 to 3.2.7), s."""
+        """Corner periods T_B = T_C / 3, T_C = C_C T_C*, T_D = 4 a_g/g + 1.6 (Eqs. 3.2.5 to 3.2.7), s."""
         T_C = self.site.C_C(self.T_C_star) * self.T_C_star
         return {"T_B": T_C / 3.0, "T_C": T_C, "T_D": 4.0 * self.a_g / STANDARD_GRAVITY + 1.6}
 
     @property
     def zero_period(self) -> float:
-        """a_g S, m/s2."""
+        """Acceleration at period zero, a_g S, m/s2."""
         return self.a_g * self.S
 
 
@@ -126,10 +126,10 @@ class NtcVerticalSpectrum(_Spectrum):
 
     @property
     def corners(self) -> Mapping[str, float]:
-        """T_B, T_C and T_D of Table 3.2.VI, s."""
+        """Corner periods T_B, T_C and T_D of Table 3.2.VI, s."""
         return {"T_B": 0.05, "T_C": 0.15, "T_D": 1.0}
 
     @property
     def zero_period(self) -> float:
-        """a_g S_T F_V / F_0, m/s2."""
+        """Acceleration at period zero, a_g S_T F_V / F_0, m/s2."""
         return self.a_g * self.site.S_T * self.F_V / self.F_0

@@ -57,7 +57,7 @@ class Problem:
 
 @dataclass(frozen=True)
 class Descent:
-    """Where a descent ended.
+    """End of a descent.
 
     Attributes:
         x: coordinates (n,).

@@ -26,12 +26,12 @@ _AS_GOOD = 1e-6  # relative cost
 
 
 class Stopped(Exception):
-    """Ends a search in another thread when the fit is interrupted."""
+    """Error that ends a search in another thread when the fit is interrupted."""
 
 
 @dataclass(frozen=True)
 class Outcome:
-    """The minimum.
+    """Minimum that a search found.
 
     Attributes:
         x: coordinates (n,).

@@ -70,7 +70,7 @@ class Candidate:
 
     @property
     def name(self) -> str:
-        """Its name in results."""
+        """Name of the recording in results."""
         return self.entry.id
 
     @property

@@ -13,7 +13,7 @@ _FIT_SAMPLES = 500  # enough for polynomials of degree 15
 
 
 class DriftCorrection:
-    """Takes the slow wandering out of an added motion, and the end velocity and displacement out of the sum.
+    """Correction of an added motion: no slow wandering, and no velocity and displacement at the end of the sum.
 
     The correction is a polynomial acceleration, zero at both ends. For the added motion it is, of all with as many
     terms, the one that leaves the displacement smallest in the mean square while it ends with zero velocity and zero

@@ -56,7 +56,7 @@ class ForcesAlong:
 
     @property
     def size(self) -> np.ndarray:
-        """(n, 6) largest magnitudes."""
+        """Largest magnitudes, (n, 6) N and N m."""
         return np.asarray(np.abs(self.steady) + self.swing)
 
 

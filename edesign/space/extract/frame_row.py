@@ -47,7 +47,7 @@ class FrameRow:
 
     @property
     def alone(self) -> PlaneFrame | None:
-        """The frame, if it is only one."""
+        """The only frame; None where there are several."""
         return self.frames[0] if len(self.frames) == 1 else None
 
     @property

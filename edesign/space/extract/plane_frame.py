@@ -54,32 +54,32 @@ class PlaneFrame:
 
     @cached_property
     def lines(self) -> tuple[ColumnLine, ...]:
-        """Its column lines, from its beginning."""
+        """Column lines of the frame, from its beginning."""
         bays = [bay_lines(self.along, self.number, bay + 1) for bay in range(self.building.n_bays(self.along))]
         return (bays[0][0], *(end for _, end in bays))
 
     @cached_property
     def columns(self) -> dict[tuple[int, int], ColumnRun]:
-        """Its columns by (number of the line from 0, storey)."""
+        """Columns of the frame by (number of the line from 0, storey)."""
         at = self.building.layout.column_at
         places = [(i, s) for s in range(1, self.building.n_storeys + 1) for i in range(len(self.lines))]
         return {(i, s): at[self.lines[i], s] for i, s in places if (self.lines[i], s) in at}
 
     @cached_property
     def beams(self) -> dict[BeamPlace, BeamRun]:
-        """Its beams."""
+        """Beams of the frame."""
         at = self.building.layout.beam_at
         return {p: run for p, run in at.items() if (p.along, p.frame) == (self.along, self.number)}
 
     @cached_property
     def braces(self) -> dict[BracePlace, BraceRun]:
-        """Its braces."""
+        """Braces of the frame."""
         at = self.building.layout.brace_at
         return {p: run for p, run in at.items() if (p.along, p.frame) == (self.along, self.number)}
 
     @cached_property
     def top(self) -> int:
-        """The highest floor that it reaches; 0 where it has no column."""
+        """Highest floor that the frame reaches; 0 where it has no column."""
         return max((storey for _, storey in self.columns), default=0)
 
     @property

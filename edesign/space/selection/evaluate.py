@@ -54,7 +54,7 @@ class Evaluation:
 
 
 class OutOfEvaluations(Exception):
-    """The evaluations that the file allows are used up."""
+    """Error: the evaluations that the file allows are used up."""
 
 
 class Evaluator:

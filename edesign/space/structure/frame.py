@@ -117,13 +117,13 @@ class SpaceFrame:
 
     @cached_property
     def ends(self) -> tuple[np.ndarray, np.ndarray]:
-        """(n_members,) numbers of the start and end nodes."""
+        """Numbers of the start and end nodes of the members, (n_members,) each."""
         start, end = np.array([[member.start, member.end] for member in self.members]).T
         return start, end
 
     @cached_property
     def length(self) -> np.ndarray:
-        """(n_members,) m."""
+        """Lengths of the members, (n_members,) m."""
         start, end = self.ends
         return np.asarray(np.linalg.norm(self.coordinates[end] - self.coordinates[start], axis=1))
 
@@ -141,27 +141,27 @@ class SpaceFrame:
 
     @cached_property
     def webs(self) -> np.ndarray:
-        """(n_members, 3) directions of local z."""
+        """Directions of local z of the members, (n_members, 3)."""
         return np.array([member.web for member in self.members]).reshape(-1, 3)
 
     @cached_property
     def storey(self) -> np.ndarray:
-        """(n_members,) storey of each member, from 0."""
+        """Storey of each member, from 0, (n_members,)."""
         return np.array([member.storey - 1 for member in self.members])
 
     @cached_property
     def in_compression(self) -> np.ndarray:
-        """(n_members,) whether each member counts in compression."""
+        """True for each member that counts in compression, (n_members,)."""
         return np.array([member.compression for member in self.members], dtype=bool)
 
     @cached_property
     def passes_moment(self) -> np.ndarray:
-        """(n_members, 2) whether start and end pass moments about y on."""
+        """True for each start and end that passes moments about y on, (n_members, 2)."""
         return np.array([(member.ends[0], member.ends[2]) for member in self.members]).reshape(-1, 2) > 0.0
 
     @cached_property
     def level_of_nodes(self) -> np.ndarray:
-        """(n_nodes,) floor at the level of each node, 0 at the base; nodes between two floors count up."""
+        """Floor at the level of each node, 0 at the base, (n_nodes,); nodes between two floors count up."""
         return np.searchsorted(self.levels, self.coordinates[:, 2] - 1e-9 * self.levels[-1])
 
     def with_sections(

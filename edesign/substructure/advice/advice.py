@@ -34,7 +34,7 @@ from edesign.substructure.virtual_tests import VirtualLaboratory
 
 @dataclass(frozen=True)
 class TestAdvice:
-    """A test before it is run.
+    """Findings on a test before it is run.
 
     Attributes:
         name, kind, source: of the test.
@@ -59,7 +59,7 @@ class TestAdvice:
 
     @property
     def critical_delay(self) -> float:
-        """The least one, s; inf: no delay of the force makes the structure grow."""
+        """Least critical delay, s; inf: no delay of the force makes the structure grow."""
         return min((mode.critical_delay for mode in self.modes), default=math.inf)
 
 
@@ -89,7 +89,7 @@ class Advice:
 
     @property
     def governing(self) -> TestAdvice | None:
-        """The test with a loop whose critical delay is least; None: there is no loop."""
+        """Test with a loop whose critical delay is least; None: there is no loop."""
         return min((test for test in self.tests if test.modes), key=lambda test: test.critical_delay, default=None)
 
     @property

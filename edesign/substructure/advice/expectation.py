@@ -68,7 +68,7 @@ FAILS = "the specimen fails under the motion of the structure itself"
 
 @dataclass(frozen=True)
 class Linearisation:
-    """The damper as it is in a test.
+    """Linear stiffness that stands for the damper in a test.
 
     Attributes:
         largest: deformation in the direct analysis, m.
@@ -84,13 +84,13 @@ class Linearisation:
 
     @property
     def loss_factor(self) -> float:
-        """Imaginary over real part."""
+        """Loss factor: imaginary over real part of the stiffness."""
         return self.stiffness.imag / self.stiffness.real
 
 
 @dataclass(frozen=True)
 class ModeAdvice:
-    """A mode of the structure and what the rig does to it without compensation.
+    """Mode of the structure and what the rig does to it without compensation.
 
     Attributes:
         number: from 1.
@@ -211,7 +211,7 @@ class LinearModel:
 
     @cached_property
     def whole(self) -> WholeStructure:
-        """The structure itself, the same for every compensator; without one there is none."""
+        """Structure with its specimen, shared by all compensators; None without a structure."""
         assert self.part is not None
         part = self.part
         return WholeStructure(part.mass, part.damping, part.stiffness, part.interface, self.specimen)
@@ -260,7 +260,7 @@ class LinearModel:
 
     @cached_property
     def plant(self) -> SampledPlant | None:
-        """Structure and rig in main steps, the same for every compensator; None: a frame that may yield has none.
+        """Structure and rig in main steps, shared by all compensators; None: a frame that may yield has none.
 
         Raises:
             InputError: the integrator of the file is unstable with its main step.

@@ -16,7 +16,7 @@ ADAPTIVE = ("live_delay", "ats", "modified_ats")
 
 @dataclass(frozen=True)
 class Candidate:
-    """A compensator by its worst test.
+    """Compensator with the errors and margins of its worst test.
 
     Attributes:
         name, kind: of it.
@@ -39,12 +39,12 @@ class Candidate:
 
     @property
     def whole_error(self) -> float:
-        """With that of the limit cycle, which has nothing to do with the earthquake."""
+        """Error with that of the limit cycle, which has nothing to do with the earthquake."""
         return math.hypot(self.error, self.cycle_error)
 
     @property
     def simplicity(self) -> int:
-        """0 none, 1 constant, 2 with feedback or a model of the specimen, 3 adaptive."""
+        """Rank of simplicity: 0 none, 1 constant, 2 with feedback or a model of the specimen, 3 adaptive."""
         if self.kind == "none":
             return 0
         return 3 if self.kind in ADAPTIVE else 2 if self.kind in _FEEDBACK else 1
@@ -52,7 +52,7 @@ class Candidate:
 
 @dataclass(frozen=True)
 class Recommendation:
-    """A compensator with the reason.
+    """Recommended compensator, with the reason.
 
     Attributes:
         compensator: its name; empty: none is stable with the margin that is asked for.

@@ -26,7 +26,7 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True)
 class StableRegion:
-    """Where the test is stable with a compensator.
+    """Region in which the test is stable with a compensator.
 
     Attributes:
         compensator: its name.

@@ -25,7 +25,7 @@ EXACTLY = "exactly"
 
 @dataclass(frozen=True)
 class CompensatorTransfer:
-    """A compensator beside its rig.
+    """Transfer functions of a compensator beside its rig.
 
     Attributes:
         command: command over the target that it is given.

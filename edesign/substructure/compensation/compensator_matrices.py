@@ -15,7 +15,7 @@ OUTPUTS = ("command", "force")
 
 @dataclass(frozen=True)
 class StateSpace:
-    """z' = A z + B w, y = C z + D w once a main step, z = 0 before the first.
+    """Discrete state space z' = A z + B w, y = C z + D w once a main step, z = 0 before the first.
 
     w: target displacement (m), velocity (m/s) and acceleration (m/s2) at the end of the step, measured displacement (m)
     at its beginning. y: command (m), and what is added to the force that is measured at the end of the step (N).
@@ -31,7 +31,7 @@ class StateSpace:
 
     @property
     def states(self) -> int:
-        """Their number, n."""
+        """Number of states, n."""
         return len(self.A)
 
     def run(self, inputs: np.ndarray) -> np.ndarray:

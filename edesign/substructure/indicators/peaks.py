@@ -19,7 +19,7 @@ still a parabola there within 0.2 % of its peak, alike for target and measured c
 
 @dataclass(frozen=True)
 class PeakErrors:
-    """Measured over target peak, less 1.
+    """Errors of the peaks: measured over target peak, less 1.
 
     Attributes:
         mean: with sign, 1.

@@ -6,7 +6,10 @@ from edesign.errors import EdesignError
 
 
 class Untold(EdesignError):
-    """There is no number to give; the message says why, for people. `tracking` turns it into NaN with this reason."""
+    """Error: an indicator has no number; the message says why, for people.
+
+    `tracking` turns the indicator into NaN with this reason.
+    """
 
 
 FOLLOWS = 0.5

@@ -82,7 +82,7 @@ class JudgedResponse:
 
 @dataclass(frozen=True)
 class Criterion:
-    """One thing that a good test keeps.
+    """Criterion that a good test keeps.
 
     Attributes:
         name: in words.
@@ -137,7 +137,7 @@ class Judgement:
 
     @property
     def verdict(self) -> str:
-        """In one sentence."""
+        """Verdict in one sentence."""
         if self.test is not None and self.response is None:
             return "no verdict: a command has no response of a structure"
         if not self.criteria:

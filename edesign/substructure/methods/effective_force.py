@@ -46,7 +46,7 @@ class Forcing:
 
     @property
     def drag(self) -> float:
-        """Dashpot (N s/m) that the actuator is to a slow motion: (1 - share) / gain."""
+        """Damping coefficient of the actuator in a slow motion, N s/m: (1 - share) / gain."""
         return (1.0 - self.velocity_feedback) / self.gain
 
 

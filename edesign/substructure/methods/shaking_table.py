@@ -58,7 +58,7 @@ class ShakingTable:
 
     @cached_property
     def fading(self) -> float:
-        """The leakage, or what it is taken as, 1/s."""
+        """Leakage, or what it is taken as, 1/s."""
         return GAIN_MARGIN * self.gain if self.leakage is None else self.leakage
 
 

@@ -24,7 +24,7 @@ STIFFEST = 0.45
 
 @dataclass(frozen=True)
 class Search:
-    """Where the search for a rig begins, how far it goes, and when it ends.
+    """Start, range and end of the search for a rig.
 
     Attributes:
         shares: of the whole delay that are not pure. One from each half, as the search goes from the better one.

@@ -14,7 +14,7 @@ from edesign.errors import InputError
 
 @dataclass(frozen=True)
 class RigTransfer:
-    """x / u = numerator(s) / denominator(s) e^(-s delay), of displacement over command.
+    """Transfer function x / u = numerator(s) / denominator(s) e^(-s delay), of displacement over command.
 
     Attributes:
         numerator, denominator: coefficients of falling powers of s.
@@ -32,12 +32,12 @@ class RigTransfer:
 
     @property
     def gain(self) -> float:
-        """At rest."""
+        """Gain at rest."""
         return self.numerator[-1] / self.denominator[-1]
 
     @property
     def low_frequency_delay(self) -> float:
-        """-d phase / d omega at rest, s: what a slow motion is late by."""
+        """Delay of a slow motion, -d phase / d omega at rest, s."""
         num, den = self.numerator, self.denominator
         of_denominator = den[-2] / den[-1] if len(den) > 1 else 0.0
         of_numerator = num[-2] / num[-1] if len(num) > 1 else 0.0

@@ -19,7 +19,7 @@ stiffness for each duration."""
 
 
 class RefusedMotion(AnalysisError):
-    """A motion that the specimen cannot do."""
+    """Error: the specimen cannot do a motion."""
 
 
 class MountedSpecimen:

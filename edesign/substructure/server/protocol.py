@@ -62,7 +62,7 @@ class NotTheProtocol(AnalysisError):
 
 
 class RefusedClient(AnalysisError):
-    """The client speaks the protocol, but asks for what the laboratory does not do."""
+    """Error: the client speaks the protocol, but asks for what the laboratory does not do."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Greeting:
 
 @dataclass(frozen=True)
 class Motion:
-    """Where the client wants the specimen.
+    """Motion that the client wants of the specimen.
 
     Attributes:
         time: s, of the client's analysis.

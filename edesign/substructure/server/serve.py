@@ -68,7 +68,7 @@ class SessionSummary:
 
     @property
     def steps_per_second(self) -> float:
-        """Mean; 0 without steps."""
+        """Mean number of steps in a second; 0 without steps."""
         return self.steps / self.seconds if self.seconds > 0.0 else 0.0
 
     def text(self) -> str:
@@ -81,7 +81,7 @@ class SessionSummary:
 
 
 class SessionError(AnalysisError):
-    """A session that a fault of the client ended.
+    """Error: a fault of the client ended a session.
 
     Attributes:
         summary: of what was done before.

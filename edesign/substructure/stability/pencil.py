@@ -25,7 +25,9 @@ ENTRIES = 2**18
 
 @dataclass(frozen=True)
 class Pencil:
-    """s^2 + s d C + K + coupling(s, share) b b^T, singular at its roots; it changes with the share of a way.
+    """Matrix pencil s^2 + s d C + K + coupling(s, share) b b^T, which changes with the share of a way.
+
+    It is singular at its roots.
 
     Attributes:
         damping: C, (n, n), 1/s, symmetric.

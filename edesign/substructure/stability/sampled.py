@@ -41,7 +41,7 @@ commands at main steps that are reached in ramps (m)."""
 
 
 class Resolvent:
-    """C (z - A)^-1 B.
+    """Transfer function C (z - A)^-1 B of matrices.
 
     Args:
         A: (n, n).
@@ -144,7 +144,7 @@ class SampledStability:
 
 @dataclass(frozen=True, eq=False)
 class SampledLoop:
-    """Plant and compensator.
+    """Loop of plant and compensator in main steps.
 
     Attributes:
         plant: all but the compensator.

@@ -44,18 +44,18 @@ class StructureMode:
 
     @property
     def frequency(self) -> float:
-        """Hz."""
+        """Frequency, Hz."""
         return self.omega / (2.0 * math.pi)
 
     @property
     def damping(self) -> float:
-        """Ratio -Re s / |s|; NaN: it does not swing."""
+        """Damping ratio -Re s / |s|; NaN: it does not swing."""
         return -self.root.real / abs(self.root)
 
 
 @dataclass(frozen=True, eq=False)
 class WholeStructure:
-    """Numerical part and specimen.
+    """Structure as a whole: numerical part and specimen.
 
     M x'' + C x' + K x + interface F = -M influence a_g, with F = k_E (interface . x).
 
@@ -138,7 +138,7 @@ class WholeStructure:
 
     @cached_property
     def modes(self) -> tuple[StructureMode, ...]:
-        """Every mode, from the lowest.
+        """Modes of the structure, from the lowest.
 
         Raises:
             InputError: one does not decay; then the structure, not the test, is unstable or undamped.

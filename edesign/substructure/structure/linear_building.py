@@ -43,7 +43,7 @@ class LinearBuilding:
 
     @property
     def floor_rows(self) -> np.ndarray:
-        """(floors, n) displacement of each floor by those of the degrees; accelerations relative to the ground too."""
+        """Displacement of each floor by those of the degrees, (floors, n); accelerations relative to the ground too."""
         return self._matrix(self.floors)
 
     def drifts(self, displacements: np.ndarray) -> np.ndarray:

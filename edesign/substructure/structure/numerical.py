@@ -21,7 +21,7 @@ ROUNDING = 1e-9
 
 @dataclass(frozen=True, eq=False)
 class LinearPart:
-    """M x'' + C x' + K x + interface F = -M influence a_g over the n degrees of freedom with mass.
+    """Linear numerical part: M x'' + C x' + K x + interface F = -M influence a_g over n degrees of freedom with mass.
 
     The deformation of the specimen is e = interface . x; its force F pulls back, F > 0 for e > 0.
 
