@@ -58,7 +58,7 @@ def within(
     return answers[0] if answers[0] == answers[1] else None
 
 
-def met_by(value: float, most: float | None, least: float | None) -> bool:
+def _met_by(value: float, most: float | None, least: float | None) -> bool:
     """Say whether a value is at most `most`, or without `most` at least `least`.
 
     Args:
@@ -92,7 +92,7 @@ def share_met(
         The share, 0 to 1, and the answer.
     """
     ended = [value for key, value in values.items() if key not in not_run]
-    met = sum(value is not None and met_by(value, most, least) for value in ended)
+    met = sum(value is not None and _met_by(value, most, least) for value in ended)
     total, needed = len(values), share * len(values) * (1.0 - _ROUNDING)
     answer = True if met >= needed else False if met + (total - len(ended)) < needed else None
     return (met / len(ended), answer) if ended else (None, None)
@@ -102,4 +102,4 @@ def _holds(name: str, filled: Mapping[str, float], bad: float, most: float | Non
     if name == "mean" and bad in filled.values():
         return False  # and not the mean of plus and minus infinity
     value = statistic(name, filled)
-    return value is not None and met_by(value, most, least)
+    return value is not None and _met_by(value, most, least)

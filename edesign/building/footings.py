@@ -79,7 +79,7 @@ class FootingSprings:
         return x, y, rotation
 
 
-def soil_under_load(soil: Soil) -> SoilUnderLoad:
+def _soil_under_load(soil: Soil) -> SoilUnderLoad:
     """Return a soil at the strains of the earthquake.
 
     Args:
@@ -122,7 +122,7 @@ def footing_springs(footing: Footing, soil: Soil, period: float) -> FootingSprin
     Raises:
         InputError: the tables of the code do not have the case of the soil.
     """
-    loaded = soil_under_load(soil)
+    loaded = _soil_under_load(soil)
     half_length, half_width = 0.5 * max(footing.length, footing.width), 0.5 * min(footing.length, footing.width)
     block = Block(half_length, half_width, footing.embedment, footing.contact, loaded.shear_modulus, soil.poisson)
     omega = 2.0 * pi / period

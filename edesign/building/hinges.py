@@ -200,7 +200,7 @@ def _values(project: Project, hinges: Hinges, name: str, of: Sequence[MemberEnd]
     )
 
 
-def hinge_law(values: HingeValues, stiffness: float, end: int) -> SpringLaw:
+def _hinge_law(values: HingeValues, stiffness: float, end: int) -> SpringLaw:
     """Return the core's law of a hinge at the start (0) or end (1) of a member.
 
     A moment that pulls at the bottom turns the start clockwise and the end anticlockwise, which is positive.
@@ -371,7 +371,7 @@ class MemberBuilder:
                 stub, at = (at, cut), cut
             stiffness = (of.ratio + 1.0) * 6.0 * EI / interior
             flexibility = 1.0 / stiffness
-            at, spring = self._spring(f"{label}.hinge", at, hinge_law(of.hinge, stiffness, end))
+            at, spring = self._spring(f"{label}.hinge", at, _hinge_law(of.hinge, stiffness, end))
             self._model.damping_factor(spring, 0.0)
             values = (of.hinge.theta_p, of.hinge.theta_pc, of.hinge.theta_u)
             springs.append(EndSpring(spring, "hinge", stiffness, EI / length, of.hinge.M_y, values))

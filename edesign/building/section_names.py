@@ -104,7 +104,7 @@ class SectionNames(Collection[str]):
         """The families in the order of the catalogue."""
         return tuple(dict.fromkeys(parts.family for parts in self._names.values() if parts))
 
-    def of_family(self, family: str) -> list[str]:
+    def _of_family(self, family: str) -> list[str]:
         """Return the names of one family.
 
         Args:
@@ -179,10 +179,10 @@ class SectionNames(Collection[str]):
         families = ", ".join(self.families)
         if asked is None:  # a slip of the pen
             letters = re.match("[A-Z]*", name.upper().translate(_SIGNS))
-            slip = did_you_mean(name, self.of_family(letters[0] if letters else ""))
+            slip = did_you_mean(name, self._of_family(letters[0] if letters else ""))
             return slip.removeprefix("; ") or f"the catalogue has {families}, written like `HEB450`"
         metric = asked.in_millimetres
-        own = self.of_family(metric.family)
+        own = self._of_family(metric.family)
         if not own:
             return f"the catalogue has no {asked.family} sections (it has {families})"
         nearest = sorted(own, key=lambda other: _distance(self._names[other], metric))[:_NEAR]

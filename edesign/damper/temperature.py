@@ -95,7 +95,7 @@ class GammaT:
         return ("mgmm",)
 
     @property
-    def range_C(self) -> tuple[float, float]:
+    def _range_C(self) -> tuple[float, float]:
         """First and last temperature of the table."""
         return self.table[0][0], self.table[-1][0]
 
@@ -115,7 +115,7 @@ class GammaT:
         if not gamma > 0.0:
             raise InputError(
                 f"gamma_T at {temperature_C:g} degC would be {gamma:.3g}, but must be greater than 0; the table "
-                f"goes from {self.range_C[0]:g} to {self.range_C[1]:g} degC"
+                f"goes from {self._range_C[0]:g} to {self._range_C[1]:g} degC"
             )
         return gamma
 
@@ -138,7 +138,7 @@ class GammaT:
             temperature_C: degC.
         """
         gamma = self.gamma(temperature_C)
-        low, high = self.range_C
+        low, high = self._range_C
         warnings = []
         if not low <= temperature_C <= high:
             warnings.append(

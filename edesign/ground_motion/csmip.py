@@ -53,7 +53,7 @@ def read_csmip(path: Path | str, component: str | int | None = None, name: str =
     return choose(path, channels_of(path), component).record(path, name)
 
 
-def data_line(line: str) -> re.Match[str] | None:
+def _data_line(line: str) -> re.Match[str] | None:
     """Match a line that announces accelerations: number of points, their step or rate, and their unit.
 
     Args:
@@ -68,7 +68,7 @@ def has_data(lines: list[str]) -> bool:
     Args:
         lines: of the file.
     """
-    return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(data_line(line) for line in lines))
+    return bool(lines) and (SPECTRA.match(lines[0]) is not None or any(_data_line(line) for line in lines))
 
 
 def channels_of(path: Path) -> list[Channel]:
@@ -89,7 +89,7 @@ def channels_of(path: Path) -> list[Channel]:
     channels: list[Channel] = []
     start = 0
     for i, line in enumerate(lines):
-        if match := data_line(line):
+        if match := _data_line(line):
             channels.append(_channel(path, lines, start, i, match))
         elif is_end_of_data(line):
             start = i + 1

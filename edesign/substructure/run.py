@@ -89,7 +89,7 @@ def run_tests(
                 time = laboratory.drives[other.name].time
                 writer.write(f"{PLACE}/{other.name}", method_group(other, time))
                 if csv_folder is not None and other.record is not None:
-                    write_method(other.record, time, csv_folder / names[other.name, ""])
+                    _write_method(other.record, time, csv_folder / names[other.name, ""])
                 others.append(other)
             writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
             warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
@@ -124,7 +124,7 @@ def write_run(run: VirtualTest, path: Path) -> None:
     write_csv_file(headers, zip(*(column.tolist() for column in columns), strict=True), path, digits=9)
 
 
-def write_method(record: MethodRecord, time: np.ndarray, path: Path) -> None:
+def _write_method(record: MethodRecord, time: np.ndarray, path: Path) -> None:
     """Write a test by another method as CSV: time of the earthquake, target if it has one, displacement, force.
 
     Args:

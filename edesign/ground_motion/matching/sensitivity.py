@@ -37,7 +37,7 @@ class Sensitivity:
             for d, w in zip(decay, damped, strict=True)
         ]
 
-    def peak_samples(self, acceleration: np.ndarray) -> np.ndarray:
+    def _peak_samples(self, acceleration: np.ndarray) -> np.ndarray:
         """Return the sample at which each oscillator's displacement is largest, the ground first, shape (n_p + 1,).
 
         Oscillators are driven by one impulse a sample: right for the time of the peak, up to a constant factor in size.
@@ -55,6 +55,6 @@ class Sensitivity:
         Args:
             acceleration: (n,) m/s2.
         """
-        turned = self._roots[np.outer(self.peak_samples(acceleration), self._factor.index) % self._roots.size]
+        turned = self._roots[np.outer(self._peak_samples(acceleration), self._factor.index) % self._roots.size]
         terms = np.real(self._transfer * self._factor.transform(acceleration) * turned)
         return np.asarray((self._factor.hats.T @ terms.T).T) / np.sum(terms, axis=1, keepdims=True)

@@ -340,7 +340,7 @@ class Calculation:
             self.add(f"N_cr,{axis}", critical, "N", f"pi^2 E I_{axis} / L_cr,{axis}^2", "6.3.1.2(1)")
             slenderness = buckling.slenderness(s.A, member.fy, critical)
             self.add(f"lambda_{axis}", slenderness, "1", f"sqrt(A f_y / N_cr,{axis})", "6.3.1.3(1), Eq. 6.50")
-        curve = self.buckling_curve(axis)
+        curve = self._buckling_curve(axis)
         bending = chi = buckling.reduction_factor(slenderness, curve)
         formula = _reduction_formula(f"lambda_{axis}", slenderness, curve, buckling.NO_BUCKLING, 1.0)
         if axis == "z" and self.twists:
@@ -390,7 +390,7 @@ class Calculation:
         self.add("I_t", self.section.I_t, "m4")
         self.add("I_w", self.section.I_w, "m6")
 
-    def buckling_curve(self, axis: str) -> str:
+    def _buckling_curve(self, axis: str) -> str:
         """Write the buckling curve about an axis.
 
         Args:
@@ -419,7 +419,7 @@ class Calculation:
             why = "hollow section" if s.kind != "I" else "compressed flange held all along"
             chi, symbol = self.add("chi_LT", 1.0, "1", why, "6.3.2.1(2)"), "chi_LT"
         else:
-            critical, C1 = self.M_cr() if self.free_beam is None else self.M_cr_of_diagram(self.free_beam)
+            critical, C1 = self.M_cr() if self.free_beam is None else self._M_cr_of_diagram(self.free_beam)
             slenderness = lateral_torsional.slenderness(modulus, member.fy, critical)
             self.add("lambda_LT", slenderness, "1", f"sqrt({W} f_y / M_cr)", "6.3.2.2(1)")
             chi, symbol = self.chi_LT(slenderness, C1)
@@ -442,7 +442,7 @@ class Calculation:
         expression = f"C_1 pi^2 E I_z / L_LT^2 sqrt(I_w / I_z + L_LT^2 G I_t / (pi^2 E I_z)){load}"
         return self.add("M_cr", critical, "N*m", expression, "SN003"), C1
 
-    def M_cr_of_diagram(self, beam: FreeBeam) -> tuple[float, float]:
+    def _M_cr_of_diagram(self, beam: FreeBeam) -> tuple[float, float]:
         """Write M_cr and C_1 by the moment diagram of the combination, with loads on the top flange.
 
         Args:

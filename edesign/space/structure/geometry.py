@@ -90,13 +90,13 @@ def _columns(building: Building, nodes: Mapping[str, int]) -> list[Member]:
             group=run.group or "",
             web=X if run.strong == "x" else Y,
             storey=storey,
-            frame=frames_of(line),
+            frame=_frames_of(line),
         )
         for (line, storey), run in building.layout.column_at.items()
     ]
 
 
-def frames_of(line: ColumnLine) -> tuple[str, str]:
+def _frames_of(line: ColumnLine) -> tuple[str, str]:
     """Return the plane frames that a column line stands in.
 
     Args:

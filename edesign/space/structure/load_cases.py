@@ -53,7 +53,7 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
         if load.G != 0.0:
             _add(building, sums[PERMANENT], load, load.G)
         if load.Q != 0.0 and load.category is not None:
-            case = sums.setdefault(live_case(load.category), _Sum(load.category))
+            case = sums.setdefault(_live_case(load.category), _Sum(load.category))
             _add(building, case, load, load.Q)
     cases = {name: _case(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
@@ -61,7 +61,7 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
     return {name: cases[name] for name in sorted(cases, key=lambda name: (name not in (PERMANENT, SELF_WEIGHT), name))}
 
 
-def live_case(category: str) -> str:
+def _live_case(category: str) -> str:
     """Return the name of the load case of a category of use: `Q_B`.
 
     Args:

@@ -203,7 +203,7 @@ class LinearModel:
         band = np.geomspace(LOWEST * max(lowest, LOWEST * dominant), 0.5 / step, FREQUENCIES)
         force, deformation = damper.scales
         specimen = law_at(damper, amplitude, band)
-        frequency = first_moving(part, specimen) if part is not None else dominant
+        frequency = _first_moving(part, specimen) if part is not None else dominant
         exact = complex_stiffness(damper.values, amplitude * deformation, frequency)
         at = Linearisation(largest, amplitude, frequency, force * deformation * exact)
         rig = rig_response(laboratory.file.plant, laboratory.laboratory.transfer, specimen, step)
@@ -463,7 +463,7 @@ def law_at(damper: TestedDamper, amplitude: float, band: np.ndarray) -> ComplexS
     return lambda omega: np.asarray(force * deformation * law(omega))
 
 
-def first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
+def _first_moving(part: LinearPart, specimen: ComplexStiffness) -> float:
     """Return the frequency of the first mode that moves the specimen, Hz; with the specimen's stiffness there.
 
     A dashpot has no stiffness that would share in that of a mode, but its force does: |k_E| counts.

@@ -131,7 +131,7 @@ def behind(
     if learned is None:
         equation = compensator_of(described, step, plain)
         assert isinstance(equation, DifferenceEquation)
-        learned = of_equation(equation, rig, plain, step)
+        learned = _of_equation(equation, rig, plain, step)
     unseen = 0.0 if described.kind == "none" else file.loop.unseen_delay * step
     force = late(unseen, learned.force) if learned.force is not None else None
     return replace(learned, command=late(unseen, learned.command), force=force)
@@ -156,7 +156,7 @@ def actuation(compensator: CompensatorTransfer, rig: Transfer, specimen: Complex
     return transfer
 
 
-def of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer, step: float) -> CompensatorTransfer:
+def _of_equation(equation: DifferenceEquation, rig: Transfer, plain: RigTransfer, step: float) -> CompensatorTransfer:
     """Return a compensator with constant coefficients; what it takes from the measured displacement closes a loop.
 
     Args:
@@ -300,7 +300,7 @@ def of_adaptive_series(
     how = "converged" if adapts else "never adapts, below its threshold"
     said = f"{how}: {held[0]:.5g}, {1e3 * held[1]:.4g} ms, {1e6 * held[2]:.4g}e-6 s2"
     command = series_command(described, held, step)
-    limited, equation = bool(np.any(held != alpha)), series_equation(held, described.derivatives, step)
+    limited, equation = bool(np.any(held != alpha)), _series_equation(held, described.derivatives, step)
     return CompensatorTransfer(command, None, said, alpha=held, limited=limited, equation=equation)
 
 
@@ -323,7 +323,7 @@ def series_command(
     return command
 
 
-def series_equation(alpha: np.ndarray, derivatives: str, step: float) -> DifferenceEquation:
+def _series_equation(alpha: np.ndarray, derivatives: str, step: float) -> DifferenceEquation:
     """Return alpha_0 x + alpha_1 v + alpha_2 a with constant coefficients.
 
     Args:
