@@ -183,9 +183,6 @@ def shear_resistance_z(section: SteelSection, yield_stress: float, gamma_M0: flo
         gamma_M0: partial factor of cross-sections.
         gamma_M1: partial factor of stability, for slender webs.
 
-    Returns:
-        V_z,Rd, N.
-
     Source: EN 1993-1-1:2005, 6.2.6(2) and (6); EN 1993-1-5:2006, 5.2.
     """
     plastic = cross_section.shear_resistance(section.A_vz, yield_stress, gamma_M0)

@@ -120,9 +120,6 @@ def equivalent_camber(project: Project, section: str, material: str, axis: Secti
         axis: about which the strut buckles; a stack of rectangles has its own only.
         length: L_cr, m.
 
-    Returns:
-        e_0 / length, dimensionless.
-
     Source: EN 1993-1-1:2005, 5.3.2(11) with 6.3.1.2: e_0 = alpha (lambda - 0.2) W_el / A.
     """
     steel = project.materials[material]

@@ -89,9 +89,6 @@ def equivalent_stiffness(
         alpha_d: attachment coefficient of the damper, e.g. 1 of a chevron.
         alpha_b: attachment coefficient of the braces, e.g. 2 cos^2 theta of a chevron.
 
-    Returns:
-        Stiffness, N/m.
-
     Source: thesis Eq. 5.10 without k_S.
     """
     d, b = alpha_d * k_d, alpha_b * k_b

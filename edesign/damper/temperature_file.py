@@ -40,7 +40,7 @@ class Ferry(Model):
 
 
 class TemperatureLaw(Model):
-    """Change of the parameters of a law with temperature; one of the two.
+    """Change of the parameters of a law with temperature: by gamma_T, or by Ferry's shift.
 
     Attributes:
         gamma_T: factor gamma_T by temperature; this key or `ferry`.

@@ -19,7 +19,7 @@ def evenly_sampled(where: str, times: np.ndarray, values: np.ndarray, digit: flo
     Args:
         where: the file, for messages.
         times: shape (n,), s.
-        values: shape (n,).
+        values: shape (n,), in the unit of the result.
         digit: one unit in the last digit of the times, s.
 
     Returns:

@@ -37,9 +37,6 @@ def rolled_i_curve(height: float, width: float, flange: float, axis: Axis, yield
         axis: about which it buckles.
         yield_stress: f_y, Pa; from 460 MPa on the steel counts as S460.
 
-    Returns:
-        Name of the buckling curve.
-
     Source: EN 1993-1-1:2005, Table 6.2. Flanges above 100 mm with h/b > 1.2 are not in it; they take the curve of those
         with h/b <= 1.2.
     """
@@ -119,9 +116,6 @@ def torsional_critical_force(
         I_t: torsion constant, m4.
         I_w: warping constant, m6.
         length: L_T, between restraints of twisting, m.
-
-    Returns:
-        N_cr,T, N.
 
     Raises:
         InputError: a value that must be greater than zero is not.

@@ -25,9 +25,6 @@ def axial_resistance(area: float, yield_stress: float, gamma_M0: float = GAMMA_M
         yield_stress: f_y, Pa.
         gamma_M0: partial factor.
 
-    Returns:
-        N_pl,Rd, N.
-
     Source: EN 1993-1-1:2005, 6.2.3(2)a, Eq. 6.6, and 6.2.4(2), Eq. 6.10.
     """
     return area * yield_stress / gamma_M0
@@ -40,9 +37,6 @@ def moment_resistance(modulus: float, yield_stress: float, gamma_M0: float = GAM
         modulus: W_pl of class 1 and 2, W_el of class 3, m3.
         yield_stress: f_y, Pa.
         gamma_M0: partial factor.
-
-    Returns:
-        M_c,Rd, N m.
 
     Source: EN 1993-1-1:2005, 6.2.5(2), Eqs. 6.13 and 6.14.
     """
@@ -57,9 +51,6 @@ def shear_resistance(shear_area: float, yield_stress: float, gamma_M0: float = G
         yield_stress: f_y, Pa.
         gamma_M0: partial factor.
 
-    Returns:
-        V_pl,Rd, N.
-
     Source: EN 1993-1-1:2005, 6.2.6(2), Eq. 6.18.
     """
     return shear_area * yield_stress / (math.sqrt(3.0) * gamma_M0)
@@ -72,9 +63,6 @@ def web_is_slender(web_height: float, web_thickness: float, yield_stress: float)
         web_height: h_w, between the flanges, m.
         web_thickness: t_w, m.
         yield_stress: f_y, Pa.
-
-    Returns:
-        True where shear may buckle the web.
 
     Source: EN 1993-1-1:2005, 6.2.6(6), Eq. 6.22.
     """
@@ -119,9 +107,6 @@ def shear_buckling_resistance(web_height: float, web_thickness: float, yield_str
         yield_stress: f_y, Pa.
         gamma_M1: partial factor of stability.
 
-    Returns:
-        V_bw,Rd, N.
-
     Source: EN 1993-1-5:2006, 5.2(1), Eq. 5.2.
     """
     if not web_is_slender(web_height, web_thickness, yield_stress):
@@ -154,9 +139,6 @@ def moment_of_shear_area(
         yield_stress: f_y, Pa.
         gamma_M0: partial factor.
 
-    Returns:
-        The moment, N m.
-
     Source: EN 1993-1-1:2005, 6.2.8(5), Eq. 6.30.
     """
     return web_height**2 * web_thickness * yield_stress / (4.0 * gamma_M0)
@@ -187,9 +169,6 @@ def axial_resistance_with_shear(
         V_pl_y_Rd: resistance to shear along y, N.
         rho_z: reduction by the shear along z, 0 to 1.
         V_pl_z_Rd: resistance to shear along z, N.
-
-    Returns:
-        N_V,Rd, N.
 
     Source: EN 1993-1-1:2005, 6.2.10(3), Eq. 6.45.
     """

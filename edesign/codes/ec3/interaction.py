@@ -32,9 +32,6 @@ def member_interaction(
         m_y: M_y,Ed / (chi_LT M_y,Rk / gamma_M1).
         m_z: M_z,Ed / (M_z,Rk / gamma_M1).
 
-    Returns:
-        The left sides of Eq. 6.61 and of Eq. 6.62.
-
     Source: EN 1993-1-1:2005, 6.3.3(4), Eqs. 6.61 and 6.62.
     """
     return (

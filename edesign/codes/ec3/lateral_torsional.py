@@ -105,9 +105,6 @@ def critical_moment(
         k: effective length in lateral bending, by L.
         k_w: effective length in warping, by L.
 
-    Returns:
-        M_cr, N m.
-
     Raises:
         InputError: a value that must be greater than zero is not.
 

@@ -56,7 +56,7 @@ def column_hinge_shear(M_pl_Rd: ArrayLike, M_Ed: ArrayLike, L: ArrayLike) -> np.
 
 
 def web_panel_shear(M_over_z: ArrayLike, V_columns: ArrayLike = 0.0) -> np.ndarray:
-    """Return V_wp,Ed = sum M / z - V_c, N: shear of the web panel of a column at hinges of the adjacent beams.
+    """Return the shear of the web panel of a column at hinges of the adjacent beams, V_wp,Ed = sum M / z - V_c.
 
     Args:
         M_over_z: sum over the beams, which turn the joint the same way, of plastic resistance over lever arm, the
@@ -72,7 +72,7 @@ def web_panel_shear(M_over_z: ArrayLike, V_columns: ArrayLike = 0.0) -> np.ndarr
 
 
 def web_panel_resistance(A_vc: ArrayLike, f_y: ArrayLike, gamma_M0: float = 1.0) -> np.ndarray:
-    """Return V_wp,Rd = 0.9 f_y A_vc / (sqrt(3) gamma_M0), N, of an unstiffened web panel.
+    """Return the resistance of an unstiffened web panel to shear, V_wp,Rd = 0.9 f_y A_vc / (sqrt(3) gamma_M0).
 
     It holds as long as `web_panel_slenderness` is at most 1.
 

@@ -28,7 +28,7 @@ ValuesAt = Callable[[float], Mapping[str, float]]
 def with_starts(
     loadings: Sequence[Loading], tests: Sequence[DamperTest], law: Law, values_at: ValuesAt, predict: Predict
 ) -> tuple[Loading, ...]:
-    """Return tests with the state at their first sample that a law with its parameters says.
+    """Return tests with their state at the first sample, as a law with its parameters gives it.
 
     A test keeps the start that it has where the law has no force for another beginning.
 

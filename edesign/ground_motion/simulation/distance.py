@@ -41,9 +41,6 @@ def effective_distance(magnitude: float, distance: float, crust: Crust) -> float
         distance: closest distance R to the rupture, m.
         crust: whose pseudo-depth h is taken.
 
-    Returns:
-        R_ps, m.
-
     Source: Boore & Thompson (2015), after Atkinson & Silva (2000, BSSA 90, 255-274).
     """
     return math.hypot(distance, pseudo_depth(magnitude, crust))

@@ -215,7 +215,7 @@ class Calculation:
             self.add("gamma_M0", self.member.gamma_M0, "1", "", "6.1(1)")
 
     def area(self) -> float:
-        """Write the area A, m2.
+        """Write the area A.
 
         Returns:
             A, m2.
@@ -223,7 +223,7 @@ class Calculation:
         return self.add("A", self.section.A, "m2")
 
     def N_pl_Rd(self) -> float:
-        """Write N_pl,Rd with the area.
+        """Write the area and the plastic resistance N_pl,Rd.
 
         Returns:
             N_pl,Rd, N.
@@ -320,7 +320,7 @@ class Calculation:
         return self.section.kind == "I" and self.member.stability.L_LT > 0.0
 
     def flexural(self, axis: str) -> Flexural:
-        """Write the resistance to buckling about an axis; I sections may twist where that is governing.
+        """Write the resistance to buckling about an axis; about z torsional buckling counts where it governs.
 
         Args:
             axis: "y" or "z".

@@ -52,7 +52,7 @@ def _poles(plant: ServoHydraulicRig, specimen: ComplexStiffness, omega: float) -
 
 
 def swings(poles: np.ndarray) -> bool:
-    """Say whether the first pole, by its real part, lies to the right of the imaginary axis or on it.
+    """Say whether a rig with its specimen is unstable: its rightmost pole is not left of the imaginary axis.
 
     Args:
         poles: (n,), the rightmost first, 1/s.
