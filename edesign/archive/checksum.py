@@ -46,5 +46,5 @@ def _add(digest: Any, name: str, value: Any) -> None:
 
 
 def stored_text(text: str) -> bytes:
-    """Return a text as UTF-8; what has no such form, as in names of files that are no text, is written `\\udcff`."""
+    r"""Return a text as UTF-8; what has no such form, as in names of files that are no text, is written `\udcff`."""
     return text.encode("utf-8", "backslashreplace")

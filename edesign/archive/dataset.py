@@ -54,10 +54,12 @@ class StoredVariable(Variable):
 
     @property
     def unit(self) -> str:
+        """The unit of the values, "1" for a ratio; it is read on first access."""
         return self._labels[0]
 
     @property
     def long_name(self) -> str:
+        """The description of the variable for readers; it is read on first access."""
         return self._labels[1]
 
 

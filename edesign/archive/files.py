@@ -145,9 +145,9 @@ def write_yaml(text: str, path: Path, source: Path) -> None:
 
 
 def write_text(text: str, path: Path) -> None:
-    """Write a text file; otherwise as `write_whole`.
+    r"""Write a text file; otherwise as `write_whole`.
 
-    Names of files that are no text are written with `\\udcff` in place of what cannot be read.
+    Names of files that are no text are written with `\udcff` in place of what cannot be read.
     """
     content = text.encode("utf-8", "backslashreplace")
     write_whole(path, lambda partial: partial.write_bytes(content))

@@ -20,9 +20,11 @@ _BLOCK = 1 << 20
 class Readable(Protocol):
     """A file that can be read at any place."""
 
-    def seek(self, offset: int, whence: int = ..., /) -> int: ...
+    def seek(self, offset: int, whence: int = ..., /) -> int:
+        """Move to an offset in bytes, from the start or as `whence` says, and return the position."""
 
-    def read(self, size: int = ..., /) -> bytes: ...
+    def read(self, size: int = ..., /) -> bytes:
+        """Read at most `size` bytes, all that are left without one."""
 
 
 def seal_of(file: Readable, size: int) -> bytes:

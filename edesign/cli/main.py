@@ -148,8 +148,9 @@ def _run(words: list[str], debug: bool) -> int:
 
 
 def _left(error: SystemExit) -> int:
-    """The exit code where typer leaves by itself: when a shell has asked for completions, and as it took it that the
-    reader of a pipe left.
+    """Return the exit code where typer exits by itself.
+
+    It does so when a shell has asked for completions, and when it took the reader of a pipe to have left.
     """
     code = error.code if isinstance(error.code, int) else 0
     if code == 0 or COMPLETE in os.environ:

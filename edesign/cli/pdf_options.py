@@ -34,7 +34,11 @@ def print_options(pdf: bool, paper: PaperName | None, appendix: bool) -> PrintOp
 
     Args:
         pdf: whether there will be one.
-        paper, appendix: the options of the command line.
+        paper: the option `--paper`; None: A4.
+        appendix: the option `--appendix`, which prints folded parts as appendices.
+
+    Returns:
+        The sheet, and whether appendices are printed.
 
     Raises:
         InputError: options of a PDF without one.

@@ -51,6 +51,7 @@ class PageProgress:
         self._last, self._count = time.monotonic(), 0
 
     def __call__(self, line: str) -> None:
+        """Print a line if one is due."""
         now = time.monotonic()
         self._count += 1
         due = now - self._last >= LINE_AFTER if self._by_time else self._count % LINE_EVERY == 0

@@ -52,8 +52,16 @@ def parse_project(
     """Check the text of a project file that (supposedly) stands at `path`; otherwise as `load_project`.
 
     Args:
-        text, path, profiles: of the file.
-        files: whether the files that it names must be there.
+        text: the text of the file.
+        path: where the file stands, for messages and for the files that it names.
+        profiles: names of the catalogue's sections, as for `load_project`.
+        files: whether the files that it names must exist.
+
+    Returns:
+        The project, all values in SI.
+
+    Raises:
+        ProjectError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
     hint = "; `edesign new` writes one that runs"

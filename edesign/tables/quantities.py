@@ -106,4 +106,5 @@ def _is_unit(text: str) -> bool:
 
 
 def spelled(unit: str) -> str:
+    """Return the spelling of a unit in `QUANTITIES`; an unknown unit stays as it is."""
     return _SPELLED.get(unit, unit)

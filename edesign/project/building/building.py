@@ -192,6 +192,7 @@ class Building(FileModel):
 
     @property
     def n_storeys(self) -> int:
+        """The number of storeys."""
         return len(self.heights)
 
     def n_bays(self, along: Direction) -> int:

@@ -49,8 +49,16 @@ def parse_building(
     """Check the text of a building file that (supposedly) stands at `path`; otherwise as `load_building`.
 
     Args:
-        text, path, profiles: of the file.
-        files: whether the files that it names must be there.
+        text: the text of the file.
+        path: where the file stands, for messages and for the files that it names.
+        profiles: names of the catalogue's sections, as for `load_building`.
+        files: whether the files that it names must exist.
+
+    Returns:
+        The building, all values in SI.
+
+    Raises:
+        BuildingError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
     building, problems = check_model(text, Building, _WHAT, _BEGINS)

@@ -40,6 +40,7 @@ class ColumnLineSelection:
 
     @property
     def is_all(self) -> bool:
+        """Whether every column line is selected."""
         return not self.items
 
     def __contains__(self, line: ColumnLine) -> bool:
@@ -67,6 +68,7 @@ class FrameSelection:
 
     @property
     def is_all(self) -> bool:
+        """Whether every frame of the direction is selected."""
         return not self.items
 
     def numbers(self, count: int) -> tuple[int, ...]:
@@ -87,6 +89,7 @@ class Panels(Model):
 
     @property
     def is_all(self) -> bool:
+        """Whether every bay of the plan is selected."""
         return self.x.is_all and self.y.is_all
 
     def numbers(self, n_x: int, n_y: int) -> Iterator[tuple[int, int]]:

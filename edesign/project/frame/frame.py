@@ -128,14 +128,17 @@ class Frame(Model):
 
     @property
     def n_bays(self) -> int:
+        """The number of bays."""
         return len(self.bay_widths)
 
     @property
     def n_lines(self) -> int:
+        """The number of column lines, one more than there are bays."""
         return len(self.bay_widths) + 1
 
     @property
     def n_storeys(self) -> int:
+        """The number of storeys."""
         return len(self.storey_heights)
 
     @cached_property
@@ -211,8 +214,10 @@ class Frame(Model):
 
     @cached_property
     def met_beams(self) -> dict[tuple[int, int], BraceRun | None]:
-        """The beams that braces or dampers meet in the middle, by (bay, floor), with one of the runs of braces that
-        do."""
+        """The beams that braces or dampers meet in the middle, by (bay, floor), with the run of braces that meets them.
+
+        The run is None where only dampers meet the beam.
+        """
         found: dict[tuple[int, int], BraceRun | None] = dict.fromkeys(sorted(self._met_by_dampers))
         for (bay, storey, _), run in self.brace_at.items():
             if run.kind in ("chevron", "v"):

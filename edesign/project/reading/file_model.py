@@ -167,7 +167,11 @@ class FileModel(Model):
         return self._root if self._root is not None else parse(self._text)[0]
 
     def where(self, *keys: str | int) -> str:
-        """`file:line:column` of a key path, e.g. where("analyses", 2, "record"); of the nearest part that exists."""
+        """Return the place of a key path in the file as `file:line:column`.
+
+        The keys are those on the way to the value, such as "analyses", 2, "record". Of a path that does not exist, the
+        place is that of the nearest part that does.
+        """
         if self._root is None:
             return str(self._path)
         mark = find(self._root, keys).mark

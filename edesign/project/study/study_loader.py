@@ -47,10 +47,14 @@ def parse_study(
     """Check the text of a study file that (supposedly) stands at `path`.
 
     Args:
-        text, path: of the file.
+        text: the text of the study file.
+        path: where the file stands, for messages and for the files that it names.
         base: the project, if it is at hand; otherwise the one that the file names is read.
         profiles: as for `load_study`.
         of: the `project` of the file that `base` stands for; where the text names another one, that is read.
+
+    Returns:
+        The study with its project, all values in SI.
 
     Raises:
         StudyError: the study is wrong; the message lists all problems with file, line and column.

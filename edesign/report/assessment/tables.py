@@ -30,7 +30,8 @@ def assessment_tables(
 
     Args:
         archive: path, or open archive, of a run of a study or of a project; complete or partial.
-        criteria, objectives: of the study; without them there are no verdicts.
+        criteria: the criteria of the study; without them there are no verdicts.
+        objectives: the performance objectives of the study; without them there are no verdicts on them.
         project: of the frame; None: the one whose text the archive holds.
 
     Returns:

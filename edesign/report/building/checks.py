@@ -52,11 +52,15 @@ class WrittenCheck:
 
 
 def written(results: BuildingResults, member: int, check: int) -> WrittenCheck:
-    """Return a check written out.
+    """Return a check of a member with each step of its calculation.
 
     Args:
-        results: of a building.
-        member, check: their numbers in the archive, from 0.
+        results: the results of the building.
+        member: number of the member in the archive, from 0.
+        check: number of the check in the archive, from 0.
+
+    Returns:
+        The check; without steps where they do not lead to the archived utilisation.
 
     Raises:
         ArchiveError: a group or a variable is missing.

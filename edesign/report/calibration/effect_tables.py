@@ -55,8 +55,9 @@ def effects_table(calibration: Calibration) -> Table:
 
 
 def effect_parameters_table(calibration: Calibration) -> Table:
-    """Parameters of the effects with standard errors and 95 % intervals, in practical units; meanings where law files
-    know them.
+    """Return the parameters of the effects with standard errors and 95 % intervals, in practical units.
+
+    A column tells the meaning of each parameter where the form of a law file has one.
     """
     columns = ("effect", "parameter", "value", "std. error", "95 % interval", "unit")
     known = any(_parameters(effect) for effect in calibration.effects)

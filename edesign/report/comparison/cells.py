@@ -77,7 +77,7 @@ class ComparedChange:
 
     @property
     def difference(self) -> float | None:
-        """found - reference, None if nothing was found."""
+        """The difference of the two changes, `found` minus `reference`; None if nothing was found."""
         return None if self.found is None else self.found - self.reference
 
 

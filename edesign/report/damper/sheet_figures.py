@@ -17,8 +17,14 @@ if TYPE_CHECKING:
 
 @styled
 def run_figure(test: DamperTest, run: Run, asked: Acceptance) -> Figure:
-    """Draw the loops of a run, the third one heavier, and k', W and the peak force of its cycles over those of the
-    third, with the deviation from it that is allowed.
+    """Draw the loops of a run, the third one heavier, and the properties of its cycles over those of the third.
+
+    The properties are k', W and the peak force; dashed lines show the deviation from the third cycle that is allowed.
+
+    Args:
+        test: the damper test with displacement (n,) m and force (n,) N over time.
+        run: the run of the test, with the times at which its loops begin.
+        asked: the acceptance criteria, with the allowed deviations.
     """
     figure, axes = new_figure(1, 2, 7.6, 3.0)
     loops, over_cycles = axes[0]

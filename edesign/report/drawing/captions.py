@@ -61,5 +61,5 @@ class UniqueNames:
 
 
 def at_level(level: str) -> str:
-    """ " at DBE", or nothing where there are no levels."""
+    """Return a blank and "at" with the level, such as "at DBE" after a blank; "" where there are no levels."""
     return f" at {level}" if level else ""

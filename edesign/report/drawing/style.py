@@ -90,8 +90,13 @@ def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Fi
     """Return a figure without a window, and its axes row by row; to be called from a `styled` function.
 
     Args:
-        rows, columns: of axes.
-        width, height: of the figure, inches.
+        rows: number of rows of axes.
+        columns: number of axes in a row.
+        width: width of the figure, inches.
+        height: height of the figure, inches.
+
+    Returns:
+        The figure, and its axes as a list of rows.
     """
     from matplotlib.figure import Figure
 
@@ -167,8 +172,9 @@ def legend_below(figure: Figure, handles: Sequence[Any], labels: Sequence[str], 
 
     Args:
         figure: of its final size.
-        handles, labels: of the legend.
-        most: columns, however wide the figure is.
+        handles: the lines or patches of the legend.
+        labels: the text of each handle.
+        most: the largest number of columns, however wide the figure is.
     """
     for columns in range(min(most, len(handles)), 0, -1):
         legend = figure.legend(handles, labels, loc="outside lower center", ncols=columns)
@@ -181,8 +187,13 @@ def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[
     """Return a figure of `count` panels in rows of at most `columns`, and their axes; to be called when `styled`.
 
     Args:
-        count, columns: panels in all, and in a row.
-        width, height: of a panel, inches.
+        count: number of panels.
+        columns: the largest number of panels in a row.
+        width: width of a panel, inches.
+        height: height of a panel, inches.
+
+    Returns:
+        The figure, and the axes of the panels in reading order.
     """
     across = min(columns, count)
     down = -(-count // across)

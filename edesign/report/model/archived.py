@@ -26,8 +26,12 @@ def model_drawings(archive: Archive, project: Project, study: Study | None) -> I
     """Give the drawings of a project or study with the dampers that its designs have found.
 
     Args:
-        archive: of it.
-        project, study: that it holds.
+        archive: the archive with the designs.
+        project: the project that the archive holds.
+        study: the study that the archive holds; None: it is of a project.
+
+    Yields:
+        Name of the file, caption and figure of each drawing.
     """
     if study is None:
         yield from project_figures(project)

@@ -50,10 +50,14 @@ def draw_devices(
     """Draw the dampers of a project and its tuned masses; sizes that change over the height are for `draw_sizes`.
 
     Args:
-        sheet, place: where.
-        project: with the dampers.
-        design: of which no sizes are known; "": they are known.
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project with the dampers.
+        design: name of a design of which no sizes are known; "": they are known.
         tested: names of the dampers that stand in a laboratory.
+
+    Returns:
+        What the legend and the title say of the dampers.
     """
     found, frame, dampers = Drawn(), project.frame, project.dampers
     if dampers is None:

@@ -42,8 +42,10 @@ class Grid:
         """Return axes and levels at one scale if bays and storeys are then large enough to be labelled, else at two.
 
         Args:
-            names, xs, ys: of the axes and levels.
-            wide: of all that is drawn, m; at least the distance of the outer axes.
+            names: names of the axes.
+            xs: places of the axes, m, ascending.
+            ys: levels above the base, m, ascending.
+            wide: width of all that is drawn, m; at least the distance of the outer axes.
         """
         wide, high = max(wide, xs[-1] - xs[0]), ys[-1] - ys[0]
         widest = WIDEST if len(xs) - 1 <= MANY else OF_MANY
@@ -64,7 +66,7 @@ class Grid:
 
     @property
     def top(self) -> float:
-        """Of the uppermost level, inches."""
+        """Height of the uppermost level on the sheet, inches."""
         return self.up * self.ys[-1]
 
 

@@ -23,9 +23,13 @@ def draw_frame_members(sheet: Sheet, place: Elevation, project: Project, faint: 
     """Draw all members to scale, and the leaning column; return their lines of the legend.
 
     Args:
-        sheet, place: where.
-        project: the frame.
-        faint: as the background of something else; nothing is said of them.
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project with the frame.
+        faint: whether the frame is the background of something else, without lines of a legend.
+
+    Returns:
+        The lines of the legend.
     """
     frame, entries = project.frame, []
     color = "#9aa3ae" if faint else INK

@@ -53,7 +53,8 @@ def write_drawings(drawings: Iterable[Named], path: Path, title: str, about: str
     Args:
         drawings: name, caption, figure.
         path: .pdf and .html take all of them; of .svg and .png the second file is `NAME_loads`, and so on.
-        title, about: of a page, and the line below.
+        title: title of an HTML page.
+        about: the line below the title.
 
     Returns:
         The files, whole or not there at all.

@@ -43,7 +43,8 @@ def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> 
     Args:
         figure: as drawn by a `styled` function.
         name: unique on the page, letters, digits, `_`, `-`, `.`.
-        title, description: for those who cannot see the figure.
+        title: title for readers who cannot see the figure.
+        description: description for them, the caption.
 
     Returns:
         The element, and its width in points.
@@ -82,17 +83,21 @@ class PageRenderer(RendererBase):
         self._named: dict[str, str] = {}
 
     def get_canvas_width_height(self) -> tuple[float, float]:
+        """Return width and height of the canvas, pixels, as matplotlib asks for them."""
         return self.width, self.height
 
     def flipy(self) -> bool:
+        """Tell matplotlib that ordinates of the canvas grow downwards, as those of SVG do."""
         return True
 
     def get_text_width_height_descent(self, s: str, prop: FontProperties, ismath: Any) -> tuple[float, float, float]:
+        """Return width, height and descent of a text, pixels; matplotlib measures mathematical text itself."""
         return super().get_text_width_height_descent(s, prop, ismath) if ismath else _text_size(s, prop)
 
     def draw_path(
         self, gc: Any, path: Path, transform: Transform, rgbFace: Any = None
     ) -> None:  # names of arguments are those of matplotlib
+        """Draw a path, whose parts outside the clip are left out where it has no face."""
         box = None if rgbFace is not None else _grown(gc.get_clip_rectangle(), gc.get_linewidth())
         pieces = _pieces(path, transform + self._down(), self._flipped(box))
         if pieces:
@@ -108,6 +113,7 @@ class PageRenderer(RendererBase):
         trans: Transform,
         rgbFace: Any = None,
     ) -> None:
+        """Draw a marker at each finite vertex of a path; the marker is defined once and used by reference."""
         pieces = _pieces(marker_path, marker_trans + Affine2D().scale(1.0, -1.0), None)
         marker = f'<path d="{self._path_data(pieces)}"{_style(gc, rgbFace)}/>'
         name = self._define(marker, "")
@@ -129,6 +135,7 @@ class PageRenderer(RendererBase):
         ismath: Any = False,
         mtext: Text | None = None,
     ) -> None:
+        """Draw a text as an element that the fonts of the page set; mathematical text is drawn as outlines."""
         if ismath:  # as outlines
             super().draw_text(gc, x, y, s, prop, angle, ismath, mtext)
             return

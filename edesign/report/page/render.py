@@ -101,12 +101,16 @@ def render(cover: Cover, sections: Sequence[Section]) -> str:
 def fill_template(
     cover: Cover, sections: Sequence[Section], css: str, printed: Mapping[str, object] | None = None
 ) -> str:
-    """Return the page as the template makes it.
+    """Return the page that the template makes of a cover and sections.
 
     Args:
-        cover, sections: as `render` takes them.
+        cover: what stands above and below the sections.
+        sections: the sections that have content, in their order.
         css: the style sheet.
         printed: what the template needs for a PDF (see `edesign.report.pdf.document`), None for a page.
+
+    Returns:
+        The page as HTML.
     """
     from jinja2 import Environment, PackageLoader, StrictUndefined
 

@@ -231,6 +231,7 @@ def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
 
 
 def picture_of(name: str, caption: str, figure: Figure) -> Picture:
+    """Return a figure as a picture of the page, with its caption as title and description."""
     from edesign.report.page.inline_svg import inline_svg
 
     anchor = f"figure-{name}"

@@ -31,12 +31,13 @@ def curve(
     spans: tuple[float, float] | None = None,
     **style: Any,
 ) -> None:
-    """Draw a curve without the points that nobody can see.
+    """Draw a curve without the points that lie within a line's width of its neighbours.
 
     Args:
-        axis: to draw on.
-        x, y: (n,) in the units of the axis.
-        size: of the axis, inches.
+        axis: the axes to draw on.
+        x: (n,) abscissas in the unit of the axes.
+        y: (n,) ordinates in the unit of the axes; points that are not finite are left out.
+        size: width and height of the axes, inches.
         spans: which values the axis has in width and height; None: those of the curve.
         style: of the line.
     """

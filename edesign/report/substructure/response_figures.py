@@ -260,6 +260,7 @@ def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, st
 
 
 def energy_error(series: Series) -> np.ndarray:
+    """Return the work of the interface error of a run over time, (n,) J; a single zero where it was not kept."""
     values = series.of("interface_energy_error")
     return values if values is not None else np.zeros(1)
 

@@ -27,6 +27,7 @@ class NumberText(str):
     unit: str
 
     def __new__(cls, text: str, value: float = math.nan, unit: str = "") -> NumberText:
+        """Make the text; see the class for its arguments."""
         made = super().__new__(cls, text)
         made.value, made.unit = value, unit
         return made

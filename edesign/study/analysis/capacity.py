@@ -67,10 +67,10 @@ class Basis:
 
     @cached_property
     def first_mode(self) -> tuple[float, float]:
-        """Period under gravity, s, and participation factor of the control node, of the frame with the stiffness that
-        displacement-dependent dampers have before they yield.
+        """Period under gravity, s, and participation factor of the control node in the first mode.
 
-        Their stiffness is in K_i, to which the period belongs (FEMA 356, 9.3.5.1).
+        The frame has the stiffness that displacement-dependent dampers have before they yield, which is in K_i, to
+        which the period belongs (FEMA 356, 9.3.5.1).
         """
         structure = elastic_frame(self._project, self._dampers)
         structure.apply_gravity()
@@ -125,7 +125,8 @@ class Capacity:
         base shear, whose shares at the floors are s_j. So the slope is exact however the frame has moved.
 
         Args:
-            first, last: displacements of the control node since gravity, m.
+            first: displacement of the control node since gravity at which the part of the curve begins, m.
+            last: displacement of the control node since gravity at which it ends, m.
 
         Returns:
             None where the columns do not know second-order forces, or the lateral forces do no work between the two.

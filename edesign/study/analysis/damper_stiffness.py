@@ -119,6 +119,7 @@ def _sprung(device: Device) -> bool:
 
 
 def small_amplitude(device: Device) -> float:
+    """Return an amplitude of a device's deformation, m, at which its stiffness is that at the start of loading."""
     return _SMALL_STRAIN * device.layer_thickness if device.layer_thickness is not None else _SMALL_DEFORMATION
 
 

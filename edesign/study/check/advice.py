@@ -72,9 +72,10 @@ def _held_period(project: Project) -> float | None:
 
 
 def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
-    """The doubt about damping by a stiffness matrix in a frame on buckling-restrained braces.
+    """Return the doubt about damping by a stiffness matrix in a frame with buckling-restrained braces.
 
     Args:
+        project: the validated project.
         laws: of the dampers that stand in the frame, or will by a design.
     """
     if not with_restrained_braces(project, laws) or not isinstance(
@@ -88,10 +89,15 @@ def _damping_warnings(project: Project, laws: Iterable[str]) -> list[str]:
 
 
 def frame_warnings(project: Project, records: Mapping[str, Record], designed: Iterable[str] = ()) -> list[str]:
-    """Return the doubts about a frame and its analysis; arguments and errors as `project_warnings`.
+    """Return the doubts about a frame and its analysis; errors as `project_warnings`.
 
     Args:
+        project: the validated project.
+        records: as recorded, those that its histories use, by reference.
         designed: laws of the dampers that designs add.
+
+    Returns:
+        One sentence for each doubt.
     """
     laws = [*laws_that_stand(project), *designed]
     try:

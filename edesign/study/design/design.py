@@ -55,10 +55,14 @@ def run_design(
         name: of the design.
         spec: of the design.
         folder: that files named in it are relative to.
-        respond, judge: histories and verdicts of a round; None: the design is not verified.
+        respond: runs the histories of a round; None: the design is not verified.
+        judge: judges the histories of a round; None: the design is not verified.
         resume: what an earlier run kept; its rounds are not computed again.
         progress: told what goes on.
         keep: given the group after each verified round, for `resume`.
+
+    Returns:
+        The dampers, the archived group and the status; a design that fails for numerical reasons has no dampers.
 
     Raises:
         InputError: no damper reaches the target, or a file or law is wrong.
@@ -86,7 +90,10 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
     A sizing that does not converge is left to `run_design`, which keeps its history.
 
     Args:
-        project, name, spec, folder: as for `run_design`.
+        project: the project with the law, as for `run_design`.
+        name: name of the design.
+        spec: the design.
+        folder: the folder that files named in the design are relative to.
 
     Raises:
         InputError: no damper reaches the target, or a file or law is wrong.
@@ -101,10 +108,16 @@ def check_sizing(project: Project, name: str, spec: SizedDesign, folder: Path) -
 
 
 def first_warnings(project: Project, name: str, spec: SizedDesign, folder: Path) -> list[str]:
-    """What is doubtful about a design before any history: about its first round, if it is to be verified.
+    """Return the doubts about a design before any history; for a verified design, those about its first round.
 
     Args:
-        project, name, spec, folder: as for `run_design`, and passed by `check_sizing`.
+        project: the project with the law, which has passed `check_sizing`.
+        name: name of the design.
+        spec: the design.
+        folder: the folder that files named in the design are relative to.
+
+    Returns:
+        One sentence for each doubt; none where the sizing does not converge.
     """
     try:
         run = _designer(project, name, spec, folder, lambda text: None)

@@ -113,12 +113,13 @@ def _store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) ->
 
 
 def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, without: FrameEstimate) -> None:
-    """Add the drifts that the spectrum estimates, without and with dampers, and the forces of these.
+    """Add the storey drifts that the spectrum estimates, without and with dampers, and the estimated forces.
 
     Args:
         group: of the design.
         building: the frame with its places.
-        with_dampers, without: the responses.
+        with_dampers: the estimated response with dampers.
+        without: the estimated response without dampers.
     """
     label = "storey drift over height estimated by the response spectrum"
     group.add("estimated_storey_drift", ("frame_storey",), with_dampers.drift, "1", f"{label}, with dampers")

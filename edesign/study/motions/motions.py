@@ -122,12 +122,18 @@ def project_motions(
     each: Callable[[Motion], None] = lambda motion: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> dict[str, Motion]:
-    """Make the recordings of a project ready as it says, suites as a whole; otherwise as `prepare_motions`.
+    """Process and fit the recordings of a project as its file says, suites as a whole.
 
     Args:
         project: the validated project.
         recordings: what was found, by reference; of a suite all that the project takes from it.
         fundamental_period: gives T1 of the frame (s) if a suite is fitted.
+        workers: number of threads.
+        each: called with each motion in the order of `recordings`, as soon as it and those before it are ready.
+        stop: asked before each recording; True leaves the rest out.
+
+    Returns:
+        The motions by reference, in the order of `recordings`.
     """
 
     def prepare(reference: str, found: Found) -> Motion:

@@ -47,10 +47,14 @@ def run_placement(
         name: of the design.
         spec: of the design.
         per_layout: histories that judge one layout.
-        respond, judge: histories and verdicts.
+        respond: runs the histories of layouts, one after the other.
+        judge: judges the histories of a layout.
         resume: what an earlier run kept; its layouts are not analysed again.
         progress: told what goes on.
         keep: given the group after each layout, for `resume`.
+
+    Returns:
+        The dampers of the chosen layout, the archived group and the status.
 
     Raises:
         InputError: a law or the hazard is wrong, or the frame cannot be built.
@@ -101,10 +105,13 @@ def run_placement(
 
 
 def check_placement(project: Project, name: str, spec: PlacementDesign, per_layout: int) -> None:
-    """Build the frame with all candidates, so that what is wrong shows before anything is run.
+    """Build the frame with all candidate places, so that errors show before the first analysis.
 
     Args:
-        project, name, spec, per_layout: as for `run_placement`.
+        project: the project with the laws, as for `run_placement`.
+        name: name of the design.
+        spec: the design.
+        per_layout: number of histories that judge one layout.
 
     Raises:
         InputError: a law or the hazard is wrong, the frame cannot be built, there are too many positions, the limits

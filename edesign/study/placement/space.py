@@ -59,12 +59,14 @@ class Prices:
 
 
 def make_prices(dampers: Sequence[float], numbers: Sequence[int], place: float, storey: float, bay: float) -> Prices:
-    """Return prices of items of a catalogue as decimal numbers, which is how they were written.
+    """Return prices of the items of a catalogue as whole multiples of a decimal unit.
 
     Args:
         dampers: cost of one damper of each item.
         numbers: dampers in a place, of each item.
-        place, storey, bay: cost of each that is equipped.
+        place: cost of each equipped place.
+        storey: cost of each storey with dampers.
+        bay: cost of each bay with dampers.
     """
     written = [Decimal(repr(value)) for value in (*dampers, place, storey, bay)]
     unit = Decimal(1).scaleb(min(0, *(int(value.normalize().as_tuple().exponent) for value in written)))
@@ -226,12 +228,16 @@ def make_positions(
     """Return the positions of candidate places.
 
     Args:
-        bays, storeys: with candidate places, ascending.
+        bays: numbers of the bays with candidate places, ascending.
+        storeys: numbers of the storeys with candidate places, ascending.
         options: numbers of the items, from 1.
         last_bay: of the frame, for layouts that are symmetric about its middle; None: others.
         continuous: whether no position is equipped above an empty one.
         groups: storeys that are equipped alike.
         leaning: options of diagonals, which have no mirror image of their own in the middle bay.
+
+    Returns:
+        The positions, bay by bay, each from the lowest storey up.
     """
     alike = {storey: tuple(group) for group in groups for storey in group}
     rows = list(dict.fromkeys(alike.get(storey, (storey,)) for storey in storeys))

@@ -118,12 +118,13 @@ def coordinate(group: Group, name: str, values: object, unit: str, long_name: st
 
 
 def store_run(group: Group, response: Response, abscissa: str = "load factor", unit: str = "1") -> None:
-    """Add status, reason, statistics, and the rungs of the failure ladder (as attribute and as table) to a group.
+    """Add status, reason, statistics and the rungs of the failure ladder of a run to its group.
 
     Args:
-        group: of the analysis.
-        response: of the run.
-        abscissa, unit: what the steps of the run are taken in.
+        group: the group of the analysis.
+        response: the response of the run.
+        abscissa: name of what the steps of the run are taken in.
+        unit: unit of the abscissa.
     """
     group.attributes |= {"status": response.status, "reason": response.reason, "statistics": dict(response.statistics)}
     events = [

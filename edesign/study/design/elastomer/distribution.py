@@ -32,7 +32,7 @@ def distribute(
     thickness: float,
     before: np.ndarray | None,
 ) -> np.ndarray:
-    """k_D of each storey with dampers, (s,) N/m.
+    """Return the storage stiffness k_D of each storey with dampers in the distribution of a design, (s,) N/m.
 
     Args:
         building: the frame with its places.
@@ -40,7 +40,10 @@ def distribute(
         moduli: of the elastomer.
         target: damping ratio to be added.
         in_target: horizontal stiffness of the braces that count in it, (s,) N/m; None: they do not.
-        action, brace, thickness, before: for the least area (see `least_area`).
+        action: spectrum and damping without dampers, for the distribution `least_area`; None: not needed.
+        brace: horizontal stiffness of the braces of each storey, (s,) N/m; None: rigid.
+        thickness: thickness of a layer, m.
+        before: k_D of the previous iteration, (s,) N/m, from which `least_area` starts; None: none.
 
     Raises:
         InputError: no damper reaches the target.

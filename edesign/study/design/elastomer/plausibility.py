@@ -173,12 +173,15 @@ def _too_thick(
     largest: float,
     reached: float,
 ) -> Iterator[str]:
-    """Layers that do not come near their limit: thinner ones have the same stiffness with less elastomer.
+    """Yield a warning if layers stay so far below their strain limit that thinner ones would save elastomer.
 
     Args:
-        building, spec, sizing, material: as for `elastomer_warnings`.
-        largest: strain of all layers at the level of the design.
-        reached: effective one.
+        building: the frame with its places.
+        spec: the design.
+        sizing: the dampers.
+        material: the elastomer at a strain.
+        largest: largest strain of the layers at the level of the design.
+        reached: effective strain of the layers at the level of the design.
     """
     limit, rarer = spec.strain_limit, LARGEST_OVER_DESIGN * largest
     if limit is None or rarer >= limit:

@@ -78,11 +78,16 @@ def search_optimum(
 def optimum_warnings(
     rounds: Sequence[Round[S]], ends: tuple[float, float], least: Least, precision: float
 ) -> list[str]:
-    """What the user should know of an optimum: at an end, flat, several valleys, criteria that it misses.
+    """Return the doubts about an optimum: it lies at an end, is flat, has several valleys, or misses criteria.
 
     Args:
-        rounds: all.
-        ends, least, precision: of the search.
+        rounds: all rounds of the search.
+        ends: least and largest value of the search.
+        least: what is minimised (see `objective`).
+        precision: relative width of the bracket at which the search ended.
+
+    Returns:
+        One sentence for each doubt.
     """
     ordered = sorted(rounds, key=lambda r: r.changed)
     values = [_of(r, least) for r in ordered]
