@@ -69,7 +69,7 @@ def check_building_archive(building: Building, file: Path, path: Path, overwrite
 
 
 def write_building(building: Building, design: ElasticDesign, path: Path, selection: Group | None = None) -> None:
-    """Write the archive of a design.
+    """Write the archive of the design of a building.
 
     Args:
         building: the file that was designed.

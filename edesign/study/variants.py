@@ -19,7 +19,7 @@ from edesign.study.run.plan import Task
 def variant_project(
     study: Study, name: str, designed: Mapping[str, Dampers], temperature_C: float | None = None
 ) -> Project:
-    """The project that a variant is.
+    """Return the project of a variant.
 
     Args:
         study: the validated study.
@@ -40,7 +40,15 @@ def variant_project(
 
 
 def bound_of(study: Study, name: str) -> tuple[float, float | None]:
-    """Return the factor on the dampers' forces and their temperature, if a variant is a bound of another."""
+    """Return factor and temperature of the dampers of a variant that is a bound of another one.
+
+    Args:
+        study: the validated study.
+        name: of the variant.
+
+    Returns:
+        The factor on the forces, and the temperature in degC; 1 and None for a variant that is no bound.
+    """
     source = study.derived.get(name)
     bounds = study.variants[source.of].bounds if source is not None and source.bound else None
     if source is None or bounds is None:
@@ -51,14 +59,23 @@ def bound_of(study: Study, name: str) -> tuple[float, float | None]:
 
 
 def variant_strain(study: Study, name: str) -> float | None:
-    """Shear strain at which the dampers of a variant count for its modes; None: that of the devices themselves."""
+    """Return the shear strain at which the dampers of a variant count in its modes; None: that of the devices.
+
+    Args:
+        study: the validated study.
+        name: of the variant.
+    """
     design = study.variants[name].design
     spec = study.designs[design] if design is not None else None
     return spec.strain if isinstance(spec, ElastomerDesign) and isinstance(spec.strain, float) else None
 
 
 def variant_warnings(study: Study, tasks: Iterable[Task]) -> list[str]:
-    """What is doubtful about the laws of the variants at their temperatures, before any design is made.
+    """Return one sentence for each doubt about the laws of the variants at their temperatures, before any design.
+
+    Args:
+        study: the validated study.
+        tasks: the plan.
 
     Raises:
         InputError: a law has no parameters at a temperature; the message names the variant.
@@ -83,7 +100,12 @@ def _unsized(base: Project, design: Design) -> Dampers:
 
 
 def dampers_at_temperature(project: Project, design: Design) -> Dampers:
-    """Return the dampers of a project with the laws of a design at the temperature of the design."""
+    """Return the dampers of a project with the laws of a design at the temperature of the design.
+
+    Args:
+        project: the project with the laws.
+        design: of the study.
+    """
     for law in laws_of_design(design):
         project = with_temperature(project, law, design.temperature)
     assert project.dampers is not None, "check_design wants the law"
@@ -91,16 +113,20 @@ def dampers_at_temperature(project: Project, design: Design) -> Dampers:
 
 
 def laws_of_design(design: Design) -> tuple[str, ...]:
-    """Names of the laws that the dampers of a design may have."""
+    """Return the names of the laws that the dampers of a design may have."""
     if isinstance(design, PlacementDesign):
         return tuple(dict.fromkeys(item.law for item in design.catalogue.values()))
     return (design.law,)
 
 
 def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:
-    """Dampers whose laws are at the temperature of a variant, or at the one given, with its property factor.
+    """Return dampers whose laws have the temperature and the property factor of a variant.
 
-    `factor` is a further one on their forces.
+    Args:
+        dampers: of the variant.
+        variant: with its temperature and property factor.
+        temperature_C: degC; None: that of the variant.
+        factor: further factor on the forces.
     """
     change: dict[str, float] = {}
     temperature_C = temperature_C if temperature_C is not None else variant.temperature

@@ -35,8 +35,6 @@ class Ends(Model):
 
     A pinned end is free about both axes of the section, but transmits torsion; a stiffness acts about the strong axis.
 
-    A pinned end is free about both axes of the section, but transmits torsion; a stiffness acts about the strong axis.
-
     Attributes:
         start: the end with the smaller coordinate: `rigid`, `pinned`, or a rotational stiffness about the strong axis.
         end: the other end: `rigid`, `pinned`, or a rotational stiffness about the strong axis.

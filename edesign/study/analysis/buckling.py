@@ -29,7 +29,7 @@ _ROUNDING = 1e-9  # relative, of a compression that equals the resistance
 
 
 def slender_braces(project: Project, frame: FrameModel) -> list[str]:
-    """Return a sentence for each section of braces that buckle before they yield, or that cannot be judged.
+    """Return one sentence for each section of braces that buckle before they yield, or that cannot be judged.
 
     Args:
         project: the validated project.
@@ -52,7 +52,7 @@ def slender_braces(project: Project, frame: FrameModel) -> list[str]:
 
 
 def buckling_warnings(group: Group, project: Project, frame: FrameModel) -> list[AnalysisWarning]:
-    """Return where the largest compression of an analysis passes N_b,Rd, one warning for each section.
+    """Return a warning for each section of the members whose compression is beyond N_b,Rd in an analysis.
 
     Adds `column_buckling_resistance` and `brace_buckling_resistance` (N) to the group; nan where it is not known.
 

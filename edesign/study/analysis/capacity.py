@@ -34,7 +34,7 @@ PASSES = 8
 
 @dataclass(frozen=True)
 class Target:
-    """A target displacement, and what it follows from.
+    """A target displacement with the quantities that it follows from.
 
     Attributes:
         d_t: of the control node since gravity, m.
@@ -50,7 +50,7 @@ class Target:
 
 
 class Basis:
-    """What all pushes of a frame with one pattern share.
+    """The lateral loads, masses and first mode that all pushes of a frame with one pattern share.
 
     Attributes:
         loads: lateral, on the nodes by name; their sum is 1 N.
@@ -143,6 +143,13 @@ class Capacity:
     def target(self, method: Method, level: str) -> Target:
         """Return a target displacement.
 
+        Args:
+            method: n2, or another key of `METHODS`.
+            level: name of the hazard level; "" for the action itself.
+
+        Returns:
+            The target displacement with the values that it follows from.
+
         Raises:
             AnalysisError: there is none.
         """
@@ -153,7 +160,13 @@ class Capacity:
 
 
 def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, level: str) -> Spectrum:
-    """Return the spectrum that target displacements of a level are taken from."""
+    """Return the elastic spectrum from which target displacements of a hazard level are found.
+
+    Args:
+        project: the project with the hazard.
+        spec: the pushover, which may give a damping ratio of its own.
+        level: name of the hazard level; "" for the action itself.
+    """
     spectrum = elastic_spectrum(checked_hazard(project), level)
     return spectrum if spec.damping is None else spectrum.with_damping(spec.damping)
 

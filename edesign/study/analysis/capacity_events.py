@@ -29,7 +29,7 @@ KINDS = ("beam", "column")
 
 @dataclass(frozen=True)
 class CapacityEvent:
-    """What happens in a step of a push for the first time.
+    """An event that occurs for the first time in a step of a push.
 
     Attributes:
         step: the step, 0 is under gravity alone.
@@ -56,7 +56,7 @@ class _Yielding:
 
 
 class EventChannels:
-    """What a push records so that its events can be told.
+    """The quantities that a push records to find its events.
 
     Args:
         project: the validated project.
@@ -80,7 +80,7 @@ class EventChannels:
 
     @property
     def quantities(self) -> list[Quantity]:
-        """To be recorded; nothing of them is archived."""
+        """The quantities to be recorded, none of which is archived."""
         found = [self._followed, *(item for one in self._yielding for item in (one.strains, one.rotations))]
         found += [self._braces.forces, self._braces.elongations] if self._braces else []
         return [*found, self._distortions] if self._panels else found
@@ -91,6 +91,9 @@ class EventChannels:
         Args:
             response: of the push.
             base_shear: of each step, N, positive in the direction of the push.
+
+        Returns:
+            The events, ascending by step.
         """
         found = []
         for one in self._yielding:

@@ -15,12 +15,20 @@ Collapse Prevention (thesis Table 5.5); frames that are merely hard to compute f
 
 
 def drift_limits(drifts: Quantity, drift: float | None) -> dict[str, float]:
-    """Return the limit of each channel of the drifts on column lines; none without a drift that counts as collapse."""
+    """Return the limit of each channel of the drifts on column lines.
+
+    Args:
+        drifts: on all column lines, as `line_drifts` gives them.
+        drift: drift ratio that counts as collapse; None: none does.
+
+    Returns:
+        The limit by name of the channel; empty without one.
+    """
     return {} if drift is None else {channel.name: drift for channel in drifts.channels()}
 
 
 def collapse_reason(response: Response, drifts: Quantity, storeys: Sequence[int]) -> str:
-    """Say how a frame collapsed, "" if it did not.
+    """Return how a frame collapsed in words, "" if it did not.
 
     Args:
         response: of the history.

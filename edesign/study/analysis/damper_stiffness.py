@@ -45,7 +45,15 @@ class DampedModes:
 
 
 def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) -> DampedModes:
-    """Find the modes of a frame with dampers.
+    """Return the natural modes of a frame with dampers at the amplitudes that are given for them.
+
+    Args:
+        project: the validated project.
+        structure: the frame with its dampers, and its analysis.
+        spec: the modal analysis, with the number of modes.
+
+    Returns:
+        The modes with the complex stiffness and amplitude of each damper.
 
     Raises:
         InputError: a strain is given for dampers without layers.
@@ -69,7 +77,13 @@ def damped_modes(project: Project, structure: Structure, spec: ModalAnalysis) ->
 
 
 def store_damper_stiffness(group: Group, structure: Structure, found: DampedModes) -> None:
-    """Add the dampers' stiffness, loss factor and amplitude to a group, and a warning where stiffness is left out."""
+    """Add stiffness, loss factor and amplitude of the dampers to a group, and a warning where stiffness is left out.
+
+    Args:
+        group: of the modal analysis.
+        structure: the frame with its dampers.
+        found: modes and stiffness of the dampers.
+    """
     devices, stiffness = structure.frame.devices, found.stiffness
     coordinate(group, "damper", [device.name for device in devices], "", "name of the damper")
     label = (

@@ -23,7 +23,7 @@ WATER = 1000.0  # kg/m3
 
 
 def device_laws(project: Project) -> dict[str, DeviceLaw]:
-    """The laws of a project's dampers at their temperatures, by name.
+    """Return the laws of a project's dampers at their temperatures, by name.
 
     Raises:
         InputError: a law does not exist, or parameters are wrong; the message names their places in the project file.
@@ -39,7 +39,12 @@ def laws_that_stand(project: Project) -> list[str]:
 
 
 def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
-    """Return whether one of some laws of a project is of a buckling-restrained brace; errors as `device_laws`."""
+    """Return whether one of several laws of a project is that of a buckling-restrained brace; errors as `device_laws`.
+
+    Args:
+        project: the validated project.
+        names: of laws of the project.
+    """
     laws = device_laws(project)
     return any(laws[name].restrained is not None for name in names)
 
@@ -58,7 +63,7 @@ def goes_with_speed(device: Device) -> bool:
 
 
 def law_warnings(project: Project) -> list[str]:
-    """What is doubtful about the laws, e.g. a temperature outside the range of its tests."""
+    """Return one sentence for each doubt about the laws, e.g. a temperature outside the range of their tests."""
     if project.dampers is None:
         return []
     return [
@@ -100,7 +105,7 @@ def _device_law(project: Project, name: str) -> tuple[DeviceLaw, tuple[str, ...]
 
 
 def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[AnalysisWarning]:
-    """Dampers that strained beyond the tests of their law, or beyond their strain limit; a line for each of them.
+    """Return a warning for each damper that strained beyond the tests of its law, or beyond its strain limit.
 
     Args:
         devices: of the frame.
@@ -129,7 +134,7 @@ def strain_warnings(devices: Sequence[Device], strain: np.ndarray) -> list[Analy
 
 
 def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[AnalysisWarning]:
-    """Buckling-restrained braces whose core strained beyond what their manufacturer gives omega and beta for.
+    """Return a warning for braces whose core strained beyond the range of the manufacturer's omega and beta.
 
     Args:
         group: results of a history or a pushover.
@@ -153,7 +158,7 @@ def core_strain_warnings(group: Group, devices: Sequence[Device]) -> list[Analys
 
 
 def attachments(project: Project) -> list[Attached]:
-    """Tuned masses, and tuned liquid dampers as the tuned masses that they are equivalent to."""
+    """Return the tuned masses of a project, and its tuned liquid dampers as equivalent tuned masses."""
     found = []
     for i, item in enumerate(project.dampers.attachments if project.dampers is not None else ()):
         if isinstance(item, TunedMass):

@@ -26,7 +26,12 @@ _DASHPOT_UNITS = ("N*s/m", "N*s/m", "N*m*s/rad")
 
 
 def store_footings(group: Group, frame: FrameModel) -> None:
-    """Add to a group what the footings of a frame are; nothing if it has none."""
+    """Add stiffness, damping and soil of each footing of a frame to a group; nothing if it has none.
+
+    Args:
+        group: of the analysis.
+        frame: the model.
+    """
     if not frame.footings:
         return
     coordinate(group, "footing", list(frame.footings), "", "name of the node that stands on the footing")
@@ -55,7 +60,15 @@ def store_footings(group: Group, frame: FrameModel) -> None:
 
 
 def footing_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
-    """Return what is recorded of footings in a history: the work of their dashpots. Adds what they are to the group."""
+    """Return the work of the footings' dashpots, which a history records, and add the footings to its group.
+
+    Args:
+        frame: the model.
+        group: of the history.
+
+    Returns:
+        One quantity over (footing,) in J; none without footings.
+    """
     store_footings(group, frame)
     if not frame.footings:
         return []
@@ -91,7 +104,7 @@ class Interaction:
 
 
 def interaction(project: Project, structure: Structure, modes: Modes, gravity: bool) -> Interaction:
-    """Return what the footings do to the first mode of a frame without dampers other than buckling-restrained braces.
+    """Return the effect of the footings on the first mode of a frame without dampers, but for restrained braces.
 
     Args:
         project: the validated project.
@@ -163,7 +176,12 @@ def _damping(structure: Structure, modes: Modes) -> float:
 
 
 def store_interaction(group: Group, found: Interaction) -> None:
-    """Add what the footings do to the first mode to the attributes of a group."""
+    """Add the effect of the footings on the first mode to the attributes of a group.
+
+    Args:
+        group: of the modal analysis.
+        found: first mode on footings and on fixed feet.
+    """
     group.attributes |= {
         "fixed_base_period_s": found.fixed,
         "period_ratio": found.flexible / found.fixed,

@@ -28,7 +28,14 @@ from edesign.study.results.supports import base_shear, isolator_axial_forces
 
 
 def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
-    """Apply the gravity combination in equal steps.
+    """Apply the gravity combination to a frame in equal steps.
+
+    Args:
+        project: the validated project.
+        spec: the gravity analysis.
+
+    Returns:
+        The results; `status` tells whether equilibrium was found.
 
     Raises:
         CoreError: the frame is a mechanism, or a load cannot be applied.

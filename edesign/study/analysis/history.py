@@ -49,6 +49,9 @@ def run_history(
         motion: the record made ready; None reads it here.
         vertical: likewise the other record of its vertical motion, if it has one.
 
+    Returns:
+        The results; `status` tells whether the history was completed.
+
     Raises:
         InputError: the record cannot be read, or a requested output does not exist.
         AnalysisError: no equilibrium under gravity, or no modes for the damping.
@@ -104,14 +107,27 @@ def _motion(project: Project, reference: str) -> Motion:
 
 
 def scale_factor(project: Project, spec: HistoryAnalysis, record: Record) -> float:
-    """Return the factor on a record: to its peak, as given, or the importance factor of its hazard level."""
+    """Return the factor on a record in a history: to a peak, as given, or that of its hazard level.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        record: the record made ready.
+    """
     if spec.pga is not None:
         return spec.pga / record.pga
     return level_factor(project, spec.record, spec.level) if spec.scale is None else spec.scale
 
 
 def input_motion(record: Record, factor: float, time_step: float | None, free_vibration: float) -> Record:
-    """Return what is applied: the record times a factor, resampled, and followed by zeros."""
+    """Return a record as it is applied: scaled, resampled, and followed by zeros.
+
+    Args:
+        record: the record made ready.
+        factor: on its accelerations.
+        time_step: s; None: that of the record.
+        free_vibration: duration of the zeros after the record, s.
+    """
     if factor != 1.0:
         record = record.scaled(factor)
     if time_step is not None:
@@ -121,6 +137,11 @@ def input_motion(record: Record, factor: float, time_step: float | None, free_vi
 
 def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> None:
     """Check that a record can be applied as a history asks for it, without making the motion.
+
+    Args:
+        project: the validated project.
+        spec: the history.
+        record: the record made ready.
 
     Raises:
         InputError: the time step is longer than the record, there are more steps than can be kept, a wave reaches a
@@ -158,7 +179,7 @@ def check_motion(project: Project, spec: HistoryAnalysis, record: Record) -> Non
 
 
 def integrator(integration: Integration) -> Integrator:
-    """Return the core's integrator of a project."""
+    """Return the integrator of the core for the integration method of a project."""
     if isinstance(integration, NewmarkIntegration):
         return Newmark(integration.gamma, integration.beta)
     if isinstance(integration, HHTIntegration):
@@ -167,9 +188,16 @@ def integrator(integration: Integration) -> Integrator:
 
 
 def load_and_damp(project: Project, structure: Structure) -> float:
-    """Apply gravity, install the dampers, and damp as histories do; return the fundamental period under gravity in s.
+    """Apply gravity, install the dampers, and set the inherent damping of a history.
 
     Inherent damping is that of the modes of the frame alone: tuned masses would split the first of them.
+
+    Args:
+        project: the validated project.
+        structure: the frame and its analysis.
+
+    Returns:
+        The fundamental period under gravity, s.
     """
     alone = frame_alone(project) if structure.frame.attached else structure
     damping = None if isinstance(project.damping, NoDamping) else project.damping

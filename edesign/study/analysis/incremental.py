@@ -24,7 +24,7 @@ from edesign.study.variants import variant_strain
 
 
 def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
-    """Archive what is said of each incremental study of the plan; return what also scales the records of its histories.
+    """Archive the basis of each incremental study of the plan, and return a function that also scales its records.
 
     T1 of a variant is computed once, and so is the intensity measure of a record on a variant.
 
@@ -62,7 +62,7 @@ def study_stripes(study: Study, run: RunState, frames: Prepared) -> Prepared:
 
 
 def incremental_group(project: Project, study: Incremental, periods: Mapping[str, float | None]) -> Group:
-    """Return what the archive says of an incremental study beside its histories.
+    """Return the archived group of an incremental study: intensities, periods, hazard curve and limits.
 
     Args:
         project: the validated project.

@@ -69,10 +69,13 @@ def store_isolation_estimate(group: Group, project: Project, structure: Structur
 
 
 def system_loop(devices: Sequence[Device]) -> Loop:
-    """Return effective stiffness and energy of a cycle of all that acts on an isolated base.
+    """Return the function that gives effective stiffness and energy of a cycle of an isolated base.
 
     Args:
-        devices: without braces, all with the displacement of the base.
+        devices: isolators and dampers without braces, all with the displacement of the base.
+
+    Returns:
+        The function of amplitude (m) and frequency (Hz), which returns N/m and J.
     """
     scales: dict[tuple[LawValues, float], float] = defaultdict(float)
     for device in devices:

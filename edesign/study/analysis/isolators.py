@@ -19,7 +19,7 @@ _ROUNDING = 1e-9  # of an axial force that is none, against the largest
 
 
 def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list[AnalysisWarning]:
-    """Return warnings of isolators that are pulled or may be, of pendulums that lost contact, and of their weights.
+    """Return warnings of isolators in tension, of pendulums that lost contact, and of their weights.
 
     Args:
         project: with the isolated base.

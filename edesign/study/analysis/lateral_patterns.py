@@ -15,7 +15,7 @@ NO_RESULTANT = 1e-6  # of the sum of magnitudes: a mode that does not move horiz
 
 
 def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers: bool = True) -> dict[str, float]:
-    """Return horizontal loads on the nodes that have a mass, by name; their sum is 1 N.
+    """Return the horizontal loads of a pattern on the nodes with mass, by name; their sum is 1 N.
 
     Args:
         project: the validated project.
@@ -55,12 +55,20 @@ def lateral_loads(project: Project, frame: FrameModel, pattern: Pattern, dampers
 
 
 def floor_masses(frame: FrameModel) -> np.ndarray:
-    """Mass of each floor from the lowest, kg."""
+    """Return the mass of each floor, from the lowest, (f,) kg."""
     return by_floor(frame, frame.masses)
 
 
 def by_floor(frame: FrameModel, values: dict[str, float]) -> np.ndarray:
-    """Sum values of nodes over each floor, from the lowest; the base counts nowhere."""
+    """Return the sums of values of nodes over each floor, without the base.
+
+    Args:
+        frame: the model.
+        values: of nodes, by name.
+
+    Returns:
+        The sums, (f,), from the lowest floor.
+    """
     floors = range(1, frame.frame.n_storeys + 1)
     return np.array([sum(values.get(name, 0.0) for name in frame.level_nodes(floor)) for floor in floors])
 

@@ -19,10 +19,17 @@ _NEGLIGIBLE = 1e-6  # horizontal part of a mode that is a vertical one
 
 
 def run_modal(project: Project, spec: ModalAnalysis) -> Group:
-    """Find the first modes of a frame, unloaded or under gravity.
+    """Find the first natural modes of a frame, unloaded or under gravity.
 
     Shapes are scaled so that the largest horizontal displacement of a floor is 1 (of vertical modes the largest
     displacement), and participation factors belong to these shapes.
+
+    Args:
+        project: the validated project.
+        spec: the modal analysis.
+
+    Returns:
+        Periods, shapes and effective masses of the modes.
 
     Raises:
         AnalysisError: there are not so many modes, or the structure is unstable.
@@ -50,7 +57,11 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
 def fundamental_period(project: Project, base_held: bool = False) -> float | None:
     """Return the first period of the frame under gravity, s; None if it has no masses.
 
-    Of its dampers it has its buckling-restrained braces and its isolators, or with `base_held` none of these.
+    The frame has its buckling-restrained braces and isolators, and no other dampers.
+
+    Args:
+        project: the validated project.
+        base_held: whether an isolated base is held horizontally, in place of its isolators.
 
     Raises:
         AnalysisError: the frame is unstable, or the period cannot be found.
@@ -66,12 +77,18 @@ def fundamental_period(project: Project, base_held: bool = False) -> float | Non
 
 
 def mode_count(project: Project) -> int:
-    """Return how many modes a frame has: its degrees of freedom with mass."""
+    """Return the number of modes of a frame, which is that of its degrees of freedom with mass."""
     return int(np.count_nonzero(frame_alone(project).analysis.masses()))
 
 
 def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
-    """Add modes to a group: period, frequency, masses, shapes of floors and nodes."""
+    """Add periods, frequencies, effective masses, and shapes of floors and nodes to a group.
+
+    Args:
+        group: of the modal analysis.
+        structure: the frame and its analysis.
+        modes: as the core returns them.
+    """
     frame = structure.frame
     storeys = range(1, frame.frame.n_storeys + 1)
     nodes = [[frame.nodes[name] for name in frame.floor_nodes(floor)] for floor in storeys]

@@ -36,7 +36,7 @@ Stop = Callable[[], bool]
 
 @dataclass(frozen=True)
 class Push:
-    """A push, and what it recorded.
+    """A push and its recorded response.
 
     Attributes:
         frame: that was pushed.
@@ -80,6 +80,9 @@ def push(
         target: displacement of the node, that under gravity included, m.
         progress: called now and then with (steps done, steps).
         stop: asked now and then; True ends the push.
+
+    Returns:
+        The response with its capacity curve.
 
     Raises:
         AnalysisError: no equilibrium under gravity.

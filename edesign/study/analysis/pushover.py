@@ -15,6 +15,15 @@ def run_pushover(
 ) -> Group:
     """Push a frame to its roof drift, or without one as far as its target displacements ask.
 
+    Args:
+        project: the validated project.
+        spec: the pushover, with its first pattern and direction.
+        progress: called now and then with (steps done, steps).
+        stop: asked now and then; True ends the push.
+
+    Returns:
+        The results, with the events of the push.
+
     Raises:
         AnalysisError: no equilibrium under gravity, no usable mode, or no target displacement.
         CoreError: the frame is a mechanism.

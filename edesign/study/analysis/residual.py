@@ -8,7 +8,12 @@ DEFINITION = "mean over the last whole fundamental period (under gravity) of the
 
 
 def period_steps(time_step: float, period: float) -> int:
-    """Return the number of steps in a whole period, at least one; both in s."""
+    """Return the number of time steps in a whole period, at least one.
+
+    Args:
+        time_step: s.
+        period: s.
+    """
     return max(round(period / time_step), 1)
 
 

@@ -39,7 +39,7 @@ class Structure:
     analysis: Analysis
 
     def modes(self, count: int, damper_stiffness: np.ndarray | None = None) -> Modes:
-        """The lowest modes in the present state, with stiffness of the dampers (n_dampers,) N/m if it is given.
+        """Return the lowest natural modes in the present state.
 
         Without, buckling-restrained braces have that before they yield, isolators that at the design displacement, and
         other dampers none.
@@ -61,7 +61,7 @@ class Structure:
     def steady_modes(
         self, count: int, devices: Sequence[Device], amplitudes: Sequence[float], others: np.ndarray | None = None
     ) -> tuple[Modes, np.ndarray]:
-        """The lowest modes with devices that vibrate steadily in the first of them, at their amplitudes in m.
+        """Return the lowest modes with devices that vibrate steadily in the first of them.
 
         Args:
             count: how many modes.
@@ -93,11 +93,17 @@ class Structure:
         return modes, found
 
     def install_dampers(self) -> None:
-        """From now on the dampers act: they are set in under the gravity loads and carry nothing of them."""
+        """Install the dampers, which carry none of the loads that act before."""
         self.analysis.install_dampers()
 
     def apply_gravity(self, channels: Sequence[Channel] = ()) -> Response:
         """Apply the gravity combination, which stays on, and record channels.
+
+        Args:
+            channels: what is recorded.
+
+        Returns:
+            The response; it is complete.
 
         Raises:
             AnalysisError: no equilibrium was found under it.
@@ -111,7 +117,7 @@ class Structure:
 
 
 def frame_alone(project: Project, dampers: bool = True, base_held: bool = False) -> Structure:
-    """Build the frame whose modes are meant by damping, lateral forces and periods: without tuned masses and dampers.
+    """Build the frame without tuned masses and dampers, whose modes determine damping, lateral forces and periods.
 
     Args:
         project: the validated project.
@@ -136,15 +142,20 @@ def elastic_frame(project: Project, dampers: bool = True) -> Structure:
 
 
 def tolerance(project: Project) -> float:
-    """The dimensionless tolerance of equilibrium."""
+    """Return the dimensionless tolerance of equilibrium of a project."""
     return project.integration.tolerance if project.integration is not None else DEFAULT_TOLERANCE
 
 
 def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
-    """Complex stiffness of a device with its brace at an amplitude (m) of its deformation and a frequency (Hz).
+    """Return the complex stiffness of a device with its brace in steady vibration, N/m.
 
     The real part is that of the first harmonic; on an isolated base it is the effective stiffness, between the
     extremes, as codes have it (EN 1998-1, 10.9.2(2)).
+
+    Args:
+        device: the damper or isolator.
+        amplitude: of the deformation of device and brace, m.
+        frequency: Hz.
     """
     scale = device.force_scale * device.deformation_scale
     amplitude *= device.deformation_scale
@@ -174,9 +185,16 @@ def make_frame(project: Project, dampers: bool = False, outside: Collection[str]
 
 
 def weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
-    """Return the weight on each isolator whose forces go with it, under the gravity combination, N, by its foot.
+    """Return the weight under the gravity combination on each isolator whose forces depend on it.
 
     The base is held horizontally for it.
+
+    Args:
+        project: the project with an isolated base.
+        laws: the laws of its dampers and isolators, by name.
+
+    Returns:
+        N, by name of the foot.
 
     Raises:
         InputError: the frame cannot be built.

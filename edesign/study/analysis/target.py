@@ -27,10 +27,19 @@ ROUNDING = 1e-9  # of a displacement
 def run_target(
     project: Project, spec: TargetAnalysis, progress: Progress | None = None, stop: Stop | None = None
 ) -> Group:
-    """Find the capacity curve and the target displacement, and push the frame to it.
+    """Find the capacity curve and the target displacement of a frame, and push the frame to it.
 
     The results are those of the push to the target; one that the frame does not reach has failed. Of dampers the
     spring that is left at rest acts: a push has no speed.
+
+    Args:
+        project: the validated project.
+        spec: the method and level, and the pushover.
+        progress: called now and then with (steps done, steps).
+        stop: asked now and then; True ends the push.
+
+    Returns:
+        The results of the push to the target; failed if the frame does not reach it.
 
     Raises:
         AnalysisError: no equilibrium under gravity, no usable mode, or no capacity curve.

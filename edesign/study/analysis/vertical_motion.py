@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GroundMotion:
-    """What is applied, at one time step, both of one length.
+    """The applied ground motion: horizontal and vertical record with one time step and one length.
 
     Attributes:
         horizontal: with its free vibration.
@@ -35,11 +35,16 @@ class GroundMotion:
 
     @property
     def samples(self) -> np.ndarray | None:
-        """Vertical accelerations, m/s2."""
+        """Vertical accelerations, (n,) m/s2; None without vertical motion."""
         return None if self.vertical is None else self.vertical.acceleration
 
     def store(self, group: Group, project: Project) -> None:
-        """Add the vertical motion, at the steps that are kept, and the beams that miss it to the group of a history."""
+        """Add the vertical motion, and the beams that it does not bend, to the group of a history.
+
+        Args:
+            group: of the history, with its times.
+            project: the validated project.
+        """
         if self.vertical is None:
             return
         kept = self.vertical.acceleration[:: project.outputs.every][: group.coords["time"].values.size]
@@ -61,7 +66,7 @@ def ground_motion(
     vertical: Motion | None,
     applied: Callable[[Record, float, float], Record],
 ) -> GroundMotion:
-    """Return what a history applies.
+    """Return the ground motion that a history applies.
 
     The shorter of both motions is continued by zeros; the free vibration follows the end of the longer.
 

@@ -24,7 +24,7 @@ LASTING = 0.01
 
 
 class LateFeet:
-    """The feet of a frame under a wave that passes: how they move relative to the ground where it comes first.
+    """The displacements of the feet of a frame under a passing wave, relative to the foot that it reaches first.
 
     Args:
         spec: the history.

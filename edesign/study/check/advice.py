@@ -165,7 +165,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
 
 
 def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
-    """Say which of the two patterns of EN 1998-1, 4.3.3.4.2.2(1), the targets of the N2 method lack."""
+    """Return which of the two load patterns of EN 1998-1, 4.3.3.4.2.2(1) are missing for targets of the N2 method."""
     names = [pattern_name(pattern) for spec in pushovers if "n2" in spec.targets for pattern in spec.pattern]
     modal = [name for name in names if name in MODAL or name.startswith("modes_")]
     missing = ["`uniform`"] * ("uniform" not in names) + ["a modal one such as `first_mode`"] * (not modal)
@@ -177,7 +177,12 @@ def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
 
 
 def unknown_events(project: Project, records: Iterable[str]) -> list[str]:
-    """Say of which chosen records a limit on those of one earthquake does not know the earthquake."""
+    """Return one sentence for chosen records of unknown earthquakes that a limit for each earthquake cannot count.
+
+    Args:
+        project: the validated project.
+        records: references of the records.
+    """
     found = []
     for name in dict.fromkeys(map(record_of, records)):
         spec, choice = project.records[name], project.record_choice(name)
@@ -192,14 +197,18 @@ def unknown_events(project: Project, records: Iterable[str]) -> list[str]:
 
 
 def record_warnings(records: Mapping[str, Record]) -> list[str]:
-    """Return the doubts about records, which the tables of a run show beside each."""
+    """Return one sentence for each doubt about records."""
     return [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
 
 
 def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:
-    """Return one sentence for each criterion and objective of a study that no history of its plan will be judged by.
+    """Return one sentence for each criterion and objective of a study for which its plan has no history.
 
     Criteria that designs are verified by are judged there.
+
+    Args:
+        study: the validated study.
+        plan: its analyses.
     """
     planned = {
         (task.variant, task.spec.level)

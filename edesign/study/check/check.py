@@ -39,7 +39,7 @@ from edesign.study.variants import variant_warnings
 
 
 def check_inputs(project: Project, specs: Iterable[PlannedAnalysis]) -> dict[str, Found]:
-    """Read records, build the frame and look for the outputs, so that what is wrong shows before the first analysis.
+    """Check the inputs of analyses before the first one starts: records, frame, outputs and modes.
 
     Args:
         project: from `load_project`.
@@ -92,7 +92,7 @@ def _check_frame(project: Project, specs: tuple[PlannedAnalysis, ...]) -> None:
 
 
 def check_study_inputs(study: Study, plan: Sequence[Task]) -> dict[str, Found]:
-    """Check what a study needs before its first analysis; otherwise as `check_inputs`.
+    """Check the inputs of a study before its first analysis; otherwise as `check_inputs`.
 
     Args:
         study: from `load_study`.

@@ -19,7 +19,7 @@ from edesign.study.run.study_plan import make_study_plan, verification_records
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
-    """Check that the histories of a study will do for its criteria.
+    """Check that the histories of a study have enough motions and samples for its criteria.
 
     Args:
         study: from `load_study`.
@@ -46,7 +46,7 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
 
 
 def too_few_motions(study: Study, name: str) -> list[str]:
-    """Say so if criteria of a design take less than the maximum of so few motions that the maximum counts.
+    """Return a warning if criteria of a design take a mean of fewer motions than the code accepts for one.
 
     Of one motion every statistic is the maximum.
 
@@ -81,7 +81,12 @@ def _motions(study: Study) -> Counter[tuple[str, str]]:
 
 
 def kept_for_verification(study: Study, verify: AnyVerify) -> Outputs:
-    """Return what the histories of a design's verification keep: what its criteria are computed from."""
+    """Return the outputs that histories of a design's verification keep for its criteria.
+
+    Args:
+        study: the validated study.
+        verify: the verification of the design.
+    """
     kept: list[HistoryKind] = []
     for criterion in study.criteria:
         if isinstance(criterion, QuantityCriterion) and criterion.name in verify.criteria:

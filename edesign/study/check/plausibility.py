@@ -39,7 +39,7 @@ LARGEST_GRAVITY_DRIFT = 0.01
 
 
 def implausible(project: Project, period: float | None) -> list[str]:
-    """Return a sentence for each property of a frame that is outside of what is built.
+    """Return one sentence for each property of a frame outside the range of built steel frames.
 
     Args:
         project: the validated project.
@@ -55,7 +55,7 @@ def implausible(project: Project, period: float | None) -> list[str]:
 
 
 def sizes(project: Project) -> str:
-    """Return what the file makes of storeys, bays, moduli and gravity loads, in words and units.
+    """Return storeys, bays, moduli and gravity loads of a project in words with units.
 
     Args:
         project: the validated project.

@@ -40,7 +40,14 @@ def check_project_reach(project: Project, specs: Iterable[PlannedAnalysis]) -> N
 
 
 def check_pushover_reach(project: Project, spec: Pushover, where: str, keys: Keys) -> None:
-    """Check a pushover, of a project or of a study, whose pattern stands at a place; errors as above."""
+    """Check that the spectrum reaches T1 where a pushover combines modes; errors as `check_project_reach`.
+
+    Args:
+        project: the validated project.
+        spec: the pushover of a project or study.
+        where: place of the pattern in the file, for messages.
+        keys: its key path.
+    """
     if not any(isinstance(pattern, GivenPattern) and pattern.modes is not None for pattern in spec.pattern):
         return
     last = elastic_spectrum(checked_hazard(project)).last_period
@@ -50,6 +57,9 @@ def check_pushover_reach(project: Project, spec: Pushover, where: str, keys: Key
 
 def check_incremental_reach(study: Study) -> None:
     """Check that the spectra of levels reach the period of the spectral acceleration of each variant without a design.
+
+    Args:
+        study: the validated study.
 
     Raises:
         InputError: one does not; the message names the level.

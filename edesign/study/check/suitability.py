@@ -23,7 +23,7 @@ if TYPE_CHECKING:  # it loads h5py, which a check does not need
 def scale_warnings(
     project: Project, tasks: Iterable[Task], motions: Mapping[str, Motion], scales: Mapping[str, float] | None = None
 ) -> dict[str, list[str]]:
-    """Return what is unusual about the factors on the records, by record of the project.
+    """Return one sentence for each unusual factor on records, by record of the project.
 
     The factor is that of all scaling between the recording and the ground of a history: of the fit, of the suite, and
     of the history (its level, `scale` or `pga`). Histories of incremental studies are left out: they scale on purpose,
@@ -65,11 +65,18 @@ def _motion(motions: Mapping[str, Motion], name: str, member: str) -> Motion:
 
 
 def variant_periods(run: RunState, prepared: Prepared) -> dict[str, dict[str, float]]:
-    """Return T1 under gravity of the frames with dampers that each fitted suite acts on, s, by suite and label.
+    """Return T1 under gravity of the frames with dampers that each fitted suite acts on.
 
     The label is the variant, with the temperature of its dampers where the plan gives one, or `with dampers` of a
     project without variants. Dampers count with their stiffness at the design strain, or else in small vibrations. T1
     of the bare frame, for which the suite is raised, is not among them.
+
+    Args:
+        run: the state of the run, with its plan.
+        prepared: gives the frame of each task.
+
+    Returns:
+        T1 in s, by suite and label.
 
     Raises:
         EdesignError: a period cannot be found.

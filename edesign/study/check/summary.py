@@ -35,7 +35,7 @@ ORIGINS = {"file": "from files", "package": "from packages", "stand-in": "simula
 
 @one_thread()
 def check_project(project: Project) -> dict[str, str]:
-    """Check what a run would meet, and describe the project in a few lines.
+    """Check the inputs of a project, and describe it in a few lines.
 
     Args:
         project: from `load_project`.
@@ -74,7 +74,7 @@ def check_project(project: Project) -> dict[str, str]:
 
 @one_thread()
 def check_study(study: Study) -> dict[str, str]:
-    """Check what a run of a study would meet, and describe it in a few lines.
+    """Check the inputs of a study, and describe it in a few lines.
 
     Args:
         study: from `load_study`.

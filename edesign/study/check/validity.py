@@ -26,7 +26,7 @@ AT = {
 
 
 def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantity] = ()) -> dict[str, str]:
-    """Return what `largest_drift` limits, by name of its channel: drifts of storeys, rotations of the ends of members.
+    """Return the channels that `largest_drift` limits, storey drifts and rotations of member ends, in words.
 
     A drift is the rotation of a column's chord, so that rotations in rad are held to the same number.
 
@@ -47,7 +47,15 @@ def rotation_names(frame: FrameModel, drifts: Quantity, others: Iterable[Quantit
 
 
 def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, float]:
-    """Return the limit of each channel of `rotation_names`; none where the geometry has no limit."""
+    """Return the limit of each channel of `rotation_names`.
+
+    Args:
+        project: the validated project.
+        names: as `rotation_names` gives them.
+
+    Returns:
+        The limit by name of the channel; empty where the geometry has no limit.
+    """
     largest = project.largest_drift
     return {} if largest is None else dict.fromkeys(names, largest)
 
@@ -55,7 +63,7 @@ def rotation_limits(project: Project, names: Mapping[str, str]) -> dict[str, flo
 def judged(
     response: Response, project: Project, names: Mapping[str, str], along: str = "time"
 ) -> tuple[Response, list[AnalysisWarning] | None]:
-    """Return a response, as failed if it does not count, and what is doubtful about its energy balance.
+    """Return a response, failed if it is not valid, and the doubts about its energy balance.
 
     Doubts about a result that does not count are None: nothing more is to be said of its numbers.
 

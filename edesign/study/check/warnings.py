@@ -72,7 +72,12 @@ class AnalysisWarning:
 
 
 def store_warnings(group: Group, warnings: Iterable[AnalysisWarning]) -> None:
-    """Add warnings to those of an analysis."""
+    """Add warnings to those of an analysis.
+
+    Args:
+        group: of the analysis.
+        warnings: the further ones.
+    """
     group.attributes[ATTRIBUTE] = [
         *(asdict(warning) for warning in warnings_of(group)),
         *(asdict(warning) for warning in warnings),
@@ -80,7 +85,7 @@ def store_warnings(group: Group, warnings: Iterable[AnalysisWarning]) -> None:
 
 
 def warnings_of(group: Group) -> list[AnalysisWarning]:
-    """Return the warnings of an analysis, as archived."""
+    """Return the archived warnings of an analysis."""
     found = group.attributes.get(ATTRIBUTE)
     items = found if isinstance(found, list) else []
     return [
@@ -91,7 +96,7 @@ def warnings_of(group: Group) -> list[AnalysisWarning]:
 
 
 def warning_lines(groups: Mapping[str, Group]) -> list[str]:
-    """Return the warnings of analyses, those of one kind in several analyses as one line with the worst of them.
+    """Return the warnings of analyses in lines; those of one kind share a line with the worst of them.
 
     Args:
         groups: results of analyses by name; the line says of how many.
@@ -124,7 +129,7 @@ class GroupedWarning:
 
 
 def grouped_warnings(groups: Mapping[str, Group]) -> list[GroupedWarning]:
-    """Return the warnings of analyses, those of one kind in several analyses together.
+    """Return the warnings of analyses, grouped by kind where several analyses have them.
 
     Args:
         groups: results of analyses by name.

@@ -39,9 +39,15 @@ class Bound(Generic[E]):
 
 
 def property_factors(bounds: Bounds) -> tuple[float, float]:
-    """Lower and upper property modification factor of a design: as given, or by ASCE/SEI 7-16, 18.2.4.5.
+    """Return the lower and upper property modification factor of a design: as given, or by ASCE/SEI 7-16, 18.2.4.5.
 
     With neither, only the temperatures change the properties.
+
+    Args:
+        bounds: the bounds of the design.
+
+    Returns:
+        Lower and upper factor; 1 where the design gives none.
     """
     low = high = 1.0
     if bounds.lower is not None:
@@ -56,7 +62,15 @@ def property_factors(bounds: Bounds) -> tuple[float, float]:
 
 
 def governing(found: tuple[Bound[E], ...], further: Mapping[str, Callable[[E], float]]) -> dict[str, str]:
-    """The bound that makes each quantity largest, by the name of the quantity; `further` ones are of the method."""
+    """Return the bound of the properties that makes each response quantity largest.
+
+    Args:
+        found: the responses with lower, nominal and upper properties.
+        further: quantities of the method beside those of every frame, as functions of a response, by name.
+
+    Returns:
+        The name of the governing bound, by the name of the quantity.
+    """
     quantities: dict[str, Callable[[E], float]] = {
         "storey_drift": lambda r: float(r.drift.max()),
         "roof_displacement": lambda r: r.roof_displacement,

@@ -52,14 +52,22 @@ class Building:
         return self.storey_stiffness[self.storeys - 1]
 
     def attachment(self, power: float = 2.0) -> np.ndarray:
-        """Sum of a power of the cosines of the places in each storey with dampers, (s,).
+        """Return the sum of a power of the cosines of the dampers' slopes in each storey with dampers, (s,).
 
         What a storey feels of a stiffness goes with the square of the cosine, of a dashpot with its power 1 + alpha.
+
+        Args:
+            power: 2 for stiffness, 1 + alpha for dashpots, 1 for yield forces.
         """
         return np.bincount(self.place_storey, self.cosine**power, minlength=self.storeys.size)
 
     def at_places(self, of_storeys: np.ndarray, power: float = 2.0) -> np.ndarray:
-        """Values along each damper (d,) from horizontal ones of the storeys (s,): shared equally, see `attachment`."""
+        """Return values along each damper, (d,), from horizontal values of the storeys, in equal shares.
+
+        Args:
+            of_storeys: horizontal stiffness, coefficient or force of each storey with dampers, (s,).
+            power: power of the cosine with which a damper adds to its storey (see `attachment`).
+        """
         return (of_storeys / self.attachment(power))[self.place_storey]
 
 
@@ -70,6 +78,9 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
         project: with the law; checked by `check_design`.
         name: of the design.
         spec: of the design.
+
+    Returns:
+        The frame with the places of its dampers and the stiffness of its storeys.
 
     Raises:
         InputError: the law is wrong, or the frame cannot be built.
@@ -110,9 +121,12 @@ def make_building(project: Project, name: str, spec: SizedDesign) -> Building:
 
 
 def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
-    """Storey shear over storey drift of the frame without dampers under the loads of its first mode, (f,) N/m.
+    """Return the storey stiffness of the frame without dampers under the loads of its first mode, (f,) N/m.
 
-    Under these loads the displacements are the mode itself.
+    It is storey shear over storey drift. Under these loads the displacements are the mode itself.
+
+    Args:
+        frame: the condensed frame.
 
     Raises:
         AnalysisError: a storey does not shear in the first mode.
@@ -126,22 +140,46 @@ def storey_stiffness(frame: CondensedFrame) -> np.ndarray:
 
 
 def mode_shears(frame: CondensedFrame, modes: LinearModes) -> np.ndarray:
-    """Storey shears of modes at unit generalised displacement, (n, f) N/m."""
+    """Return the storey shears of modes at unit generalised displacement, (n, f) N/m.
+
+    Args:
+        frame: the condensed frame.
+        modes: its modes, with or without dampers.
+    """
     return storey_shears(frame.at_floors(modes.omega[:, None] ** 2 * frame.mass * modes.masses))
 
 
 def storey_shears(floor_forces: np.ndarray) -> np.ndarray:
-    """Sums of the forces of the floors at and above each storey, along the last axis."""
+    """Return the sums of the forces of the floors at and above each storey, along the last axis.
+
+    Args:
+        floor_forces: (..., f) N, from the lowest floor up.
+
+    Returns:
+        The storey shears, (..., f) N, from the lowest storey up.
+    """
     return np.flip(np.cumsum(np.flip(floor_forces, -1), -1), -1)
 
 
 def law_at(project: Project, name: str, temperature_C: float | None) -> DeviceLaw:
-    """A law of the project at a temperature, degC; None: its own."""
+    """Return a damper law of the project at a temperature.
+
+    Args:
+        project: the project with the law.
+        name: name of the law in the project.
+        temperature_C: degC; None: the temperature that the project gives.
+    """
     return device_laws(with_temperature(project, name, temperature_C))[name]
 
 
 def with_temperature(project: Project, name: str, temperature_C: float | None) -> Project:
-    """The project with one of its laws, by name, at a temperature, degC; None: as it is."""
+    """Return the project with one of its damper laws at another temperature.
+
+    Args:
+        project: the project with the law.
+        name: name of the law in the project.
+        temperature_C: degC; None: the project is returned as it is.
+    """
     dampers = project.dampers
     if temperature_C is None or dampers is None:
         return project
@@ -150,7 +188,7 @@ def with_temperature(project: Project, name: str, temperature_C: float | None) -
 
 
 def sized_dampers(building: Building, spec: SizedDesign, brace: np.ndarray | None, size: Mapping[str, Any]) -> Dampers:
-    """The project's dampers with those of the design in place of its devices.
+    """Return the project's dampers with those of the design in place of its devices.
 
     Args:
         building: with the places.
@@ -163,7 +201,7 @@ def sized_dampers(building: Building, spec: SizedDesign, brace: np.ndarray | Non
 
 
 def per_storey(values: np.ndarray) -> tuple[float, ...]:
-    """Values of the storeys (s,) as a device of a project file has them."""
+    """Return values of the storeys (s,) in the form that a device of a project file has."""
     return tuple(float(value) for value in values)
 
 

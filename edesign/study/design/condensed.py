@@ -32,7 +32,7 @@ class LinearModes:
 
     @property
     def first_frequency(self) -> float:
-        """Of the first mode, Hz."""
+        """Frequency of the first mode, Hz."""
         return float(self.omega[0]) / (2.0 * np.pi)
 
 
@@ -62,17 +62,24 @@ class CondensedFrame:
 
     @property
     def n_devices(self) -> int:
-        """Number of dampers."""
+        """The number of dampers."""
         return self.C.shape[0]
 
     def at_floors(self, forces: np.ndarray) -> np.ndarray:
-        """Sums over each floor (..., f) of forces along x on the masses (..., m), N."""
+        """Return the horizontal forces of the floors, (..., f) N, from those on the masses.
+
+        Args:
+            forces: forces along x on the masses, (..., m) N.
+        """
         here = (self.influence > 0.0) & (self.floor_of >= 0)
         rows = [np.bincount(self.floor_of[here], row[here], self.floor_A.shape[0]) for row in np.atleast_2d(forces)]
         return np.reshape(rows, (*forces.shape[:-1], self.floor_A.shape[0]))
 
     def modes(self, stiffness: np.ndarray | None = None) -> LinearModes:
-        """All modes of the frame with dampers of storage stiffness (d,) N/m; without them for None.
+        """Return all natural modes of the frame with dampers of a storage stiffness.
+
+        Args:
+            stiffness: storage stiffness of the dampers, (d,) N/m; None: without dampers.
 
         Raises:
             AnalysisError: a squared frequency is not positive.
@@ -90,10 +97,16 @@ class CondensedFrame:
         return LinearModes(omega, shapes, loads @ floors.T, loads @ dampers.T, participation)
 
     def complex_modes(self, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Frequencies |omega| (rad/s) and damping ratios of free vibrations with complex stiffness (d,) of the dampers.
+        """Return frequencies and damping ratios of free vibrations with dampers of a complex stiffness.
 
         Free vibrations exp(i omega t) of M u'' + (K + D' (k' + i k'') D) u = 0, with k' and k'' whatever the frequency;
         the ratio is Im(omega) / |omega|. In rising order of frequency.
+
+        Args:
+            stiffness: complex stiffness of the dampers, (d,) N/m.
+
+        Returns:
+            |omega| in rad/s, ascending, and the damping ratios, (m,) each.
 
         Raises:
             AnalysisError: an eigenvalue is not finite.
@@ -110,7 +123,15 @@ class CondensedFrame:
         return np.abs(omega)[order], (omega.imag / np.abs(omega))[order]
 
     def static(self, loads: np.ndarray, stiffness: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Displacements of floors (f,) and deformations of dampers (d,), m, under loads on the masses (m,) N."""
+        """Return displacements of the floors and deformations of the dampers under static loads.
+
+        Args:
+            loads: loads on the masses, (m,) N.
+            stiffness: stiffness of the dampers, (d,) N/m.
+
+        Returns:
+            Displacements of the floors (f,) m, and deformations of the dampers with their braces (d,) m.
+        """
         _, floors, dampers = self._with(stiffness)
         return floors @ loads, dampers @ loads
 
@@ -125,6 +146,12 @@ class CondensedFrame:
 
 def condense(structure: Structure) -> CondensedFrame:
     """Reduce a structure in its present state, with its dampers' places but without their stiffness.
+
+    Args:
+        structure: the frame and its analysis, under gravity or not.
+
+    Returns:
+        The flexibilities between masses, floors and dampers.
 
     Raises:
         AnalysisError: nothing has a mass, or the stiffness is singular.

@@ -28,7 +28,7 @@ class ModalDamping:
 
 
 def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarray) -> ModalDamping:
-    """Damping of all modes by all three ways.
+    """Return the damping that dampers add to each mode: by strain energy, from the frequencies, and by complex modes.
 
     Args:
         frame: without dampers.
@@ -46,7 +46,7 @@ def modal_damping(frame: CondensedFrame, bare: LinearModes, stiffness: np.ndarra
 
 
 def strain_energy_damping(modes: LinearModes, stiffness: np.ndarray) -> np.ndarray:
-    """Added damping ratio of each mode, (n,): half of phi' K'' phi of the dampers over phi' (K_S + K_D) phi.
+    """Return the damping ratio that the dampers add to each mode by modal strain energy, (n,).
 
     Args:
         modes: with the dampers' storage stiffness.

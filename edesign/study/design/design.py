@@ -22,7 +22,7 @@ from edesign.study.design.viscous.designer import ViscousDesigner
 
 @dataclass(frozen=True)
 class DesignResult:
-    """What a design came to.
+    """The result of a design: its dampers and what the archive keeps of it.
 
     Attributes:
         dampers: the laws of the project with the devices of the design (of its last round if it failed).

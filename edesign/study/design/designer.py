@@ -28,7 +28,7 @@ L = TypeVar("L")
 
 
 class Designer(ABC, Generic[S]):
-    """A design with its building and action at hand.
+    """The sizing and verification of one design by one method.
 
     Attributes:
         words: of what the loop may change, by its name.
@@ -43,10 +43,13 @@ class Designer(ABC, Generic[S]):
         self.action: Action | None = make_action(project, spec)
 
     def read_law(self, read: Callable[[LawValues], L]) -> L:
-        """What the sizing of dampers without layers needs of their law.
+        """Return what the sizing of dampers without layers needs of their law.
 
         Args:
-            read: makes it of the law, or refuses the law.
+            read: reads it from the values of the law, or raises an InputError.
+
+        Returns:
+            What `read` returns.
 
         Raises:
             InputError: the law has layers, or is refused.
@@ -63,41 +66,61 @@ class Designer(ABC, Generic[S]):
 
     @abstractmethod
     def make(self, value: float) -> S:
-        """The dampers for a value of what the loop changes."""
+        """Size the dampers for a value of the quantity that the loop changes."""
 
     @abstractmethod
     def range(self) -> tuple[float, float]:
-        """First and largest value of what the loop changes."""
+        """Return the first and the largest value of the quantity that the loop changes."""
 
     @abstractmethod
     def dampers(self, sizing: S) -> Dampers:
-        """The project's dampers with those of a sizing."""
+        """Return the project's dampers with those of a sizing."""
 
     @abstractmethod
     def size(self, sizing: S) -> Mapping[str, float | np.ndarray]:
-        """What two rounds with the same dampers have in common, by the name of the variable `round_NAME`."""
+        """Return what identifies the dampers of a sizing, by the name of the archived variable `round_NAME`."""
 
     @abstractmethod
     def group(self, done: Search[S], status: str) -> Group:
-        """Everything that was found."""
+        """Return the archived group of a design.
+
+        Args:
+            done: all rounds and the chosen one.
+            status: completed, failed, interrupted or checked.
+        """
 
     def strain(self, sizing: S, histories: Mapping[str, Group]) -> float:
-        """Effective strain of the layers in the histories of a sizing; nan: the dampers have no layers."""
+        """Return the effective shear strain of the layers in the histories of a sizing; nan for dampers without layers.
+
+        Args:
+            sizing: the dampers of the round.
+            histories: results of its histories, by name.
+        """
         return math.nan
 
     def settled(self, last: Round[S]) -> bool:
-        """Whether what the sizing of a round presumes of its histories agrees with them."""
+        """Return whether the properties that a round was sized with agree with its histories."""
         return True
 
     @property
     def changed(self) -> str:
-        """What the loop changes."""
+        """The quantity that the loop changes."""
         return self._spec.verify.change if self._spec.verify is not None else "target"
 
     def search(
         self, respond: Respond | None, judge: Judge | None, resume: Group | None, keep: Callable[[Group], None] | None
     ) -> Search[S]:
-        """All rounds."""
+        """Size the dampers and change them, round by round, until the histories meet the criteria.
+
+        Args:
+            respond: runs the histories of a round; None: the design is not verified.
+            judge: judges the histories of a round; None: the design is not verified.
+            resume: the group that an earlier run kept; None: none.
+            keep: called with the group after each round, for `resume`; None: nothing is kept.
+
+        Returns:
+            All rounds and the chosen one.
+        """
         start, largest = self.range()
         verify = self._spec.verify
         if verify is None or respond is None or judge is None:
@@ -110,7 +133,16 @@ class Designer(ABC, Generic[S]):
         return search(self.make, tried, *limits, self.kept(keep), self._value, self.settled)
 
     def outcomes(self, respond: Respond, judge: Judge, resume: Group | None) -> Callable[[S, int, float], RoundOutcome]:
-        """What the histories of a sizing, its round and its value come to, or came to in an earlier run."""
+        """Return the function that verifies a sizing by its histories, or takes the outcome of an earlier run.
+
+        Args:
+            respond: runs the histories of a round.
+            judge: judges the histories of a round.
+            resume: the group that an earlier run kept; None: none.
+
+        Returns:
+            The function of sizing, number of the round and value of the changed quantity.
+        """
 
         def outcome(sizing: S, number: int, value: float) -> RoundOutcome:
             found = kept_outcome(resume, number, value, self.size(sizing))
@@ -124,7 +156,7 @@ class Designer(ABC, Generic[S]):
         return outcome
 
     def kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
-        """What keeps all rounds after each."""
+        """Return the function that keeps all rounds after each of them; it does nothing where `keep` is None."""
 
         def kept(rounds: Sequence[Round[S]]) -> None:
             if keep is not None:
@@ -139,7 +171,7 @@ class Designer(ABC, Generic[S]):
 
 
 def labels(spec: SizedDesign) -> dict[str, Any]:
-    """Attributes that say which design it is."""
+    """Return the attributes of the archive that identify a design."""
     found: dict[str, Any] = {"method": spec.method, "law": spec.law, "kind": spec.kind, "bays": str(spec.bays)}
     found |= {"state": spec.state, "level": spec.level or ""}
     found["changed"] = spec.verify.change if spec.verify is not None else "target"

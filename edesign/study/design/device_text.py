@@ -8,7 +8,7 @@ from edesign.project.dampers.dampers import Brace, BraceSection, BraceStiffness,
 
 
 def devices_text(dampers: Dampers) -> str:
-    """The `devices` of the block `dampers` of a project file, with full digits."""
+    """Return the `devices` of the block `dampers` of a project file as YAML, with full digits."""
     return yaml.safe_dump({"devices": [_entry(run) for run in dampers.devices]}, sort_keys=False, width=120)
 
 

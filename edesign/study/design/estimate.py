@@ -21,19 +21,24 @@ _NEGLIGIBLE_MASS = 1e-6  # effective mass over total mass of modes that are left
 
 @dataclass(frozen=True)
 class Action:
-    """What shakes the frame: a spectrum, and the damping that the frame has without dampers."""
+    """The seismic action: an elastic spectrum, and the damping ratio of the frame without dampers."""
 
     spectrum: Spectrum
     inherent_damping: float
 
     def displacement(self, omega: float, damping: float) -> float:
-        """Displacement of an oscillator of a frequency (rad/s) and a damping ratio, m."""
+        """Return the spectral displacement of an oscillator, m.
+
+        Args:
+            omega: circular frequency, rad/s.
+            damping: ratio of critical damping.
+        """
         return float(self.spectrum.with_damping(damping).displacement(2.0 * np.pi / omega))
 
 
 @dataclass(frozen=True)
 class FrameEstimate:
-    """Largest values over time by CQC.
+    """Largest values over time of the response of a frame, combined from its modes by CQC.
 
     Attributes:
         drift: storey drift over height, (f,).
@@ -52,7 +57,7 @@ class FrameEstimate:
 
 @dataclass(frozen=True)
 class Estimate(FrameEstimate):
-    """Of a frame with dampers of elastomer.
+    """Largest values over time by CQC of a frame with dampers of elastomer.
 
     Attributes:
         damper_strain: of their layers, (d,).
@@ -62,7 +67,11 @@ class Estimate(FrameEstimate):
 
 
 def make_action(project: Project, spec: SizedDesign) -> Action | None:
-    """The action of a design's hazard level; None if it names none.
+    """Return the action of a design's hazard level; None if the design names none.
+
+    Args:
+        project: the project with the hazard.
+        spec: the design.
 
     Raises:
         InputError: the hazard of the project is wrong, or its spectrum has no T_C for the lateral force method.
@@ -81,7 +90,7 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
 
 
 def action_of(project: Project, level: str, inherent_damping: float | None) -> Action:
-    """The action of a hazard level on a frame.
+    """Return the action of a hazard level on a frame.
 
     Args:
         project: with the hazard.
@@ -137,18 +146,25 @@ class SpectralPeaks:
     correlation: np.ndarray
 
     def combined(self, values: np.ndarray) -> np.ndarray:
-        """CQC of values (n, anything) of all modes at unit generalised displacement."""
+        """Return the CQC combination of modal values.
+
+        Args:
+            values: values of all modes at unit generalised displacement, (n, x).
+
+        Returns:
+            The largest values over time, (x,), in the unit of `values` times m.
+        """
         scaled = self.displacement[:, None] * values[self.kept]
         squared = np.einsum("ix,ij,jx->x", scaled, self.correlation, scaled)
         return np.asarray(np.sqrt(np.maximum(squared, 0.0)))
 
 
 def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, added: np.ndarray) -> SpectralPeaks:
-    """The peaks of the modes under an action; modes with next to no effective mass are left out.
+    """Return the peaks of the modes under an action; modes with a negligible effective mass are left out.
 
     Args:
-        frame: that the modes are of.
-        action: spectrum, and damping of the frame without dampers.
+        frame: the condensed frame of the modes.
+        action: spectrum, and damping ratio of the frame without dampers.
         modes: with the dampers' stiffness.
         added: damping ratio that the dampers add to each mode, (n,).
     """
@@ -163,7 +179,7 @@ def spectral_peaks(frame: CondensedFrame, action: Action, modes: LinearModes, ad
 def frame_estimate(
     building: Building, modes: LinearModes, storage: np.ndarray, peaks: SpectralPeaks, damper_force: np.ndarray
 ) -> FrameEstimate:
-    """The response of the frame from the peaks of its modes.
+    """Return the response of the frame from the peaks of its modes.
 
     Args:
         building: the frame with its places.
@@ -186,7 +202,11 @@ def frame_estimate(
 
 
 def cqc(omega: np.ndarray, damping: np.ndarray) -> np.ndarray:
-    """Correlation coefficients of modes with frequencies (n,) rad/s and damping ratios (n,), shape (n, n).
+    """Return the CQC correlation coefficients of modes, (n, n).
+
+    Args:
+        omega: circular frequencies, (n,) rad/s.
+        damping: ratios of critical damping, (n,).
 
     Source: Der Kiureghian (1981); Chopra (2012), Eq. 13.7.9.
     """

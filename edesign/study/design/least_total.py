@@ -16,7 +16,7 @@ _STEP = 1e-6  # of the finite differences, over the stiffness of a storey
 
 @dataclass(frozen=True)
 class Problem:
-    """What is to be found.
+    """A constrained minimisation of the total size of the dampers.
 
     Attributes:
         used: drift over its limit of each storey of the frame for dampers x over the stiffness of their storey, (s,).
@@ -36,7 +36,7 @@ class Problem:
 
 
 def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray:
-    """The dampers x (s,) of the least sum; sequential quadratic programming finds a local optimum.
+    """Return the dampers (s,) of least sum that meet the limit; sequential quadratic programming finds a local optimum.
 
     Args:
         problem: what is to be found.

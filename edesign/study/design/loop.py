@@ -16,15 +16,15 @@ _MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
 
 
 class Sized(Protocol):
-    """Dampers of a size, whatever the method."""
+    """Dampers of a sizing by any method."""
 
     @property
     def target(self) -> float:
-        """Of the method."""
+        """The target that the dampers were sized for, in the quantity of the method."""
 
     @property
     def reason(self) -> str:
-        """Why it is not good; empty if it is."""
+        """Why the sizing failed; empty if it did not."""
 
 
 S = TypeVar("S", bound=Sized)
@@ -32,7 +32,7 @@ S = TypeVar("S", bound=Sized)
 
 @dataclass(frozen=True)
 class RoundVerdict:
-    """What is kept of a verdict on the histories of a round; value and limit are nan where there is none.
+    """The verdict on one criterion in a round; value and limit are nan where there is none.
 
     Both are in the SI unit beside them, "1" for ratios.
     """
@@ -45,7 +45,7 @@ class RoundVerdict:
 
     @property
     def demand(self) -> float:
-        """Value over limit, limit over value where the value must be larger; nan where there is none."""
+        """Value over limit, or limit over value where the value is bounded from below; nan where there is none."""
         value, limit = self.value, self.limit
         if not (math.isfinite(value) and math.isfinite(limit)) or limit <= 0.0:
             return math.nan
@@ -57,7 +57,7 @@ class RoundVerdict:
 
 @dataclass(frozen=True)
 class RoundOutcome:
-    """What the histories of a round came to.
+    """The verdicts on the histories of a round.
 
     Attributes:
         verdicts: of the criteria.
@@ -71,17 +71,17 @@ class RoundOutcome:
 
     @property
     def met(self) -> bool:
-        """Every criterion is met; how failed histories count is the criteria's business."""
+        """Whether every criterion is met; the criteria decide how failed histories count."""
         return bool(self.verdicts) and all(verdict.met for verdict in self.verdicts)
 
     @property
     def demand(self) -> float:
-        """The worst ratio of a value to its limit, of a limit to its value where the value must be larger."""
+        """The largest demand of the verdicts (see `RoundVerdict.demand`)."""
         return max((demand_of(verdict) for verdict in self.verdicts), default=1.0)
 
     @property
     def misses(self) -> str:
-        """The criteria that are not met with value and limit, and the histories that were not completed."""
+        """The criteria that are not met with value and limit, and the histories that were not completed, in words."""
         text = ", ".join(_said(verdict) for verdict in self.verdicts if not verdict.met)
         if not self.failed:
             return text
@@ -108,7 +108,7 @@ class Round(Generic[S]):
 
 @dataclass(frozen=True)
 class Search(Generic[S]):
-    """All rounds, the one that was chosen, and why it is none that meets the criteria (empty if it does)."""
+    """All rounds of a design, the chosen one, and why it does not meet the criteria (empty if it does)."""
 
     rounds: tuple[Round[S], ...]
     chosen: Round[S]
@@ -126,7 +126,7 @@ def search(
     actual: Callable[[S, float], float] = lambda sizing, value: value,
     settled: Callable[[Round[S]], bool] = lambda last: True,
 ) -> Search[S]:
-    """Find the smallest value that meets all criteria: up by the secant until met, then down inside the bracket.
+    """Find the smallest value that meets all criteria, by secants up to the first that does, then inside the bracket.
 
     Args:
         make: the sizing of a value.
@@ -241,7 +241,7 @@ def _said(verdict: RoundVerdict) -> str:
 
 
 def demand_of(verdict: RoundVerdict) -> float:
-    """The demand of a verdict, or one that says which way to go; positive and finite."""
+    """Return the demand of a verdict, or a positive finite number on the right side of 1 where it has none."""
     demand = verdict.demand
     if 0.0 < demand < math.inf:
         return demand

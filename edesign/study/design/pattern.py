@@ -8,7 +8,7 @@ from edesign.study.design.building import Building, mode_shears
 
 
 def pattern_of(building: Building, distribution: str) -> np.ndarray:
-    """Shares of the storeys with dampers, (s,), with the mean of their stiffnesses (N/m).
+    """Return a distribution over the storeys with dampers, (s,) N/m, whose mean is that of their stiffnesses.
 
     Args:
         building: the frame with its places.

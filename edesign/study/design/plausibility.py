@@ -37,7 +37,7 @@ def beyond_the_optimum(damping: Callable[[float], float], what: str) -> Iterator
 
 
 def spread(bounds: Bounds | None) -> tuple[float, float, str]:
-    """Range of properties that a design covers: that of its own bounds, or the least one of ASCE/SEI 7-16.
+    """Return the range of properties that a design covers, by its own bounds or the least range of ASCE/SEI 7-16.
 
     Args:
         bounds: of the design; None: it has none.
@@ -52,5 +52,5 @@ def spread(bounds: Bounds | None) -> tuple[float, float, str]:
 
 
 def percent(value: float) -> str:
-    """A ratio for people, with its sign of percent."""
+    """Return a ratio as text in per cent with its sign."""
     return f"{100.0 * value:.3g} %"

@@ -10,7 +10,7 @@ _GROWTH = 1.5  # of the scale between trials on the way to a target
 
 
 def reach(damping_of: Callable[[float], float], target: float, first: float, last: float) -> tuple[float, float]:
-    """The least scale with a damping, or that of the largest; and the damping there.
+    """Return the least scale of a distribution with a damping ratio, or the scale of the largest, and the ratio there.
 
     Damping grows with the dampers until they lock, one after the other, so that it may fall and grow again.
 

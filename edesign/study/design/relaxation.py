@@ -9,7 +9,7 @@ MOST_ITERATIONS = 50
 
 
 class Relaxation:
-    """The next trial of a fixed-point iteration; relaxes what oscillates and hastens what creeps.
+    """The relaxation of a fixed-point iteration: it damps oscillation and speeds up slow convergence.
 
     Source: Irons and Tuck (1969), A version of the Aitken accelerator for computer iteration, International Journal for
         Numerical Methods in Engineering 1.

@@ -131,7 +131,7 @@ def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, 
 
 
 def store_devices(group: Group, building: Building, number: int, found: FrameEstimate, stroke: np.ndarray) -> None:
-    """Add what one damper of each storey is estimated to bear.
+    """Add the estimated force and stroke of one damper of each storey.
 
     Args:
         group: of the design.
@@ -153,7 +153,7 @@ def store_bounds(
     labels: tuple[str, str],
     demand: Demand,
 ) -> None:
-    """Add the response with the bounds of the properties, and which of them governs each quantity.
+    """Add the estimated response with each bound of the properties, and the bound that governs each quantity.
 
     Args:
         group: of the design.
@@ -189,5 +189,10 @@ def store_bounds(
 
 
 def of_storeys(building: Building, of_places: np.ndarray) -> np.ndarray:
-    """The largest of the places (d,) of each storey with dampers, (s,)."""
+    """Return the largest value of the places of each storey with dampers, (s,).
+
+    Args:
+        building: the frame with its places.
+        of_places: a value of each place, (d,).
+    """
     return np.array([of_places[building.place_storey == i].max() for i in range(building.storeys.size)])

@@ -37,7 +37,12 @@ class _Lost(EdesignError):
 
 
 def study_designs(study: Study, run: RunState) -> Prepared:
-    """Make the designs that the plan needs; return what gives each task its frame."""
+    """Make the designs that the plan needs, and return the frame of each task.
+
+    Args:
+        study: the validated study.
+        run: the state of the run, with its archive, back end and progress.
+    """
     wanted = wanted_designs(study, run.job.tasks)
     made: dict[str, DesignResult] = {}
     for order, name in enumerate(study.designs):

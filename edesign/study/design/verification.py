@@ -21,9 +21,13 @@ Judge = Callable[[Mapping[str, Group]], Sequence[Verdict]]
 
 
 def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
-    """The outcome of a round from its histories; a criterion that says neither yes nor no is not met.
+    """Return the outcome of a round from its histories; an undecided criterion counts as not met.
 
     One that does not apply to these histories is left out, unless none does.
+
+    Args:
+        groups: results of the histories, by name.
+        judge: judges them by the criteria.
     """
     failed = tuple(name for name, group in groups.items() if group.attributes.get("status", "completed") != "completed")
     verdicts = []
@@ -42,7 +46,7 @@ def judged(groups: Mapping[str, Group], judge: Judge) -> RoundOutcome:
 def kept_outcome(
     resume: Group | None, number: int, value: float, size: Mapping[str, float | np.ndarray]
 ) -> RoundOutcome | None:
-    """The outcome of a round (from 1) of an earlier run, if it had the same dampers.
+    """Return the outcome of a round of an earlier run if it had the same dampers, else None.
 
     Args:
         resume: what the earlier run kept.
@@ -97,7 +101,14 @@ def store_outcomes(group: Group, dim: str, numbers: Sequence[int], outcomes: Seq
 
 
 def stored_outcomes(group: Group, numbers: Sequence[int]) -> list[RoundOutcome]:
-    """What `store_outcomes` has stored, without strains; an outcome without verdicts was not verified."""
+    """Return the outcomes that `store_outcomes` has stored, without strains.
+
+    A round without verdicts was not verified.
+
+    Args:
+        group: of the design.
+        numbers: of the rounds or layouts, in their order.
+    """
     names = [str(name) for name in group.coords["criterion"].values]
     units = [str(unit) for unit in group.variables["criterion_unit"].values]
     value, limit, met = (group.variables[f"verdict_{part}"].values for part in ("value", "limit", "met"))

@@ -31,7 +31,12 @@ LONGEST = 10.0
 
 
 def intensity_text(study: Incremental, intensity: float) -> str:
-    """Return an intensity for names and messages: 0.4g, or x1.5 for a factor of the level."""
+    """Return an intensity for names and messages: 0.4g, or x1.5 for a factor of the level.
+
+    Args:
+        study: the incremental study.
+        intensity: m/s2, or a factor on the level.
+    """
     if isinstance(study, LevelFactorStudy):
         return f"x{intensity:.6g}"
     return f"{intensity / STANDARD_GRAVITY:.6g}g"
@@ -84,7 +89,7 @@ def level_intensity(project: Project, study: Incremental, period: float | None, 
 
 
 def check_hazard_curves(study: Study) -> None:
-    """Check that levels of hazard curves that are rarer have larger intensities.
+    """Check that rarer levels of a hazard curve have larger intensities.
 
     Where the period of the spectral acceleration is not known yet, that of variants, they must at some period.
 
@@ -140,7 +145,7 @@ def _not_rising(
 
 
 def first_period(project: Project, dampers: bool, damper_strain: float | None = None) -> float:
-    """Return T1 of a variant under gravity, s; dampers add their storage stiffness in that mode.
+    """Return T1 of a variant under gravity with the storage stiffness of its dampers, s.
 
     Args:
         project: the validated project of the variant.

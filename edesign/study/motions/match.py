@@ -33,7 +33,7 @@ from edesign.study.run.provenance import circumstances, versions
 
 @dataclass(frozen=True)
 class MatchSummary:
-    """What came of matching.
+    """The result of fitting recordings to a spectrum.
 
     Attributes:
         archive: the finished archive.
@@ -80,6 +80,9 @@ def match_recordings(
         progress: called with a `Progress` as each one is ready.
         source: file of the suite, or of the first recording; a later matching of it replaces the archive.
         overwrite: True replaces the archive of something else too.
+
+    Returns:
+        The archive, the fitted motions and the criteria of the code.
 
     Raises:
         ArchiveError: the archive cannot be written, or is that of something else.
@@ -135,7 +138,7 @@ def match_recordings(
 
 @dataclass(frozen=True)
 class Choice:
-    """The best recordings of a library.
+    """The recordings of a library that suit a spectrum best.
 
     Attributes:
         recordings: the chosen ones, by name.
@@ -149,7 +152,7 @@ class Choice:
 
     @property
     def facts(self) -> dict[str, Any]:
-        """What is told of the choice."""
+        """The facts about the choice that tables and JSON show."""
         return choice_facts(tuple(self.recordings), self.selection, self.of)
 
 
@@ -184,7 +187,7 @@ def choose_recordings(
 
 
 def outcome(motion: Motion) -> str:
-    """Return in a few words how well a recording fits."""
+    """Return the misfit of a recording before and after its fit in words."""
     if motion.match is None:
         return "as recorded"
     before, after = motion.match.misfit_before, motion.match.misfit_after

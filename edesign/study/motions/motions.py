@@ -25,7 +25,7 @@ from edesign.stopping import Stopped, in_threads, stoppable
 
 @dataclass(frozen=True)
 class Motion:
-    """A recording, and what was made of it.
+    """A recording and its fit to the spectrum.
 
     Attributes:
         name: reference of the recording.
@@ -41,12 +41,12 @@ class Motion:
 
     @property
     def scale(self) -> float:
-        """Constant factor between the recording and what is applied: that of the fit, and of its suite."""
+        """The constant factor between the recording and what is applied, that of the suite included."""
         return self.match.scale * self.match.suite_factor if self.match else 1.0
 
     @property
     def record(self) -> Record:
-        """What is applied, before the scaling of the analysis.
+        """The record before the scaling of the analysis.
 
         Raises:
             InputError: it could not be fitted.
@@ -57,7 +57,14 @@ class Motion:
 
 
 def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -> Motion:
-    """Fit a recording to a spectrum; what cannot be fitted is kept with the reason as the motion's `failure`."""
+    """Fit a recording to a spectrum; a failure is kept with its reason in the motion.
+
+    Args:
+        reference: of the recording.
+        found: as recorded.
+        target: the elastic spectrum.
+        options: method, band, damping and bounds of the fit.
+    """
     try:
         return Motion(reference, found, match_record(found.record, target, options))
     except EdesignError as error:
@@ -67,6 +74,11 @@ def fit(reference: str, found: Found, target: Spectrum, options: MatchOptions) -
 
 def raise_suite(motions: Sequence[Motion], target: Spectrum, fundamental_period: float | None) -> list[Motion]:
     """Multiply the fitted records of a suite by the one factor with which their mean satisfies the code.
+
+    Args:
+        motions: the motions of the suite; those without a fit stay as they are.
+        target: the elastic spectrum.
+        fundamental_period: T1 of the frame, s; None: not known.
 
     Source: the rules of the target's code for a set, such as EN 1998-1:2004, 3.2.3.1.2(4).
     """
@@ -84,11 +96,11 @@ def prepare_motions(
     each: Callable[[Motion], None] = lambda motion: None,
     stop: Callable[[], bool] = lambda: False,
 ) -> dict[str, Motion]:
-    """Make recordings ready, several at a time.
+    """Process recordings, several at a time.
 
     Args:
         recordings: what was found, by reference.
-        prepare: makes one ready.
+        prepare: processes one recording.
         workers: threads.
         each: called with each motion in the order of `recordings`, as soon as it and those before it are ready.
         stop: asked before each; True leaves the rest out.
@@ -156,7 +168,12 @@ def project_motions(
 
 
 def match_options(project: Project, reference: str) -> MatchOptions | None:
-    """Return how the project wants a recording to be fitted; None if it is to stay as recorded."""
+    """Return how the project fits a recording to the spectrum; None if it stays as recorded.
+
+    Args:
+        project: the validated project.
+        reference: of the recording.
+    """
     name, _, recording = reference.partition("/")
     spec, choice = project.records[name].match, project.record_choice(name)
     if project.hazard is None:
@@ -172,6 +189,10 @@ def match_options(project: Project, reference: str) -> MatchOptions | None:
 def target_spectrum(project: Project, reference: str) -> Spectrum:
     """Return the spectrum that the project fits a recording to: one shape for all levels, or that of a level.
 
+    Args:
+        project: the project with the hazard.
+        reference: of the recording.
+
     Raises:
         InputError: the hazard of the project is wrong, or its code has no vertical spectrum here.
     """
@@ -184,7 +205,7 @@ def target_spectrum(project: Project, reference: str) -> Spectrum:
 
 
 def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) -> PairFit | None:
-    """Return how a pair of components is scaled; None for what is no pair, or is not fitted.
+    """Return how a pair of components is scaled; None for a single recording, or one that is not fitted.
 
     Args:
         project: the validated project.
@@ -203,7 +224,13 @@ def pair_fit(project: Project, reference: str, recordings: Mapping[str, Found]) 
 
 
 def expected_scale(project: Project, reference: str, recordings: Mapping[str, Found]) -> float:
-    """Return the factor that the fit of a recording begins with; 1 for one that is not fitted."""
+    """Return the factor with which the fit of a recording begins; 1 for one that is not fitted.
+
+    Args:
+        project: the validated project.
+        reference: of the recording.
+        recordings: what was found, by reference.
+    """
     options = match_options(project, reference)
     if options is None or project.hazard is None:
         return 1.0
@@ -239,7 +266,13 @@ def check_fits(project: Project, recordings: Mapping[str, Found]) -> None:
 
 
 def level_factor(project: Project, reference: str, level: str) -> float:
-    """Return the factor of a hazard level on what a recording is fitted to; 1 for one that is not."""
+    """Return the factor of a hazard level on a fitted recording; 1 for one that is not fitted.
+
+    Args:
+        project: the validated project.
+        reference: of the recording.
+        level: name of the hazard level.
+    """
     if project.hazard is None or match_options(project, reference) is None:
         return 1.0
     return factor_of_level(project.hazard, level)

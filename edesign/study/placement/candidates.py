@@ -25,7 +25,7 @@ _MIRROR: Mapping[Kind, Kind] = {"rising": "falling", "falling": "rising"}
 
 @dataclass(frozen=True)
 class Candidates:
-    """What the search for a placement chooses from.
+    """The frame, catalogue and layouts that the search for a placement chooses from.
 
     Attributes:
         project: that is studied, its laws at the temperature of the design.
@@ -46,7 +46,7 @@ class Candidates:
     heights: np.ndarray
 
     def equipped(self, layout: Layout) -> dict[Place, int]:
-        """The items at the places of a layout, by place, storey by storey."""
+        """Return the item at each equipped place of a layout, storey by storey."""
         found = {
             place: option
             for at, option in zip(self.space.positions, layout, strict=True)
@@ -56,7 +56,7 @@ class Candidates:
         return dict(sorted(found.items(), key=lambda item: (item[0][1], item[0][0])))
 
     def dampers(self, layout: Layout, amplitudes: Mapping[Place, float] | None = None) -> Dampers:
-        """The project's dampers with those of a layout in place of its devices; equal ones stand in one run.
+        """Return the project's dampers with those of a layout in place of its devices; equal ones stand in one run.
 
         Args:
             layout: of the space.
@@ -83,14 +83,19 @@ class Candidates:
         return before.model_copy(update={"devices": tuple(devices)})
 
     def kind(self, option: int, place: Place) -> Kind:
-        """How an item stands at a place."""
+        """Return the kind in which an item stands at a place, a leaning diagonal in mirrored halves included.
+
+        Args:
+            option: number of the item, from 1.
+            place: bay and storey, from 1.
+        """
         item = list(self.spec.catalogue.values())[option - 1]
         leaning = self.spec.limits.mirrored and 2 * place[0] > self.project.frame.n_bays + 1
         return _kind_at(item.kind or self.spec.kind, leaning)
 
 
 def make_candidates(project: Project, name: str, spec: PlacementDesign) -> Candidates:
-    """Build the frame with every item of the catalogue at every candidate place. Tuned masses are left out.
+    """Build the frame with every item of the catalogue at every candidate place, without tuned masses.
 
     Args:
         project: with the laws; checked by `check_placement`.

@@ -16,7 +16,7 @@ Proof = Literal["optimal", "optimal_if_monotone", "local", "local_if_monotone", 
 
 @dataclass(frozen=True)
 class Certificate:
-    """What is proved of the chosen layout.
+    """The proof about the chosen layout.
 
     Attributes:
         proof: `optimal`: every cheaper layout was analysed and missed a criterion; `local`: every cheaper one that
@@ -48,7 +48,7 @@ class Certificate:
 
     @property
     def sentence(self) -> str:
-        """The certificate in words."""
+        """The proof in words."""
         each = "each layout" if not self.met else "each cheaper layout"
         count = self.layouts if not self.met else self.cheaper
         if self.proof == "optimal":
@@ -77,7 +77,7 @@ class Certificate:
 
 
 def certify(knowledge: Knowledge, monotone: bool) -> Certificate:
-    """Find what is proved of the layout that a search chose.
+    """Return what is proved of the layout that a search chose.
 
     Args:
         knowledge: all that was analysed.

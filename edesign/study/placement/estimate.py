@@ -56,7 +56,7 @@ class LayoutEstimates:
         return self._known[layout]
 
     def amplitudes(self, layout: Layout) -> dict[Place, float] | None:
-        """Estimated deformation of dampers and braces at the equipped places of a layout, m; None if it fails."""
+        """Return the estimated deformation of damper and brace at each equipped place, m; None if it fails."""
         try:
             *_, found = self._vibration(layout)
         except (AnalysisError, np.linalg.LinAlgError):

@@ -19,7 +19,7 @@ _FEWEST = 3  # layouts from which the spread of ratios tells which response a cr
 
 @dataclass(frozen=True)
 class Analysed:
-    """A layout that histories have judged.
+    """A layout with the verdicts on its histories.
 
     Attributes:
         number: in the order of analysis, from 1.
@@ -34,12 +34,12 @@ class Analysed:
 
     @property
     def rank(self) -> tuple[int, float, Layout]:
-        """By which the least of those that meet the criteria is chosen: cost, worst ratio, and the layout itself."""
+        """The rank among layouts that meet the criteria: by cost, worst ratio, and the layout itself."""
         return self.cost, self.outcome.demand, self.layout
 
 
 class Knowledge:
-    """The layouts analysed so far.
+    """The layouts that were analysed so far.
 
     Args:
         space: of the layouts.
@@ -60,7 +60,15 @@ class Knowledge:
         return layout in self._at
 
     def add(self, layout: Layout, outcome: RoundOutcome) -> Analysed:
-        """Keep what histories said of a layout."""
+        """Add the outcome of a layout.
+
+        Args:
+            layout: the option at each position.
+            outcome: the verdicts on its histories.
+
+        Returns:
+            The layout with its cost and worst ratio.
+        """
         found = Analysed(len(self.analysed) + 1, layout, self.space.cost(layout), outcome)
         self.analysed.append(found)
         self._at[layout] = found
@@ -73,12 +81,12 @@ class Knowledge:
 
     @property
     def best(self) -> Analysed | None:
-        """The cheapest that meets all criteria; of equally cheap ones that with the smallest worst ratio."""
+        """The cheapest layout that meets all criteria; of equally cheap ones that with the smallest worst ratio."""
         return min((one for one in self.analysed if one.outcome.met), key=lambda one: one.rank, default=None)
 
     @property
     def nearest_miss(self) -> Analysed:
-        """The one with the smallest worst ratio, whatever it costs; for a search in which none met."""
+        """The layout with the smallest worst ratio whatever its cost, for searches in which none meets the criteria."""
         return min(self.analysed, key=lambda one: (one.outcome.demand, one.cost, one.layout))
 
     @property
@@ -87,12 +95,12 @@ class Knowledge:
         return self._rows(met=False)
 
     def harmed_by_more(self) -> int:
-        """How many layouts missed that have nowhere less than one that met: the assumption does not hold there."""
+        """The number of layouts that missed although they have nowhere less than one that met the criteria."""
         met, missed = self._rows(met=True), self._rows(met=False)
         return sum(bool(np.any(np.all(self.space.not_larger[met, row], axis=1))) for row in missed)
 
     def predicted(self, layouts: Sequence[Layout]) -> np.ndarray:
-        """Worst ratio of demand to limit that layouts will have, (layouts,), by those analysed that are most like them.
+        """Return the predicted worst ratio of demand to limit of layouts, (layouts,), from the nearest analysed ones.
 
         The ratio of a verdict goes with the estimated response that its ratios followed best so far, from where it was
         in the analysed layouts with the fewest other positions (their geometric mean).

@@ -36,7 +36,7 @@ _COUNTS = (
 def store_placement(
     group: Group, candidates: Candidates, knowledge: Knowledge, dampers: Dampers, proof: Certificate | None = None
 ) -> None:
-    """Add all that a search has found.
+    """Add the layouts, the chosen one and its proof to the group of a placement.
 
     Args:
         group: of the design.
@@ -59,7 +59,7 @@ def store_placement(
 
 
 def kept_outcomes(resume: Group | None) -> dict[Layout, RoundOutcome]:
-    """The outcomes of the layouts that an earlier run kept; None: there was none."""
+    """Return the outcomes of the layouts that an earlier run kept; empty without one."""
     if resume is None or "criterion_unit" not in resume.variables:
         return {}
     layouts = resume.variables["layout_option"].values.tolist()

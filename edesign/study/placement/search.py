@@ -190,5 +190,5 @@ class _Search:
 
 
 def chosen_of(knowledge: Knowledge) -> Analysed:
-    """The layout that a search chose: the best, or where none meets the criteria the nearest miss."""
+    """Return the chosen layout of a search: the best, or where none meets the criteria the nearest miss."""
     return knowledge.best or knowledge.nearest_miss

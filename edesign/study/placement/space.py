@@ -54,7 +54,7 @@ class Prices:
     unit: Decimal
 
     def value(self, cost: int) -> float:
-        """Cost in the currency of the file."""
+        """Return a cost in the currency of the file."""
         return float(cost * self.unit)
 
 
@@ -77,7 +77,7 @@ def make_prices(dampers: Sequence[float], numbers: Sequence[int], place: float, 
 
 @dataclass(frozen=True)
 class LayoutSpace:
-    """The layouts that are allowed.
+    """The layouts that the limits of a placement allow.
 
     Attributes:
         positions: bay by bay, upwards.
@@ -99,7 +99,7 @@ class LayoutSpace:
         return (0,) * len(self.positions)
 
     def cost(self, layout: Layout) -> int:
-        """What a layout costs, in units of the prices."""
+        """Return the cost of a layout in units of the prices."""
         equipped = [i for i, option in enumerate(layout) if option]
         own = sum(self.prices.items[layout[i]] * len(self.positions[i].places) for i in equipped)
         storeys = frozenset[int]().union(*(self._storeys[i] for i in equipped))
@@ -107,11 +107,11 @@ class LayoutSpace:
         return own + self.prices.storey * len(storeys) + self.prices.bay * len(bays)
 
     def dampers(self, layout: Layout) -> int:
-        """How many dampers a layout has."""
+        """Return the number of dampers of a layout."""
         return sum(self._dampers_at(i, option) for i, option in enumerate(layout))
 
     def allowed(self, layout: Layout) -> bool:
-        """Whether a layout of allowed options keeps the limits."""
+        """Return whether a layout of allowed options keeps the limits."""
         if self.most_dampers is not None and self.dampers(layout) > self.most_dampers:
             return False
         return all(
@@ -121,7 +121,7 @@ class LayoutSpace:
 
     @cached_property
     def size(self) -> int:
-        """How many layouts there are, counted exactly position by position, without making them."""
+        """The number of allowed layouts, counted exactly position by position without listing them."""
         done = {0: 1}  # layouts of the positions so far, by their number of dampers
         column: dict[int, int] = {}  # those whose last position is equipped, in a column that goes on upwards
         for i, at in enumerate(self.positions):
@@ -140,7 +140,12 @@ class LayoutSpace:
         return sum(done.values())
 
     def neighbours(self, layout: Layout, changes: int = 2) -> Iterator[Layout]:
-        """Allowed layouts that differ from one in one position, or in up to two."""
+        """Yield the allowed layouts that differ from one in one position, or in up to two.
+
+        Args:
+            layout: the option at each position.
+            changes: the largest number of positions that differ, 1 or 2.
+        """
         for i, at in enumerate(self.positions):
             for option in (0, *at.options):
                 if option == layout[i]:
@@ -157,7 +162,7 @@ class LayoutSpace:
                             yield two
 
     def listed(self, most: int | None, at_most: int = MOST_LISTED) -> np.ndarray | None:
-        """All layouts up to a cost, (layouts, positions); None if there are too many.
+        """Return all layouts up to a cost, (layouts, positions); None if there are too many.
 
         Args:
             most: cost that is not exceeded, in units of the prices; None: whatever the cost.
@@ -189,7 +194,12 @@ class LayoutSpace:
         return np.array(found, dtype=np.int8)
 
     def below_some(self, layouts: np.ndarray, larger: np.ndarray) -> np.ndarray:
-        """Which of some layouts (n, positions) have nowhere more than one of others (m, positions), (n,)."""
+        """Return which layouts have nowhere more than at least one of others, (n,).
+
+        Args:
+            layouts: (n, positions).
+            larger: (m, positions).
+        """
         below = np.zeros(len(layouts), dtype=bool)
         for other in larger:
             left = np.flatnonzero(~below)
@@ -197,7 +207,7 @@ class LayoutSpace:
         return below
 
     def above_all(self, layout: Layout) -> bool:
-        """Whether every layout has nowhere more than one."""
+        """Return whether every layout has nowhere more than one."""
         return all(
             self.not_larger[other, option]
             for at, option in zip(self.positions, layout, strict=True)

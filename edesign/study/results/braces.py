@@ -17,12 +17,12 @@ RECORDED = "recorded_brace"
 
 
 def buckling_braces(frame: FrameModel) -> list[Member]:
-    """The braces of a frame that buckle in the analysis."""
+    """Return the braces of a frame that buckle in the analysis."""
     return [member for member in frame.of_kind("brace") if member.yield_elongation is not None]
 
 
 def brace_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
-    """Return the extremes of the braces that buckle, and add their coordinate to the group; none: no brace does.
+    """Return the extremes of the braces that buckle, and add their coordinate to the group; none without such braces.
 
     Args:
         project: the validated project.
@@ -59,7 +59,7 @@ def brace_quantities(project: Project, frame: FrameModel, group: Group) -> list[
 
 
 def fracture_warnings(group: Group) -> list[AnalysisWarning]:
-    """Return which braces have broken in an analysis, in one warning."""
+    """Return one warning about the braces that have broken in an analysis."""
     share = group.variables.get("brace_broken_share_final")
     if share is None or not np.any(share.values > 0.0):
         return []
@@ -72,7 +72,12 @@ def fracture_warnings(group: Group) -> list[AnalysisWarning]:
 
 
 def recorded_braces(members: list[Member], group: Group) -> list[Quantity]:
-    """Return what is kept over time of those of `outputs.members` that are braces that buckle."""
+    """Return force, elongation and deflection over time of the recorded braces that buckle.
+
+    Args:
+        members: those of `outputs.members`.
+        group: of the history, to which the names of the braces are added.
+    """
     braces = [member for member in members if member.yield_elongation is not None]
     if not braces:
         return []

@@ -10,7 +10,12 @@ from edesign.study.results.recording import coordinate
 
 
 def coordinates(group: Group, frame: FrameModel) -> None:
-    """Add floors, storeys, members and member ends to a group."""
+    """Add floors, storeys, members and member ends to a group.
+
+    Args:
+        group: of an analysis.
+        frame: the model.
+    """
     storeys = np.arange(1, frame.frame.n_storeys + 1)
     coordinate(group, "floor", storeys, "1", "floor, the highest is the roof")
     coordinate(group, "storey", storeys, "1", "storey below the floor of the same number")
@@ -73,5 +78,5 @@ def _restrained_coordinates(group: Group, frame: FrameModel) -> None:
 
 
 def bending_members(frame: FrameModel) -> list[Member]:
-    """Columns, then beams."""
+    """Return the members with bending, columns before beams."""
     return [*frame.of_kind("column"), *frame.of_kind("beam")]

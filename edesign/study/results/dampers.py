@@ -7,7 +7,12 @@ from edesign.study.results.recording import Quantity, Terms
 
 
 def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
-    """Force, deformation and work of the dampers; with layers also their shear strain."""
+    """Return force, deformation and work of the dampers, and of those with layers their shear strain.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     numbers = [device.number for device in frame.devices]
     if not numbers:
         return []

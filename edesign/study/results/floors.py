@@ -11,21 +11,31 @@ from edesign.study.results.recording import Quantity, Terms
 
 
 def floor_displacements(frame: FrameModel, history: bool) -> Quantity:
-    """Horizontal displacement of each floor."""
+    """Return the horizontal displacement of each floor as a quantity to be recorded, m.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     cells = _floor_means(frame, "displacement")
     name = "horizontal displacement of the floor relative to the ground, mean over its nodes"
     return Quantity("floor_displacement", ("floor",), (len(cells),), cells, "m", name, history)
 
 
 def floor_accelerations(frame: FrameModel, history: bool) -> Quantity:
-    """Total horizontal acceleration of each floor."""
+    """Return the total horizontal acceleration of each floor as a quantity to be recorded, m/s2.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     cells = _floor_means(frame, "total_acceleration")
     name = "total horizontal acceleration of the floor, mean over its nodes"
     return Quantity("floor_acceleration", ("floor",), (len(cells),), cells, "m/s^2", name, history, ("max", "min"))
 
 
 def floor_relative_accelerations(frame: FrameModel) -> Quantity:
-    """Horizontal acceleration of each floor relative to the ground, as some programs report it."""
+    """Return the horizontal acceleration of each floor relative to the ground, m/s2, as some programs report it."""
     cells = _floor_means(frame, "acceleration")
     name = "horizontal acceleration of the floor relative to the ground, mean over its nodes"
     keep = ("max", "min")
@@ -33,14 +43,24 @@ def floor_relative_accelerations(frame: FrameModel) -> Quantity:
 
 
 def base_displacement(frame: FrameModel, history: bool) -> list[Quantity]:
-    """Horizontal displacement of an isolated base; nothing of a frame on its supports."""
+    """Return the horizontal displacement of an isolated base, m; nothing for a frame on its supports.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     name = "horizontal displacement of the isolated base relative to the ground"
     terms = _of_base(frame, "displacement")
     return [Quantity("base_displacement", (), (), terms, "m", name, history, tail=True)] if terms else []
 
 
 def base_acceleration(frame: FrameModel, history: bool) -> list[Quantity]:
-    """Total horizontal acceleration of an isolated base; nothing of a frame on its supports."""
+    """Return the total horizontal acceleration of an isolated base, m/s2; nothing for a frame on its supports.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     name, keep = "total horizontal acceleration of the isolated base", ("max", "min")
     terms = _of_base(frame, "total_acceleration")
     return [Quantity("base_acceleration", (), (), terms, "m/s^2", name, history, keep)] if terms else []

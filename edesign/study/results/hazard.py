@@ -17,7 +17,7 @@ PERIODS = np.concatenate([[0.0], np.geomspace(0.01, 10.0, 301)])  # s; 100 a dec
 
 
 def hazard_groups(hazard: Hazard | None) -> Iterator[tuple[str, Group]]:
-    """Yield place and group of the action, then of each of its levels; nothing without a hazard.
+    """Yield place and group of the seismic action, then of each of its levels; nothing without a hazard.
 
     Args:
         hazard: of the project, checked by its code.

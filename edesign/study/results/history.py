@@ -47,7 +47,7 @@ MOVING = ("node_displacement", "column_plastic_rotation", "beam_plastic_rotation
 
 
 class HistoryResults:
-    """What one history of a frame records, and its evaluation.
+    """The recorded quantities of one history of a frame, and their evaluation.
 
     Args:
         project: whose `outputs` and `validity` are asked.
@@ -114,7 +114,7 @@ class HistoryResults:
         return self._drift.values(response)
 
     def group(self, response: Response, acceleration: np.ndarray, time_step: float, period: float, every: int) -> Group:
-        """Return the results of the history, once.
+        """Return the results of the history; it may be called once.
 
         Args:
             response: with `channels`, and a tail of a fundamental period at least.

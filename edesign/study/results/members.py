@@ -13,7 +13,7 @@ END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the
 
 
 def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
-    """Forces on both ends of members, in the axes of the member.
+    """Return the forces on both ends of members, in the axes of the member, as quantities to be recorded.
 
     Args:
         frame: the model.
@@ -37,7 +37,7 @@ def member_forces(frame: FrameModel, members: list[Member], dim: str, history: b
 
 
 def axial_forces(frame: FrameModel) -> list[Quantity]:
-    """Axial forces of columns and of braces, positive in tension."""
+    """Return the axial forces of columns and of braces, positive in tension, N."""
     found = []
     for kind in ("column", "brace"):
         members = frame.of_kind(kind)
@@ -49,7 +49,7 @@ def axial_forces(frame: FrameModel) -> list[Quantity]:
 
 
 def leaning_column_forces(frame: FrameModel) -> list[Quantity]:
-    """Axial force of the struts of the leaning column, and how it pulls at the floors; none without one."""
+    """Return the axial forces of the leaning column and its pull on the floors, N; none without one."""
     if frame.leaning is None:
         return []
     elements = frame.leaning.elements
@@ -77,7 +77,7 @@ def leaning_column_forces(frame: FrameModel) -> list[Quantity]:
 
 
 def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity]:
-    """Plastic rotations of the ends of columns and beams; members that stay elastic have none.
+    """Return the plastic rotations of the ends of columns and beams, rad; members that stay elastic have none.
 
     Args:
         frame: the model.
@@ -95,6 +95,11 @@ def plastic_rotations(frame: FrameModel, history: bool = False) -> list[Quantity
 
 
 def plastic_rotation(member: Member, end: int) -> Terms:
-    """Plastic rotation of the start (0) or end (1) of a member: of its fibres, hinges and joints."""
+    """Return the plastic rotation of a member's end as a sum of those of its fibres, hinges and joints.
+
+    Args:
+        member: the member.
+        end: 0 for its start, 1 for its end.
+    """
     fibres: Terms = ((1.0, "plastic_rotation", member.element, end),) if member.layers is not None else ()
     return fibres + tuple((1.0, "plastic_rotation", s.element, 0) for s in member.springs[end] if s.yields)

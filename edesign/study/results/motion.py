@@ -35,7 +35,7 @@ def node_displacements(frame: FrameModel, group: Group) -> Quantity:
 
 
 def picture_stride(time: np.ndarray) -> int:
-    """Return one in how many samples is a picture.
+    """Return the number of samples from one picture to the next.
 
     Args:
         time: of the samples, evenly spaced, s.
@@ -60,6 +60,11 @@ def store_motion(group: Group, quantities: Sequence[Quantity], response: Respons
 
 
 def without_histories(quantities: Sequence[Quantity], moving: Sequence[Quantity]) -> list[Quantity]:
-    """Return quantities of which those that `store_motion` stores keep their extremes only."""
+    """Return quantities, without the histories of those that `store_motion` stores.
+
+    Args:
+        quantities: all that are recorded.
+        moving: those that `store_motion` stores at the times of the pictures.
+    """
     named = {quantity.name for quantity in moving}
     return [replace(one, history=False) if one.name in named else one for one in quantities]

@@ -21,7 +21,7 @@ _SUFFIX = {"max": "largest value", "min": "smallest value", "final": "at the end
 
 @dataclass(frozen=True)
 class Quantity:
-    """A quantity that is recorded for each floor, storey, member or member end.
+    """A quantity that an analysis records for each floor, storey, member or member end.
 
     Attributes:
         name: of its variables; `_max`, `_min` and `_final` are appended for extremes over time and the last value.
@@ -45,19 +45,19 @@ class Quantity:
 
     @property
     def keys(self) -> dict[int, str]:
-        """Name of the channel of each component that has terms."""
+        """The name of the channel of each component that has terms, by its index."""
         return {i: self._key(i) for i, terms in enumerate(self.cells) if terms}
 
     def channels(self) -> list[Channel]:
-        """Channels of the components that have terms."""
+        """Return the channels of the components that have terms."""
         return [Channel(key, self.cells[i], self.history, self.tail) for i, key in self.keys.items()]
 
     def values(self, response: Response) -> np.ndarray:
-        """Values at every time that was kept, shape (nt, *shape)."""
+        """Return the values at every time that was kept, (nt, *shape)."""
         return self._columns(response.values, response.time.size)
 
     def last_values(self, response: Response) -> np.ndarray:
-        """Values in the last steps, shape (steps, *shape)."""
+        """Return the values in the last steps, (steps, *shape)."""
         return self._columns(response.tail, max((column.size for column in response.tail.values()), default=1))
 
     def _columns(self, found: Mapping[str, np.ndarray], rows: int) -> np.ndarray:
@@ -67,7 +67,12 @@ class Quantity:
         return columns.reshape(-1, *self.shape)
 
     def extreme(self, response: Response, which: str) -> np.ndarray:
-        """`max` or `min` over time, or the `final` value, shape (*shape,)."""
+        """Return an extreme over time, or the final value, (*shape,).
+
+        Args:
+            response: of the analysis.
+            which: `max`, `min` or `final`.
+        """
         found = {"max": response.maximum, "min": response.minimum, "final": response.final}[which]
         return np.array([found[self._key(i)] if terms else 0.0 for i, terms in enumerate(self.cells)]).reshape(
             self.shape
@@ -78,7 +83,7 @@ class Quantity:
 
 
 def channels(quantities: Iterable[Quantity]) -> list[Channel]:
-    """Channels of all quantities.
+    """Return the channels of all quantities.
 
     Raises:
         ValueError: two quantities have the same name and dimensions (a mistake of the caller, not of the user).
@@ -113,7 +118,15 @@ def store(
 
 
 def coordinate(group: Group, name: str, values: object, unit: str, long_name: str) -> None:
-    """Add a coordinate to a group."""
+    """Add a coordinate to a group.
+
+    Args:
+        group: of an analysis.
+        name: of the coordinate and its dimension.
+        values: numbers or texts, (n,).
+        unit: "1" for counts, "" for texts.
+        long_name: description for readers.
+    """
     group.coords[name] = Variable((name,), np.asarray(values), unit, long_name)
 
 

@@ -77,7 +77,7 @@ def criteria(
     fundamental_period: float | None,
     variant_periods: Mapping[str, float] | None = None,
 ) -> tuple[Criterion, ...]:
-    """Check recordings that were fitted against the code's criteria for a set of them.
+    """Return the verdicts of the code's criteria on a set of recordings that were fitted.
 
     Args:
         motions: those that could not be fitted are left out.
@@ -128,7 +128,12 @@ def _checked(matches: Sequence[Match], target: Spectrum, fundamental_period: flo
 
 
 def failed_criteria(name: str, group: Group) -> list[str]:
-    """Return a sentence for each criterion of the mean of a suite that is not met, from its group."""
+    """Return one sentence for each criterion on the mean of a suite that is not met.
+
+    Args:
+        name: of the suite.
+        group: of the suite in the archive.
+    """
     return [
         f"records {name}: not met: {found['clause']}, {found['text']}: {found['value']:.3g} {found['unit']}".rstrip()
         + f", required {found['required']:.3g}"
@@ -198,7 +203,7 @@ def suite_groups(
 
 
 def record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
-    """Return a recording: samples, spectrum, measures, origin, and if it was fitted all that came of it.
+    """Return the archived group of a recording: samples, spectrum, measures, origin, and its fit if it has one.
 
     Args:
         motion: the recording.

@@ -15,7 +15,12 @@ from edesign.study.results.recording import Quantity, Terms, coordinate
 
 
 def requested_quantities(project: Project, frame: FrameModel, group: Group) -> list[Quantity]:
-    """Return the quantities behind `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
+    """Return the quantities of `outputs.members`, `sections` and `fibres`, and add their coordinates to the group.
+
+    Args:
+        project: the validated project.
+        frame: the model.
+        group: of the history.
 
     Raises:
         InputError: a member, point or layer does not exist, or the member is elastic and has no sections.

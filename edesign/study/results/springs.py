@@ -28,7 +28,12 @@ _SUPPORT = (
 
 
 def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
-    """Return the hinges or joints of a frame by their names, such as B_1_2:start."""
+    """Return the hinges or joints of a frame by their names, such as B_1_2:start.
+
+    Args:
+        frame: the model.
+        kind: hinges or joints.
+    """
     return {
         f"{member.name}:{END_NAMES[end]}": spring
         for member in frame.members.values()
@@ -39,7 +44,12 @@ def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
 
 
 def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
-    """Return what is recorded of hinges, joints, panel zones and sprung supports; add what they are to a group."""
+    """Return the recorded quantities of hinges, joints, panel zones and sprung supports, and add them to a group.
+
+    Args:
+        frame: the model.
+        group: of the analysis, to which names and properties of the springs are added.
+    """
     found = []
     for kind in _KINDS:
         springs = end_springs(frame, kind)

@@ -16,25 +16,39 @@ from edesign.study.results.recording import Quantity, Terms
 
 
 def storey_drifts(frame: FrameModel, history: bool) -> Quantity:
-    """Drift ratio of each storey; its extremes are stored by `store_drift_extremes`."""
+    """Return the drift ratio of each storey, a mean over its column lines, as a quantity to be recorded.
+
+    Its extremes are stored by `store_drift_extremes`.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     cells = tuple(_mean(lines) for lines in _line_drifts(frame))
     name = "drift ratio of the storey, mean over its column lines"
     return Quantity("storey_drift", ("storey",), (len(cells),), cells, "1", name, history, ("final",))
 
 
 def line_drifts(frame: FrameModel) -> Quantity:
-    """Drift ratio of each storey on every column line, one after the other; not stored as such."""
+    """Return the drift ratio of each storey on every column line, one after the other; it is not archived."""
     cells = tuple(terms for lines in _line_drifts(frame) for terms in lines)
     return Quantity("line_drift", ("line_drift",), (len(cells),), cells, "1", "drift ratio on a column line", keep=())
 
 
 def line_drift_storeys(frame: FrameModel) -> list[int]:
-    """The storey, from 1, of each component of `line_drifts`."""
+    """Return the storey, from 1, of each component of `line_drifts`."""
     return [storey for storey, lines in enumerate(_line_drifts(frame), start=1) for _ in lines]
 
 
 def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, response: Response) -> None:
-    """Add the extremes of the storey drifts over time and column lines; `drifts` is what `line_drifts` gave."""
+    """Add the extremes of the storey drifts over time and column lines to a group.
+
+    Args:
+        group: of the analysis.
+        frame: the model.
+        drifts: as `line_drifts` gives them.
+        response: of the analysis.
+    """
     counts = [len(lines) for lines in _line_drifts(frame)]
     starts = np.concatenate(([0], np.cumsum(counts)[:-1]))
     largest = np.maximum.reduceat(drifts.extreme(response, "max"), starts)
@@ -45,7 +59,12 @@ def store_drift_extremes(group: Group, frame: FrameModel, drifts: Quantity, resp
 
 
 def storey_shears(frame: FrameModel, history: bool) -> Quantity:
-    """Horizontal force in all columns and braces of each storey, second-order terms included."""
+    """Return the horizontal force in all columns and braces of each storey, second-order terms included, N.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     cells: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
     for line, storey in frame.frame.column_at:
         element = frame.members[names.column_name(line, storey)].at_end(1)

@@ -8,7 +8,12 @@ from edesign.study.results.recording import Quantity, Terms, coordinate
 
 
 def base_shear(frame: FrameModel, history: bool) -> Quantity:
-    """The sum of the horizontal reactions, that of the leaning column too, with the sign of the loads they carry."""
+    """Return the base shear: minus the sum of the horizontal reactions, that of a leaning column included, N.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     held = [name for name, fixed in frame.supports.items() if fixed[0]]
     terms = tuple((-factor, kind, node, at) for name in held for factor, kind, node, at in frame.reaction(name, 0))
     if frame.leaning is not None:
@@ -18,11 +23,15 @@ def base_shear(frame: FrameModel, history: bool) -> Quantity:
 
 
 def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
-    """Reactions of each support, gravity included, and their moment; adds the names of the supports to the group.
+    """Return the reactions of each support, gravity included, and the overturning moment over time.
 
     A vertical reaction is positive upwards, so that a negative one is uplift. The overturning moment is that of all
     reactions about the point of the base midway between the outer supports, positive for loads to the right. The foot
     of a leaning column is no support of the frame: where it stands is not known.
+
+    Args:
+        frame: the model.
+        group: of the history, to which the names of the supports are added.
     """
     supports = frame.supports
     coordinate(group, "support", list(supports), "", "node that is supported")
@@ -61,7 +70,12 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
 
 
 def isolator_axial_forces(frame: FrameModel, keep: tuple[str, ...] = ("max", "min", "final")) -> list[Quantity]:
-    """Axial force of each isolator, positive in tension, as of columns; nothing of a frame on its supports."""
+    """Return the axial force of each isolator, positive in tension, N; nothing for a frame on its supports.
+
+    Args:
+        frame: the model.
+        keep: which of max, min and final are stored.
+    """
     if frame.isolated is None:
         return []
     feet = [isolator.foot for isolator in frame.isolated.isolators]

@@ -84,7 +84,19 @@ def analyse(
     progress: Callable[[int, int], None],
     stop: Callable[[], bool],
 ) -> Group:
-    """Run one analysis, as a back end calls it."""
+    """Run one analysis, as a back end calls it.
+
+    Args:
+        project: the validated project of the variant.
+        spec: the analysis.
+        motion: the record made ready; None: the analysis needs none.
+        vertical: the record of the vertical motion; None: there is none of its own.
+        progress: called with (steps done, steps).
+        stop: asked now and then; True ends the analysis.
+
+    Returns:
+        The results, which also tell how the analysis ended.
+    """
     return run_analysis(project, spec, progress=progress, stop=stop, motion=motion, vertical=vertical)
 
 
@@ -96,5 +108,17 @@ def analyse_stripe(
     progress: Callable[[int, int], None],
     stop: Callable[[], bool],
 ) -> Group:
-    """Run one history of an incremental study, as a back end calls it; nothing over time is kept."""
+    """Run one history of an incremental study, as a back end calls it; nothing is kept over time.
+
+    Args:
+        project: the validated project of the variant.
+        spec: the history.
+        motion: the record made ready.
+        vertical: the record of the vertical motion; None: there is none of its own.
+        progress: called with (steps done, steps).
+        stop: asked now and then; True ends the history.
+
+    Returns:
+        The results without histories.
+    """
     return analyse(project, spec, motion, vertical, progress, stop).without("time")

@@ -13,7 +13,7 @@ at the intensities above."""
 
 @dataclass(frozen=True)
 class Outcome:
-    """How one analysis ended.
+    """The status, reason and duration of one analysis.
 
     Attributes:
         name: of the analysis.
@@ -31,13 +31,13 @@ class Outcome:
 
     @property
     def failed(self) -> bool:
-        """Whether it is a failure of the run; a collapse that is looked for is none."""
+        """Whether the analysis counts as a failure of the run; a collapse that is looked for does not."""
         return self.status not in (COMPLETED, COLLAPSED, SKIPPED)
 
 
 @dataclass(frozen=True)
 class RunSummary:
-    """What a run did.
+    """The outcomes of a run.
 
     Attributes:
         archive: the finished archive.

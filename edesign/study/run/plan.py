@@ -71,23 +71,23 @@ class Task:
 
     @property
     def path(self) -> str:
-        """Where its results lie in the archive."""
+        """The place of the results in the archive."""
         return f"{ANALYSES}/{self.name}"
 
     @property
     def record(self) -> str | None:
-        """Reference of the record that it needs."""
+        """The reference of the record of the history; None for other analyses."""
         return getattr(self.spec, "record", None)
 
     @property
     def vertical_record(self) -> str | None:
-        """Reference of the record of its vertical motion, if that is another one."""
+        """The reference of the record of the vertical motion, if it is another one."""
         vertical = getattr(self.spec, "vertical", None)
         return None if vertical is None else vertical.record
 
     @property
     def labels(self) -> dict[str, str | int | float | None]:
-        """What identifies the analysis: order, name, kind, variant, record, level (None where not applicable).
+        """The labels of the analysis: order, name, kind, variant, record, level (None where not applicable).
 
         In a study also temperature_C, and incremental and intensity.
         """
@@ -137,7 +137,7 @@ def make_plan(project: Project, only: Sequence[str] = ()) -> tuple[Task, ...]:
 
 
 def waves(tasks: Iterable[Task]) -> list[list[Task]]:
-    """Sort a plan into what may run side by side: all that is no incremental study, then intensity by intensity."""
+    """Return a plan in parts that may run side by side: all but incremental studies, then intensity by intensity."""
     found: dict[int, list[Task]] = defaultdict(list)
     for task in tasks:
         found[-1 if task.stripe is None else task.stripe.step].append(task)
@@ -145,7 +145,12 @@ def waves(tasks: Iterable[Task]) -> list[list[Task]]:
 
 
 def selected(tasks: Sequence[Task], only: Sequence[str], path: Path) -> tuple[Task, ...]:
-    """Restrict a plan to names of its analyses or entries; all if there are none.
+    """Return the analyses of a plan that have given names or entries; all if none are given.
+
+    Args:
+        tasks: the plan.
+        only: names of analyses or entries.
+        path: of the file, for messages.
 
     Raises:
         InputError: a name is of none.

@@ -39,11 +39,11 @@ Listener = Callable[[Progress], None]
 
 
 def silent(report: Progress) -> None:
-    """Listen to nothing."""
+    """Ignore a report."""
 
 
 class Tally:
-    """How far a whole run is, by what it told.
+    """The progress of a whole run, from the reports of its analyses.
 
     Attributes:
         count: analyses in the plan.
@@ -76,13 +76,13 @@ class Tally:
 
     @property
     def fraction(self) -> float:
-        """Done part of the plan, 0 to 1, with the parts of analyses that run."""
+        """The share of the plan that is done, 0 to 1, parts of running analyses included."""
         parts = sum(fraction for _, fraction in self._running.values())
         return min((self.done + parts) / self.count, 1.0) if self.count else 0.0
 
     @property
     def left(self) -> float | None:
-        """Estimate of the remaining time (s); None as long as nothing is known.
+        """The estimate of the remaining time, s; None as long as nothing is known.
 
         Those still to come are taken to last as the latest that ended and as those that run will, on as many workers
         as were seen at the same time; nothing can end before the longest of those that run.

@@ -32,7 +32,7 @@ CODE = (".py", ".so", ".pyd", ".csv", ".yaml", ".json")  # of files that results
 
 
 def code_checksum() -> str:
-    """Return the SHA-256 of the installed package, so that results of two states of one version are never mixed."""
+    """Return the SHA-256 of the installed package, which keeps results of different states of one version apart."""
     package = Path(edesign.__file__).parent
     checksum = hashlib.sha256()
     for path in sorted(path for path in package.rglob("*") if path.suffix in CODE and path.is_file()):
@@ -42,7 +42,7 @@ def code_checksum() -> str:
 
 
 def input_checksum(project: Project, records: Mapping[str, str]) -> str:
-    """Return the SHA-256 of all that a run reads.
+    """Return the SHA-256 of all files that a run reads.
 
     Args:
         project: its text counts, and the files of its laws of dampers and of its hazard.
@@ -96,7 +96,12 @@ def _add_file(group: Group, name: str, what: str, file: str, content: bytes) -> 
 
 
 def add_hazard_files(group: Group, hazard: Hazard | None) -> None:
-    """Add the texts of the files that a hazard names to the root of an archive."""
+    """Add the texts of the files that a hazard names to the root of an archive.
+
+    Args:
+        group: the root of the archive.
+        hazard: of the project; None: it has none.
+    """
     for name, file in hazard_files(hazard).items():
         _add_file(group, name, "hazard file", *file)
 
@@ -130,7 +135,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
 
 
 def versions() -> dict[str, str]:
-    """Return what identifies the program that computes: versions, and the checksum of the package."""
+    """Return the version and the package checksum of the program that computes."""
     return {
         "edesign_version": __version__,
         "core_version": core.version(),
@@ -140,7 +145,7 @@ def versions() -> dict[str, str]:
 
 
 def libraries() -> dict[str, str]:
-    """Return the versions of what also computes numbers: their results may differ in the last digits."""
+    """Return the versions of numerical libraries, which may change the last digits of results."""
     return {
         "numpy": np.__version__,
         "scipy": scipy.__version__,
@@ -150,7 +155,7 @@ def libraries() -> dict[str, str]:
 
 
 def circumstances() -> Group:
-    """Return moment, machine and versions of others: all that may differ between runs with equal results."""
+    """Return time, machine and versions of other libraries: whatever may differ between runs with equal results."""
     from edesign.archive.hdf5 import library_versions  # it loads h5py, which a check does not need
 
     return Group(

@@ -116,7 +116,14 @@ def run_study(
 
 
 def default_archive_path(source: Project | Study, only: Sequence[str] = ()) -> Path:
-    """Return where a run writes: what the file says; with `only`, an archive beside it that spares the full one."""
+    """Return the path of the archive of a run, as the file gives it.
+
+    A run of some analyses alone has an archive of its own beside the full one.
+
+    Args:
+        source: the project or study.
+        only: names of the analyses to which the run is restricted; empty: all.
+    """
     path = source.archive_path
     if not only:
         return path

@@ -27,7 +27,7 @@ Prepared = Callable[[Task], tuple[Project, PlannedAnalysis]]
 
 @dataclass(frozen=True)
 class Job:
-    """What is to be run.
+    """The plan of a run with its records and archive.
 
     Attributes:
         path: of the project or study file.
@@ -75,25 +75,31 @@ class RunState:
         self.resumable = tuple(place for place in self.job.resumable if place in self.writer.kept)
 
     def tell(self, report: Progress) -> None:
-        """Hand a report to the listener, one at a time."""
+        """Send a report to the listener, one at a time."""
         with self._lock:
             self.listener(report)
 
     def note(self, message: str) -> None:
-        """Tell the user something that also stands in the summary."""
+        """Report a message to the user that also stands in the summary."""
         self.notes.append(message)
         self.say(message)
 
     def say(self, message: str) -> None:
-        """Tell the user how far something is; it does not stand in the summary."""
+        """Report the progress of a part of the run to the user; it does not stand in the summary."""
         self.tell(Progress("note", message=message, count=len(self._places)))
 
     def stopped(self) -> bool:
-        """Whether the user wants the run to stop."""
+        """Return whether the user wants the run to stop."""
         return self.stop.is_set()
 
     def progress(self, name: str, done: int, total: int) -> None:
-        """Report how far an analysis is."""
+        """Report the progress of an analysis.
+
+        Args:
+            name: of the analysis.
+            done: steps done.
+            total: steps in all.
+        """
         self._report("advance", name, done / total if total else 1.0)
 
     def started(self, name: str) -> None:
@@ -118,7 +124,7 @@ class RunState:
         self.tell(Progress(event, name, place, len(self._places), fraction, message, seconds))
 
     def results(self, calls: Sequence[Call]) -> Iterator[Result]:
-        """Have calls made by the back end; what was interrupted is left out, and nothing starts after a stop."""
+        """Yield the results of calls from the back end without interrupted ones; nothing starts after a stop."""
         if self.stopped():
             return
         for result in self.backend.results(calls, self, self.started):
@@ -126,7 +132,12 @@ class RunState:
                 yield result
 
     def archive(self, path: str, group: Group) -> None:
-        """Write a group, which a second Ctrl-C does not interrupt."""
+        """Write a group to the archive, which a second Ctrl-C does not interrupt.
+
+        Args:
+            path: place in the archive.
+            group: what is written.
+        """
         with self.uninterrupted():
             self.writer.write(path, group)
         if path in self.job.resumable:

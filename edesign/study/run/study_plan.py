@@ -123,7 +123,12 @@ def _history(
 
 
 def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) -> tuple[str, ...]:
-    """References of recordings: a record itself, all of a suite, or one of a suite as SUITE/ID.
+    """Return the references of recordings: a record itself, all of a suite, or one of a suite as SUITE/ID.
+
+    Args:
+        study: the validated study.
+        names: of records, suites, or recordings of suites.
+        keys: key path of the names in the study file, for messages.
 
     Raises:
         InputError: a suite has no such recording; the message names the place in the study file.
@@ -143,18 +148,33 @@ def recordings(study: Study, names: Sequence[str], keys: tuple[str | int, ...]) 
 
 
 def wanted_designs(study: Study, plan: Sequence[Task]) -> tuple[str, ...]:
-    """Names of the designs that the variants of a plan have, in the order of the file."""
+    """Return the names of the designs that the variants of a plan have, in the order of the file.
+
+    Args:
+        study: the validated study.
+        plan: its analyses.
+    """
     wanted = {study.variants[task.variant].design for task in plan}
     return tuple(name for name in study.designs if name in wanted)
 
 
 def verification_records(study: Study, name: str) -> tuple[str, ...]:
-    """References of the recordings that a design of a study is verified with."""
+    """Return the references of the recordings that a design of a study is verified with.
+
+    Args:
+        study: the validated study.
+        name: of the design.
+    """
     verify = study.designs[name].verify
     return recordings(study, verify.records, ("designs", name, "verify", "records")) if verify is not None else ()
 
 
 def histories_of_a_round(study: Study, name: str) -> int:
-    """How many histories one round of a design's verification takes: its recordings at all its levels."""
+    """Return the number of histories in one round of a design's verification, its recordings at all its levels.
+
+    Args:
+        study: the validated study.
+        name: of the design.
+    """
     verify = study.designs[name].verify
     return len(verification_records(study, name)) * len(verify.levels or ("",)) if verify is not None else 0

@@ -40,7 +40,7 @@ from edesign.study.design.results import of_storeys
 
 
 class ElastomerDesigner(Designer[Sizing]):
-    """A design with its building, elastomer and action at hand.
+    """The sizing and verification of a design of dampers with layers of elastomer.
 
     Raises:
         InputError: the law has no layers.
@@ -68,7 +68,7 @@ class ElastomerDesigner(Designer[Sizing]):
         self._relaxed, self._relax = math.nan, Relaxation()
 
     def make(self, value: float) -> Sizing:
-        """The dampers for a value of what the loop changes."""
+        """Size the dampers for a value of the quantity that the loop changes."""
         spec = self.spec
         area = value if self.changed == "area" else 1.0
         thickness = value if self.changed == "thickness" else 1.0
@@ -85,7 +85,7 @@ class ElastomerDesigner(Designer[Sizing]):
         return size_by_strain_energy(*args)
 
     def range(self) -> tuple[float, float]:
-        """First and largest value of what the loop changes."""
+        """Return the first and the largest value of the quantity that the loop changes."""
         spec = self.spec
         if self.changed != "target":
             return 1.0, LARGEST_FACTOR
@@ -102,7 +102,7 @@ class ElastomerDesigner(Designer[Sizing]):
         return spec.damping, max(limit, spec.damping)
 
     def dampers(self, sizing: Sizing) -> Dampers:
-        """The project's dampers with those of a sizing."""
+        """Return the project's dampers with those of a sizing."""
         building = self.building
         brace = None if sizing.brace is None else sizing.brace / building.attachment()
         size: dict[str, object] = {
@@ -118,11 +118,16 @@ class ElastomerDesigner(Designer[Sizing]):
         return sized_dampers(building, self.spec, brace, size)
 
     def size(self, sizing: Sizing) -> Mapping[str, float | np.ndarray]:
-        """Strain, thickness and areas."""
+        """Return strain, layer thickness and layer areas of a sizing, by the name of the archived variable."""
         return {"strain": sizing.strain, "layer_thickness": sizing.thickness, "layer_area": sizing.area}
 
     def strain(self, sizing: Sizing, histories: Mapping[str, Group]) -> float:
-        """Effective strain of the layers in the histories at the level of the design, else at the first level."""
+        """Return the effective strain of the layers in the histories at the level of the design, else at the first.
+
+        Args:
+            sizing: the dampers of the round.
+            histories: results of its histories, by name.
+        """
         levels = {str(group.attributes.get("level") or "") for group in histories.values()}
         verify = self.spec.verify
         at = self.spec.level if self.spec.level in levels or verify is None or not verify.levels else verify.levels[0]
@@ -130,7 +135,7 @@ class ElastomerDesigner(Designer[Sizing]):
         return history_strain(self.building.at_places(sizing.stiffness), chosen)
 
     def settled(self, last: Round[Sizing]) -> bool:
-        """Whether the strain of the design is that of its histories; if not, the share of the estimate is changed."""
+        """Return whether the strain agrees with the histories, and adapt the estimated share if it does not."""
         verify, outcome = self.spec.verify, last.outcome
         if self.spec.strain != "histories" or verify is None or outcome is None:
             return True
@@ -144,7 +149,12 @@ class ElastomerDesigner(Designer[Sizing]):
         return False
 
     def group(self, done: Search[Sizing], status: str) -> Group:
-        """Everything that was found."""
+        """Return the archived group of a design of dampers with layers of elastomer.
+
+        Args:
+            done: all rounds and the chosen one.
+            status: completed, failed, interrupted or checked.
+        """
         spec, building, sizing = self.spec, self.building, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_elastomer_sizing(group, building, spec, sizing)

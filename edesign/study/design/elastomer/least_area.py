@@ -22,7 +22,7 @@ def least_area(
     thickness: float,
     start: np.ndarray | None = None,
 ) -> np.ndarray:
-    """k_D of each storey with dampers, (s,) N/m, least in sum, for which no storey drifts more than `drift`.
+    """Return the storage stiffnesses k_D of least sum with which no storey drifts more than the target, (s,) N/m.
 
     All layers have one thickness and modulus, so area is in proportion to stiffness. The drifts are estimated by the
     response spectrum of the frame with dampers and braces. Sequential quadratic programming finds a local optimum.

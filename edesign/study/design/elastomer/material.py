@@ -21,7 +21,7 @@ from edesign.study.design.building import law_at
 
 @dataclass(frozen=True)
 class Moduli:
-    """Storage modulus (Pa) and loss factor at one frequency, and what is doubtful about them."""
+    """Storage modulus (Pa) and loss factor of an elastomer at one frequency, with the doubts about them."""
 
     G_storage: float
     loss_factor: float
@@ -37,7 +37,7 @@ Material = Callable[[float], Elastomer]
 
 
 def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, temperature_C: float | None) -> Material:
-    """The elastomer of a design at a temperature (degC; None: that of the law or of the reference).
+    """Return the elastomer of a design at a temperature as a function of strain and frequency.
 
     Two frequencies of the design stand for the mean of the properties at both; one is taken whatever the frequency.
 
@@ -46,7 +46,10 @@ def material(project: Project, name: str, spec: ElastomerDesign, folder: Path, t
         name: of the design, for messages.
         spec: the design.
         folder: that property files are relative to.
-        temperature_C: degC.
+        temperature_C: degC; None: that of the law or of the reference.
+
+    Returns:
+        The function that gives the properties at a strain, as a function of the frequency in Hz.
 
     Raises:
         InputError: the table cannot be read, or the law has no parameters at this temperature.
@@ -93,7 +96,12 @@ def _at(
 
 
 def law_moduli(law: DeviceLaw, strain: float, frequency: float) -> Moduli:
-    """Moduli of a law in steady vibration of its prototype: first harmonic of force over deformation.
+    """Return the moduli of a law in steady vibration of its prototype, by the first harmonic of its force.
+
+    Args:
+        law: the law with the layers of its prototype.
+        strain: amplitude of the shear strain.
+        frequency: Hz.
 
     Raises:
         InputError: the law stores or dissipates nothing.

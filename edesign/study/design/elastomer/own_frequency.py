@@ -21,7 +21,7 @@ def at_own_frequency(
     brace: np.ndarray | None,
     start: float,
 ) -> tuple[Moduli, np.ndarray, LinearModes]:
-    """Follow the frequency until it agrees.
+    """Iterate until the elastomer's properties are those at the first frequency of the frame with its dampers.
 
     Args:
         building: the frame with its places.

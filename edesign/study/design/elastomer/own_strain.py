@@ -25,7 +25,7 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class AtStrain(Generic[T]):
-    """Something found with the properties at a strain.
+    """A result with the elastomer's properties at one strain.
 
     Attributes:
         found: what it is.
@@ -41,7 +41,7 @@ class AtStrain(Generic[T]):
 
 
 def effective_strain(stiffness: np.ndarray, strain: np.ndarray) -> float:
-    """The one strain whose properties stand for dampers that strain differently.
+    """Return the one strain whose properties stand for dampers that strain differently.
 
     The mean of the strains, each weighted with the energy of its damper. With it the sums of stored and of lost energy
     are right to first order: both go with G(gamma) V gamma^2, and the terms in the slope of G cancel.
@@ -57,7 +57,7 @@ def effective_strain(stiffness: np.ndarray, strain: np.ndarray) -> float:
 def reached_strain(
     building: Building, action: Action, k_D: np.ndarray, loss_factor: float, brace: np.ndarray | None, thickness: float
 ) -> float:
-    """Effective strain of dampers at the peaks that the response spectrum estimates.
+    """Return the effective strain of dampers at the peaks that the response spectrum estimates.
 
     Args:
         building: the frame with its places.
@@ -73,7 +73,7 @@ def reached_strain(
 
 
 def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
-    """Effective strain of dampers in histories, from the mean over the completed ones of the peak of each damper.
+    """Return the effective strain of dampers in histories, from the mean of the peaks of completed histories.
 
     Args:
         k_D: storage stiffness of the damper at each place, (d,) N/m.
@@ -91,7 +91,16 @@ def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
 
 
 def start_strain(building: Building, spec: ElastomerDesign, action: Action | None, thickness: float) -> float:
-    """The strain at which properties are first taken: given; or as without dampers, but not beyond `strain_limit`."""
+    """Return the strain at which properties are first taken.
+
+    It is the strain of the design, or that of dampers without stiffness, at most `strain_limit`.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        action: the spectrum; None: the design gives its strain.
+        thickness: of a layer, m.
+    """
     if not isinstance(spec.strain, str):
         return spec.strain
     assert action is not None, "check_design wants a level"
@@ -106,16 +115,19 @@ def at_own_strain(
     reached: Callable[[T], float],
     start: float,
 ) -> AtStrain[T]:
-    """Solve at the strain of a design, or follow the strain until the one that is taken is the one that is reached.
+    """Solve at the strain of a design, or iterate until the assumed strain is the one that is reached.
 
     A strain with which no dampers do what is wanted is drawn towards the last one with which they did.
 
     Args:
         spec: the design.
-        solve: with properties at a strain.
-        moduli: of what was found.
-        reached: its effective strain.
-        start: the strain, or the first one where it is followed.
+        solve: solves with the properties at a strain.
+        moduli: returns the elastomer's properties of a solution.
+        reached: returns the effective strain of a solution.
+        start: the strain of the design, or the first trial.
+
+    Returns:
+        The solution with its strain; with a `reason` where the iteration did not converge.
 
     Raises:
         InputError: no strain lets the dampers do what is wanted.

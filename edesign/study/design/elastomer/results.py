@@ -48,7 +48,14 @@ _ROUNDS: tuple[Column, ...] = (
 
 
 def store_elastomer_sizing(group: Group, building: Building, spec: ElastomerDesign, sizing: Sizing) -> None:
-    """Add the dampers of each storey, the elastomer, and the modes without and with them."""
+    """Add the dampers of each storey, the elastomer's properties, and the modes with and without dampers.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        spec: the design.
+        sizing: the chosen dampers.
+    """
     store_storeys(group, building, spec.number, sizing.brace)
     add = group.add
     label = "horizontal storage stiffness of the dampers of the storey, without braces"
@@ -73,7 +80,12 @@ def store_elastomer_sizing(group: Group, building: Building, spec: ElastomerDesi
 
 
 def store_elastomer_iterations(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
-    """Add the iterations of all rounds, one after the other."""
+    """Add the iterations of all rounds, one after the other, to the group of a design.
+
+    Args:
+        group: of the design.
+        rounds: all rounds in their order.
+    """
     steps = store_iterations(group, rounds, _STEPS)
     add = group.add
     stiffness = np.array([step.stiffness for step in steps])
@@ -85,7 +97,12 @@ def store_elastomer_iterations(group: Group, rounds: Sequence[Round[Sizing]]) ->
 
 
 def store_strain_steps(group: Group, rounds: Sequence[Round[Sizing]]) -> None:
-    """Add the steps of the strain of all rounds, one after the other, if it was followed."""
+    """Add the steps of the strain iteration of all rounds, if the design iterates on the strain.
+
+    Args:
+        group: of the design.
+        rounds: all rounds in their order.
+    """
     rows = [(r.number, step) for r in rounds for step in r.sizing.strain_steps]
     if not rows:
         return
@@ -129,7 +146,17 @@ def store_elastomer_rounds(group: Group, building: Building, rounds: Sequence[Ro
 
 
 def store_elastomer_estimate(group: Group, building: Building, sizing: Sizing, action: Action) -> Estimate:
-    """Add the response that the spectrum estimates, without and with dampers; return that with them."""
+    """Add the response that the spectrum estimates, with and without dampers, to the group of a design.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        sizing: the chosen dampers.
+        action: spectrum, and damping ratio of the frame without dampers.
+
+    Returns:
+        The estimated response with dampers.
+    """
     brace = None if sizing.brace is None else building.at_places(sizing.brace)
     stiffness = sizing.complex_stiffness(building)
     with_dampers = estimate(building, action, stiffness, brace, sizing.thickness)
@@ -143,7 +170,13 @@ def store_elastomer_estimate(group: Group, building: Building, sizing: Sizing, a
 
 
 def store_elastomer_bounds(group: Group, building: Building, found: tuple[Bound[Estimate], ...]) -> None:
-    """Add the response with the bounds of the properties, and which of them governs each quantity."""
+    """Add the estimated response with each bound of the properties, and the bound that governs each quantity.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        found: the response with lower, nominal and upper properties.
+    """
     ratio = "storage stiffness of the dampers over that of the design"
     strain = ("damper_strain", lambda r: r.damper_strain, "1", "estimated shear strain of the layers")
     store_bounds(group, building, found, (ratio, "added damping ratio of the first mode, Eq. 5.6"), strain)

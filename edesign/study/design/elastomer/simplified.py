@@ -26,7 +26,7 @@ _ROUNDING = 1e-9  # of the number of steps of beta
 
 @dataclass(frozen=True)
 class StaticResponse:
-    """What the frame does under the equivalent lateral forces.
+    """Response of the frame under the equivalent lateral forces.
 
     Attributes:
         k_D: storage stiffness of the dampers of each storey, (s,) N/m.
@@ -141,7 +141,7 @@ def static_response(
     k_D: np.ndarray,
     brace: np.ndarray,
 ) -> StaticResponse:
-    """Drifts under the lateral forces of the spectrum reduced for the added damping.
+    """Return the drifts under the lateral forces of the spectrum reduced for the added damping.
 
     Args:
         building: the frame with its places.
@@ -172,7 +172,13 @@ def static_response(
 
 
 def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
-    """What is allowed but outside the method's recommendations."""
+    """Return one sentence for each property outside the recommendations of the simplified procedure.
+
+    Args:
+        spec: the design.
+        action: spectrum, and damping ratio of the frame without dampers.
+        sizing: the dampers.
+    """
     found = design_warnings(spec)
     period = 1.0 / sizing.frequency
     if not is_applicable(period, action.spectrum.corners["T_C"]):

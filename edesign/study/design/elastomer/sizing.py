@@ -51,7 +51,7 @@ class StrainStep:
 
 @dataclass(frozen=True)
 class Sizing:
-    """Dampers of a size.
+    """Dampers with layers of elastomer as a method sizes them.
 
     Attributes:
         target: damping ratio, or beta of the simplified method; nan: none.
@@ -80,11 +80,11 @@ class Sizing:
     strain_steps: tuple[StrainStep, ...] = ()
 
     def complex_stiffness(self, building: Building, braces: bool = True, moduli: Moduli | None = None) -> np.ndarray:
-        """Stiffness K' + i K'' of the dampers at each place, (d,) N/m.
+        """Return the complex stiffness K' + i K'' of the dampers at each place, (d,) N/m.
 
         Args:
-            building: with the places.
-            braces: with their braces in series.
+            building: the frame with its places.
+            braces: whether their braces are in series.
             moduli: of the elastomer; None: those of the design.
         """
         moduli = moduli or self.moduli
@@ -93,20 +93,39 @@ class Sizing:
 
 
 def place_stiffness(building: Building, k_D: np.ndarray, loss_factor: float, brace: np.ndarray | None) -> np.ndarray:
-    """Complex stiffness of the dampers at each place (d,) N/m, from horizontal stiffnesses of the storeys (s,)."""
+    """Return the complex stiffness of the dampers at each place, (d,) N/m.
+
+    Args:
+        building: the frame with its places.
+        k_D: horizontal storage stiffness of the dampers of each storey, (s,) N/m.
+        loss_factor: of the elastomer.
+        brace: horizontal stiffness of the braces of each storey, (s,) N/m; None: rigid.
+    """
     dampers = building.at_places(k_D) * (1.0 + 1.0j * loss_factor)
     return dampers if brace is None else sizing.in_series(dampers, building.at_places(brace))
 
 
 def layers(building: Building, spec: ElastomerDesign) -> int:
-    """Layers of one damper: given, or those of the prototype."""
+    """Return the number of layers of one damper, as given or as in the prototype of the law.
+
+    Args:
+        building: the frame with its places and the law.
+        spec: the design.
+    """
     found = spec.layers if spec.layers is not None else building.law.layers
     assert found is not None, "the elastomer wants a prototype"
     return found
 
 
 def layer_thickness(building: Building, spec: ElastomerDesign) -> float:
-    """Thickness of the layers, m: given, or the largest that a storey needs for drift and strain limit."""
+    """Return the thickness of the layers, m, as given or as the storey with the largest demand needs it.
+
+    A layer of this thickness keeps the strain limit at the target drift.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+    """
     if spec.layer_thickness is not None:
         return spec.layer_thickness
     assert spec.drift is not None and spec.strain_limit is not None, "check_design wants them"
@@ -120,11 +139,27 @@ def layer_thickness(building: Building, spec: ElastomerDesign) -> float:
 def layer_areas(
     building: Building, spec: ElastomerDesign, k_D: np.ndarray, thickness: float, G_storage: float
 ) -> np.ndarray:
-    """Area of one layer in each storey with dampers, (s,) m2 (thesis Eq. 5.14)."""
+    """Return the area of one layer in each storey with dampers, (s,) m2.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        k_D: horizontal storage stiffness of the dampers of each storey, (s,) N/m.
+        thickness: of a layer, m.
+        G_storage: storage modulus of the elastomer, Pa.
+
+    Source: thesis Eq. 5.14.
+    """
     dampers = spec.number * building.attachment()
     return sizing.layer_area(k_D, thickness, G_storage, layers(building, spec), dampers)
 
 
 def total_area(building: Building, spec: ElastomerDesign, area: np.ndarray) -> float:
-    """Area of all layers of all dampers, m2, from that of one layer in each storey with dampers, (s,) m2."""
+    """Return the area of all layers of all dampers, m2.
+
+    Args:
+        building: the frame with its places.
+        spec: the design.
+        area: of one layer in each storey with dampers, (s,) m2.
+    """
     return float(layers(building, spec) * spec.number * area[building.place_storey].sum())

@@ -40,7 +40,7 @@ from edesign.study.design.verification import Judge, Respond
 
 
 class HystereticDesigner(Designer[HystereticSizing]):
-    """A design of hysteretic dampers.
+    """The sizing and verification of a design of hysteretic dampers.
 
     Raises:
         InputError: the law does not yield or slip, or has layers.
@@ -60,13 +60,13 @@ class HystereticDesigner(Designer[HystereticSizing]):
         self.frame = HystereticFrame(self.building, spec, self.read_law(hysteresis), self.action)
 
     def make(self, value: float) -> HystereticSizing:
-        """The dampers for a value of what the loop changes."""
+        """Size the dampers for a value of the quantity that the loop changes."""
         if self.changed == "target":
             return size_hysteretic(self.frame, value)
         return size_hysteretic(self.frame, self._target, value)
 
     def range(self) -> tuple[float, float]:
-        """First and largest value of what the loop changes."""
+        """Return the first and the largest value of the quantity that the loop changes."""
         if self.spec.optimum is not None:
             return self.spec.optimum.range
         target = self._target
@@ -87,7 +87,17 @@ class HystereticDesigner(Designer[HystereticSizing]):
     def search(
         self, respond: Respond | None, judge: Judge | None, resume: Group | None, keep: Callable[[Group], None] | None
     ) -> Search[HystereticSizing]:
-        """All rounds."""
+        """Size the dampers round by round until the criteria are met, or the objective of an optimum is least.
+
+        Args:
+            respond: runs the histories of a round; None: the design is not verified.
+            judge: judges the histories of a round; None: the design is not verified.
+            resume: the group that an earlier run kept; None: none.
+            keep: called with the group after each round, for `resume`; None: nothing is kept.
+
+        Returns:
+            All rounds and the chosen one.
+        """
         optimum, verify = self.spec.optimum, self.spec.verify
         if optimum is None or verify is None or respond is None or judge is None:
             return super().search(respond, judge, resume, keep)
@@ -95,7 +105,7 @@ class HystereticDesigner(Designer[HystereticSizing]):
         return search_optimum(self.make, tried, optimum.range, optimum.least, *limits, self.kept(keep))
 
     def dampers(self, sizing: HystereticSizing) -> Dampers:
-        """The project's dampers with those of a sizing."""
+        """Return the project's dampers with those of a sizing."""
         brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
         scale = self.device_yield_force(sizing) / self.frame.loop.yield_force
         size = {"scale": per_storey(scale)}
@@ -105,15 +115,20 @@ class HystereticDesigner(Designer[HystereticSizing]):
         return sized_dampers(self.building, self.spec, brace, size)
 
     def size(self, sizing: HystereticSizing) -> Mapping[str, float | np.ndarray]:
-        """Yield forces."""
+        """Return the yield forces of the dampers of a sizing, by the name of the archived variable."""
         return {"device_yield_force": self.device_yield_force(sizing)}
 
     def device_yield_force(self, sizing: HystereticSizing) -> np.ndarray:
-        """Yield or slip force of one damper in each storey with dampers, (s,) N."""
+        """Return the yield or slip force of one damper in each storey with dampers, (s,) N."""
         return sizing.yield_force / (self.spec.number * self.building.attachment(1.0))
 
     def group(self, done: Search[HystereticSizing], status: str) -> Group:
-        """Everything that was found."""
+        """Return the archived group of a design of hysteretic dampers.
+
+        Args:
+            done: all rounds and the chosen one.
+            status: completed, failed, interrupted or checked.
+        """
         spec, frame, sizing = self.spec, self.frame, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_hysteretic_sizing(group, frame, sizing, self.device_yield_force(sizing))

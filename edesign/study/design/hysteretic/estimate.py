@@ -13,7 +13,7 @@ from edesign.study.design.hysteretic.frame import HystereticFrame, SecantVibrati
 
 @dataclass(frozen=True)
 class HystereticEstimate(FrameEstimate):
-    """Of a frame with hysteretic dampers.
+    """Largest values over time by CQC of a frame with hysteretic dampers.
 
     Attributes:
         damper_stroke: largest deformation of the dampers, (d,) m.
@@ -29,10 +29,16 @@ class HystereticEstimate(FrameEstimate):
 def hysteretic_estimate(
     frame: HystereticFrame, yield_force: np.ndarray, vibration: SecantVibration, action: Action
 ) -> HystereticEstimate:
-    """Estimate the response with yield forces of the storeys (s,) N.
+    """Estimate the response of a frame with hysteretic dampers by the response spectrum method.
 
     Dampers have the secant stiffness of the first mode in all modes; their damping counts in the first alone. The force
     of a buckling-restrained brace is its compression, the larger one.
+
+    Args:
+        frame: the frame of the design.
+        yield_force: of all dampers of each storey along its drift, (s,) N.
+        vibration: of the frame with these yield forces.
+        action: spectrum, and damping ratio of the frame without dampers.
 
     Source: as `estimate`; ASCE/SEI 7-16, 18.7.3.2: hysteretic damping is that of the fundamental mode.
     """
@@ -52,7 +58,12 @@ def hysteretic_estimate(
 
 
 def bare_estimate(frame: HystereticFrame, action: Action) -> FrameEstimate:
-    """Estimate the response of the frame without dampers."""
+    """Estimate the response of the frame without dampers by the response spectrum method.
+
+    Args:
+        frame: the frame of the design.
+        action: spectrum, and damping ratio of the frame without dampers.
+    """
     modes, nothing = frame.bare, np.zeros(frame.building.frame.n_devices)
     peaks = spectral_peaks(frame.building.frame, action, modes, np.zeros(modes.omega.size))
     return frame_estimate(frame.building, modes, nothing, peaks, nothing)

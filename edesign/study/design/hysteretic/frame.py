@@ -44,7 +44,7 @@ class Secants:
 
 @dataclass(frozen=True)
 class SecantVibration:
-    """The frame with its dampers in the first mode at the amplitude of the design.
+    """A vibration of the frame in its first mode with the secant stiffness of its dampers at the amplitude.
 
     Attributes:
         roof: amplitude at the roof, m.
@@ -66,7 +66,7 @@ class SecantVibration:
 
     @property
     def period(self) -> float:
-        """Of the first mode, s."""
+        """Period of the first mode, s."""
         return 2.0 * math.pi / float(self.modes.omega[0])
 
     @property
@@ -76,7 +76,7 @@ class SecantVibration:
 
 
 class HystereticFrame:
-    """The frame of a design with what its dampers are made of.
+    """The frame of a design with hysteretic dampers and their braces.
 
     Args:
         building: the frame with its places.
@@ -95,7 +95,11 @@ class HystereticFrame:
         self.shears = self._shears()
 
     def scale(self, yield_force: np.ndarray) -> np.ndarray:
-        """Forces of all dampers of each place over those of the law, (d,), of yield forces along the drift (s,) N."""
+        """Return the factor on the forces of the law that gives all dampers of each place, (d,).
+
+        Args:
+            yield_force: of all dampers of each storey along its drift, (s,) N.
+        """
         return self.building.at_places(yield_force, 1.0) / self.loop.yield_force
 
     @property
@@ -104,17 +108,30 @@ class HystereticFrame:
         return self.loop.yield_force / self.loop.stiffness / self.building.deformation_scale
 
     def stiffness(self, scale: np.ndarray) -> np.ndarray:
-        """Initial stiffness of dampers of a scale (d,), (d,) N/m."""
+        """Return the initial stiffness of the dampers at each place, (d,) N/m.
+
+        Args:
+            scale: factor on the forces of the law, (d,).
+        """
         return scale * self.building.deformation_scale * self.loop.stiffness
 
     def core_strain(self, stroke: np.ndarray) -> np.ndarray | None:
-        """Strain of the cores of buckling-restrained braces at amplitudes (d,) m; None: the dampers are others."""
+        """Return the strain of the cores of buckling-restrained braces, (d,); None for other dampers.
+
+        Args:
+            stroke: amplitude of each damper's deformation, (d,) m.
+        """
         if not isinstance(self.loop, RestrainedCycles):
             return None
         return self.loop.core_strain(self.building.deformation_scale * stroke)
 
     def secants(self, scale: np.ndarray, deformation: np.ndarray) -> Secants:
-        """Dampers of a scale (d,) at amplitudes (..., d) m of their deformation with their braces."""
+        """Return the dampers' forces, tangents and energies at amplitudes of their deformation with their braces.
+
+        Args:
+            scale: factor on the forces of the law, (d,).
+            deformation: amplitude of damper and brace together, (..., d) m.
+        """
         to_law = self.building.deformation_scale
         flexibility = np.zeros_like(scale)
         if self.brace is not None:
@@ -126,14 +143,22 @@ class HystereticFrame:
         return Secants(of_law / to_law, scale * self.loop.force(of_law), tangent, energy)
 
     def elastic_modes(self, yield_force: np.ndarray) -> LinearModes:
-        """Modes with dampers that do not yield, of yield forces (s,) N."""
+        """Return the modes of the frame with its dampers before they yield.
+
+        Args:
+            yield_force: of all dampers of each storey along its drift, (s,) N.
+        """
         flexibility = 1.0 / self.stiffness(self.scale(yield_force))
         if self.brace is not None:
             flexibility = flexibility + 1.0 / self.building.at_places(self.brace)
         return self.building.frame.modes(1.0 / flexibility)
 
     def yield_drift(self, yield_force: np.ndarray) -> np.ndarray:
-        """Drift over height at which dampers and braces of each storey yield, (s,), their feet held."""
+        """Return the drift over height at which dampers and braces of each storey yield, (s,), with their feet held.
+
+        Args:
+            yield_force: of all dampers of each storey along its drift, (s,) N.
+        """
         deformation = self.yield_deformation
         if self.brace is not None:
             force = self.building.at_places(yield_force, 1.0)
@@ -143,12 +168,12 @@ class HystereticFrame:
         return np.asarray(horizontal / self.building.heights[self.building.storeys - 1])
 
     def vibration(self, yield_force: np.ndarray, action: Action | None = None) -> SecantVibration:
-        """The first mode with yield forces (s,) N: shape, period, amplitude and secants in agreement.
+        """Return the vibration in the first mode in which shape, period, amplitude and secants agree.
 
         At each amplitude of the roof shape and secants agree; the amplitude is the one that the design asks for.
 
         Args:
-            yield_force: of all dampers of each storey along its drift.
+            yield_force: of all dampers of each storey along its drift, (s,) N.
             action: whose spectrum gives the amplitude; None: what the design says.
 
         Raises:
@@ -162,7 +187,11 @@ class HystereticFrame:
         return replace(found, damping_average=self._average(scale, found.deformation, found.modes))
 
     def bare_damping(self, yield_force: np.ndarray) -> float:
-        """Damping ratio by rigid-plastic dampers of yield forces (s,) N in the first mode without them."""
+        """Return the damping ratio that rigid-plastic dampers add to the first mode without dampers.
+
+        Args:
+            yield_force: of all dampers of each storey along its drift, (s,) N.
+        """
         roof = self._roof(self.bare, 0.0, None)
         work = 4.0 * float(self.building.at_places(yield_force, 1.0) @ self._deformation(self.bare, roof))
         generalised = roof / float(self.bare.floors[0, -1])

@@ -18,13 +18,13 @@ Least = Literal["worst", "mean"]
 
 
 def objective(outcome: RoundOutcome, least: Least) -> float:
-    """Demand over limit of the criteria of a round: that of the worst, or the mean; infinite where one has none.
+    """Return the objective of a round: its worst or its mean ratio of demand to limit.
 
-    It is infinite too where a history was not completed: such dampers are no optimum.
+    It is infinite where a criterion has no value or a history was not completed: such dampers are no optimum.
 
     Args:
-        outcome: of the histories.
-        least: what is made least.
+        outcome: verdicts on the histories of the round.
+        least: the ratio that is minimised, `worst` or `mean`.
     """
     if outcome.failed or not outcome.verdicts:
         return math.inf
@@ -45,10 +45,10 @@ def search_optimum(
     """Find the value whose histories have the least objective.
 
     Args:
-        make: the sizing of a value.
-        verify: histories and verdicts of a sizing, its round and its value.
+        make: sizes the dampers for a value.
+        verify: returns the outcome of a sizing, of its round from 1, and of its value.
         ends: least and largest value.
-        least: what is made least (see `objective`).
+        least: what is minimised (see `objective`).
         most_rounds: how many may be tried.
         precision: relative width of the bracket at which the search is over.
         kept: called with all rounds after each.

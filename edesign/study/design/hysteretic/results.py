@@ -112,7 +112,13 @@ def store_hysteretic_sizing(group: Group, frame: HystereticFrame, sizing: Hyster
 
 
 def store_hysteretic_curve(group: Group, frame: HystereticFrame, sizing: HystereticSizing) -> None:
-    """Add what the first mode would have with forces in the same distribution, for a share of the shears each."""
+    """Add damping, period and largest drift of the first mode over the share of the storey shears.
+
+    Args:
+        group: of the design.
+        frame: the frame of the design.
+        sizing: the dampers of the design.
+    """
     shares = np.geomspace(_CURVE_START, LARGEST_SHARE, _CURVE_POINTS)
     found = damping_curve(frame, sizing.yield_force / sizing.share, shares)
     coordinate(group, "curve_share", shares, "1", "yield forces over storey shears, sums over the storeys")
@@ -153,7 +159,13 @@ def store_hysteretic_rounds(
 
 
 def store_objectives(group: Group, rounds: Sequence[Round[HystereticSizing]], optimum: Optimum) -> None:
-    """Add what is made least, of each round."""
+    """Add the objective of each round to the group of a design.
+
+    Args:
+        group: of the design.
+        rounds: all rounds in their order.
+        optimum: says what is minimised.
+    """
     found = [math.nan if r.outcome is None else objective(r.outcome, optimum.least) for r in rounds]
     label = {"worst": "largest", "mean": "mean"}[optimum.least]
     group.add("round_objective", ("round",), found, "1", f"{label} demand over limit of the criteria: made least")
@@ -162,9 +174,16 @@ def store_objectives(group: Group, rounds: Sequence[Round[HystereticSizing]], op
 def store_hysteretic_estimate(
     group: Group, building: Building, number: int, found: HystereticEstimate, bare: FrameEstimate
 ) -> None:
-    """Add the response that the spectrum estimates, with (`found`) and without dampers (`bare`).
+    """Add the response that the spectrum estimates, with and without dampers, to the group of a design.
 
     Forces are of all dampers of a place; those of one are divided by their `number`.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        number: of dampers side by side at a place.
+        found: estimated response with dampers.
+        bare: estimated response without dampers.
     """
     store_drifts(group, building, found, bare)
     store_devices(group, building, number, found, found.damper_stroke)
@@ -177,6 +196,12 @@ def store_hysteretic_estimate(
 
 
 def store_hysteretic_bounds(group: Group, building: Building, found: tuple[Bound[HystereticEstimate], ...]) -> None:
-    """Add the response with the bounds of the forces, and which of them governs each quantity."""
+    """Add the estimated response with each bound of the forces, and the bound that governs each quantity.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        found: the response with lower, nominal and upper forces.
+    """
     labels = ("forces of the dampers over those of the design", _DAMPING)
     store_bounds(group, building, found, labels, STROKE)

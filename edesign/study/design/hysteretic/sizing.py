@@ -49,6 +49,9 @@ def size_hysteretic(frame: HystereticFrame, target: float, factor: float = 1.0) 
         target: damping ratio to be added if the design gives a damping, else share of the storey shears.
         factor: on the yield forces, after they are found.
 
+    Returns:
+        The yield forces with the vibration of the frame.
+
     Raises:
         InputError: no yield forces reach the target.
         AnalysisError: the frame is unstable, or amplitude and secants do not agree.
@@ -62,7 +65,11 @@ def size_hysteretic(frame: HystereticFrame, target: float, factor: float = 1.0) 
 
 
 def unit_forces(frame: HystereticFrame) -> np.ndarray:
-    """Yield forces of the storeys (s,) N in the distribution of the design, as large in sum as the storey shears."""
+    """Return yield forces in the distribution of the design whose sum is that of the storey shears, (s,) N.
+
+    Args:
+        frame: the frame of the design.
+    """
     distribution = frame.spec.distribution
     if distribution == "storey_shear":
         return frame.shears
@@ -71,7 +78,7 @@ def unit_forces(frame: HystereticFrame) -> np.ndarray:
 
 
 def largest_hysteretic_damping(frame: HystereticFrame) -> float:
-    """The largest damping ratio of the first mode with any yield forces of the design's distribution."""
+    """Return the largest damping ratio of the first mode that any yield forces of the design's distribution reach."""
     return _reach(frame, math.inf, _SMALL)[1]
 
 
@@ -120,7 +127,16 @@ def _unreachable(frame: HystereticFrame, target: float, share: float, found: flo
 
 
 def damping_curve(frame: HystereticFrame, unit: np.ndarray, shares: np.ndarray) -> tuple[SecantVibration | None, ...]:
-    """The first mode with multiples (n,) of yield forces (s,) N; None where nothing is in agreement."""
+    """Return the first mode with multiples of given yield forces.
+
+    Args:
+        frame: the frame of the design.
+        unit: yield forces of factor 1, (s,) N.
+        shares: factors on these, (n,).
+
+    Returns:
+        The vibration of each factor; None where its iteration does not converge.
+    """
     found: list[SecantVibration | None] = []
     for share in shares.tolist():
         try:

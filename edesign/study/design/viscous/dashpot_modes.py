@@ -34,19 +34,19 @@ class DashpotModes:
 
     @property
     def first_omega(self) -> float:
-        """Of the first mode, rad/s; nan where it does not oscillate."""
+        """Circular frequency of the first mode, rad/s; nan where the mode does not oscillate."""
         return np.nan if self.first is None else float(self.omega[self.first])
 
     @property
     def first_damping(self) -> float:
-        """Damping ratio of the first mode; 1 where it does not oscillate."""
+        """Damping ratio of the first mode; 1 where the mode does not oscillate."""
         return 1.0 if self.first is None else float(self.damping[self.first])
 
 
 def dashpot_modes(
     frame: CondensedFrame, bare: LinearModes, dashpots: np.ndarray, flexibility: np.ndarray
 ) -> DashpotModes:
-    """The modes of the frame with a linear dashpot and a spring at each place of a damper.
+    """Return the complex modes of the frame with a linear dashpot and a spring in series at each place.
 
     With q of the modes without dampers and g the velocities of the dashpots: q'' + Omega^2 q + D' c g = 0 and
     (C0 + 1/k) c g' + g = D q', where C0 is the flexibility between the places that the masses do not share. All modes

@@ -36,7 +36,7 @@ from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_d
 
 
 class ViscousDesigner(Designer[ViscousSizing]):
-    """A design of viscous dampers.
+    """The sizing and verification of a design of viscous dampers.
 
     Raises:
         InputError: the law is no viscous dashpot, or has layers; or its amplitude is needed and not known.
@@ -54,14 +54,14 @@ class ViscousDesigner(Designer[ViscousSizing]):
         self.frame = ViscousFrame(self.building, spec, found, self.action)
 
     def make(self, value: float) -> ViscousSizing:
-        """The dampers for a value of what the loop changes."""
+        """Size the dampers for a value of the quantity that the loop changes."""
         target = math.nan if self.spec.damping is None else self.spec.damping
         if self.changed == "target":
             return size_viscous(self.frame, value if self.spec.damping is not None else target)
         return size_viscous(self.frame, target, value)
 
     def range(self) -> tuple[float, float]:
-        """First and largest value of what the loop changes."""
+        """Return the first and the largest value of the quantity that the loop changes."""
         if self.changed != "target":
             return 1.0, LARGEST_FACTOR
         damping = self.spec.damping
@@ -72,7 +72,7 @@ class ViscousDesigner(Designer[ViscousSizing]):
         return damping, max(REACHABLE * largest_viscous_damping(self.frame), damping)
 
     def dampers(self, sizing: ViscousSizing) -> Dampers:
-        """The project's dampers with those of a sizing."""
+        """Return the project's dampers with those of a sizing."""
         brace = None if sizing.brace is None else sizing.brace / self.building.attachment()
         scale = self.device_coefficient(sizing) / self.frame.dashpot.c
         size: dict[str, object] = {"scale": per_storey(scale)}
@@ -81,15 +81,20 @@ class ViscousDesigner(Designer[ViscousSizing]):
         return sized_dampers(self.building, self.spec, brace, size)
 
     def size(self, sizing: ViscousSizing) -> Mapping[str, float | np.ndarray]:
-        """Coefficients."""
+        """Return the coefficients of the dampers of a sizing, by the name of the archived variable."""
         return {"device_coefficient": self.device_coefficient(sizing)}
 
     def device_coefficient(self, sizing: ViscousSizing) -> np.ndarray:
-        """Coefficient of one damper in each storey with dampers, (s,) N (s/m)^alpha."""
+        """Return the coefficient of one damper in each storey with dampers, (s,) N (s/m)^alpha."""
         return sizing.coefficient / (self.spec.number * self.building.attachment(self.frame.power))
 
     def group(self, done: Search[ViscousSizing], status: str) -> Group:
-        """Everything that was found."""
+        """Return the archived group of a design of viscous dampers.
+
+        Args:
+            done: all rounds and the chosen one.
+            status: completed, failed, interrupted or checked.
+        """
         spec, frame, sizing = self.spec, self.frame, done.chosen.sizing
         group = Group(attributes=labels(spec) | {"status": status, "reason": done.reason})
         store_viscous_sizing(group, frame, sizing, self.device_coefficient(sizing))

@@ -14,7 +14,7 @@ from edesign.study.design.viscous.frame import Vibration, ViscousFrame
 
 @dataclass(frozen=True)
 class ViscousEstimate(FrameEstimate):
-    """Of a frame with viscous dampers.
+    """Largest values over time by CQC of a frame with viscous dampers.
 
     Attributes:
         damper_stroke: largest deformation of the dashpots, (d,) m.
@@ -28,10 +28,16 @@ class ViscousEstimate(FrameEstimate):
 def viscous_estimate(
     frame: ViscousFrame, coefficient: np.ndarray, vibration: Vibration, action: Action
 ) -> ViscousEstimate:
-    """Estimate the response with coefficients of the storeys (s,).
+    """Estimate the response of a frame with viscous dampers by the response spectrum method.
 
     Dashpots are linear in all modes, with the energy of the first at its amplitude; springs in series count with the
     stiffness that they add at the first frequency, their losses at that of each mode.
+
+    Args:
+        frame: the frame of the design.
+        coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+        vibration: of the frame with these coefficients.
+        action: spectrum, and damping ratio of the frame without dampers.
 
     Source: as `estimate`; pseudo velocity: FEMA 356, 9.3.5.1.
     """
@@ -49,7 +55,15 @@ def viscous_estimate(
 def viscous_drift(
     building: Building, action: Action, linear: np.ndarray, flexibility: np.ndarray, omega: float
 ) -> np.ndarray:
-    """Storey drifts over height, (f,), with linear dashpots (d,) N s/m and springs (d,) m/N as `viscous_estimate`."""
+    """Return the storey drifts over height by the response spectrum method, (f,).
+
+    Args:
+        building: the frame with its places.
+        action: spectrum, and damping ratio of the frame without dampers.
+        linear: coefficient of the linear dashpot at each place, (d,) N s/m.
+        flexibility: of the springs in series at each place, (d,) m/N.
+        omega: circular frequency at which the springs' stiffness counts, rad/s.
+    """
     modes, _, peaks = _peaks(building, action, linear, flexibility, omega)
     return peaks.combined(np.diff(modes.floors, axis=1, prepend=0.0)) / building.heights
 

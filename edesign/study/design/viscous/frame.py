@@ -22,7 +22,7 @@ Roof = Callable[[DashpotModes], float]
 
 @dataclass(frozen=True)
 class Vibration:
-    """The frame with its dashpots in the first mode at the amplitude of the design.
+    """A vibration of the frame in its first mode with the equivalent linear dashpots of its dampers.
 
     Attributes:
         roof: amplitude at the roof, m; nan: of no account, the dashpots are linear.
@@ -38,7 +38,7 @@ class Vibration:
 
     @property
     def omega(self) -> float:
-        """Of the first mode, rad/s; nan where it does not oscillate."""
+        """Circular frequency of the first mode, rad/s; nan where the mode does not oscillate."""
         return self.modes.first_omega
 
     @property
@@ -54,7 +54,7 @@ class Vibration:
 
 
 class ViscousFrame:
-    """The frame of a design with what its dampers are made of.
+    """The frame of a design with viscous dampers and their braces.
 
     Args:
         building: the frame with its places.
@@ -71,24 +71,34 @@ class ViscousFrame:
 
     @property
     def power(self) -> float:
-        """Of the cosines with which a storey feels the coefficients of its dampers."""
+        """The power of the cosine with which a damper's coefficient adds to that of its storey, 1 + alpha."""
         return 1.0 + self.dashpot.alpha
 
     def at_places(self, coefficient: np.ndarray) -> np.ndarray:
-        """Coefficient of the dampers at each place (d,) of those of the storeys (s,), N (s/m)^alpha."""
+        """Return the coefficient of the dampers at each place, (d,) N (s/m)^alpha.
+
+        Args:
+            coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+        """
         return self.building.at_places(coefficient, self.power)
 
     def flexibility(self, coefficient: np.ndarray) -> np.ndarray:
-        """Of brace and spring of the device at each place, (d,) m/N; the spring grows with the coefficient."""
+        """Return the flexibility of brace and internal spring in series at each place, (d,) m/N.
+
+        The stiffness of the internal spring is in proportion to the coefficient.
+
+        Args:
+            coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+        """
         spring = self.dashpot.c / (self.dashpot.spring * self.at_places(coefficient))
         return spring if self.brace is None else spring + 1.0 / self.building.at_places(self.brace)
 
     def roof(self, modes: DashpotModes, damping: float | None = None) -> float:
-        """Amplitude of the first mode at the roof, m; nan: the design says none, and its dashpots are linear.
+        """Return the amplitude of the first mode at the roof, m; nan where linear dashpots need none.
 
         Args:
-            modes: with the dampers.
-            damping: that they add to the first mode; None: that of the modes.
+            modes: complex modes with the dampers.
+            damping: damping ratio that the dampers add to the first mode; None: that of the modes.
         """
         amplitude = self.spec.amplitude
         if isinstance(amplitude, RoofAmplitude):
@@ -100,23 +110,45 @@ class ViscousFrame:
         return math.nan if self.action is None else self.spectral_roof(modes, self.action, damping)
 
     def spectral_roof(self, modes: DashpotModes, action: Action, damping: float | None = None) -> float:
-        """Peak of the first mode at the roof under an action, m, with the shape of the mode without dampers."""
+        """Return the peak of the first mode at the roof under an action, m, with the shape of the mode without dampers.
+
+        Args:
+            modes: complex modes with the dampers.
+            action: spectrum, and damping ratio of the frame without dampers.
+            damping: damping ratio that the dampers add to the first mode; None: that of the modes.
+        """
         share = float(self.bare.participation[0] * self.bare.floors[0, -1])
         ratio = action.inherent_damping + (modes.first_damping if damping is None else damping)
         return abs(share) * action.displacement(modes.first_omega, min(ratio, 1.0))
 
     def modes(self, linear: np.ndarray, coefficient: np.ndarray) -> DashpotModes:
-        """Complex modes with linear dashpots (d,) N s/m and the springs of coefficients (s,)."""
+        """Return the complex modes of the frame with linear dashpots and the springs in series with them.
+
+        Args:
+            linear: coefficient of the linear dashpot at each place, (d,) N s/m.
+            coefficient: of all dampers of each storey, on which the internal springs depend, (s,) N (s/m)^alpha.
+        """
         return dashpot_modes(self.building.frame, self.bare, linear, self.flexibility(coefficient))
 
     def weight(self, vibration: Vibration) -> np.ndarray:
-        """Linear dashpot of the energy of a coefficient of 1 at each place, at the amplitude of a vibration, (d,)."""
+        """Return the equivalent linear dashpot of a unit coefficient at each place, (d,) (s/m)^(1 - alpha).
+
+        Both dissipate the same energy in a cycle of the vibration.
+
+        Args:
+            vibration: with the stroke of each dashpot and the circular frequency.
+        """
         if self.dashpot.alpha == 1.0:
             return np.ones(self.building.frame.n_devices)
         return linear_dashpot(1.0, self.dashpot.alpha, vibration.stroke, vibration.omega)
 
     def vibration(self, coefficient: np.ndarray, weight: np.ndarray, roof: Roof) -> Vibration:
-        """The frame with coefficients (s,) whose dashpots have a weight (d,), at an amplitude.
+        """Return the vibration of the frame in the first mode with given equivalent linear dashpots.
+
+        Args:
+            coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+            weight: equivalent linear dashpot of a unit coefficient at each place, (d,).
+            roof: gives the amplitude at the roof, m, for complex modes.
 
         Raises:
             AnalysisError: the first mode does not oscillate.
@@ -128,12 +160,15 @@ class ViscousFrame:
         return Vibration(roof(modes), linear, self.flexibility(coefficient), modes)
 
     def in_agreement(self, coefficient: np.ndarray, start: Vibration, roof: Roof) -> Vibration:
-        """The frame with coefficients (s,), dashpots and amplitude in agreement with each other.
+        """Iterate until the equivalent linear dashpots agree with the amplitude of the first mode.
 
         Args:
-            coefficient: of the storeys, N (s/m)^alpha.
-            start: with other coefficients.
-            roof: amplitude at the roof of modes.
+            coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+            start: a vibration with other coefficients, whose dashpots are the first trial.
+            roof: gives the amplitude at the roof, m, for complex modes.
+
+        Returns:
+            The vibration of the frame.
 
         Raises:
             AnalysisError: they do not agree, or the first mode does not oscillate.
@@ -148,13 +183,22 @@ class ViscousFrame:
         raise AnalysisError(f"amplitude and dashpots did not agree to {AGREEMENT:g} in {MOST_ITERATIONS} iterations")
 
     def undamped(self, damping: float) -> Vibration:
-        """The first mode without dampers, at the amplitude of a damping ratio."""
+        """Return the first mode without dampers at the amplitude that belongs to a damping ratio.
+
+        Args:
+            damping: damping ratio added to that of the frame.
+        """
         nothing = np.zeros(self.building.frame.n_devices)
         modes = dashpot_modes(self.building.frame, self.bare, nothing, nothing)
         return Vibration(self.roof(modes, damping), nothing, nothing, modes)
 
     def formula(self, coefficient: np.ndarray, roof: float) -> float:
-        """Damping ratio of the first mode without dampers by FEMA 356, Eq. 9-32, for coefficients (s,)."""
+        """Return the damping ratio of the first mode without dampers by FEMA 356, Eq. 9-32.
+
+        Args:
+            coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+            roof: amplitude at the roof, m; it does not matter for linear dashpots.
+        """
         bare, at_roof = self.bare, float(self.bare.floors[0, -1])
         alpha = self.dashpot.alpha
         shape, period = bare.dampers[0] / at_roof, 2.0 * math.pi / float(bare.omega[0])
@@ -163,5 +207,10 @@ class ViscousFrame:
 
 
 def difference(taken: np.ndarray, found: np.ndarray) -> float:
-    """Largest difference of weights from those of the amplitude that comes of them, over the latter."""
+    """Return the largest relative difference between assumed and resulting equivalent linear dashpots.
+
+    Args:
+        taken: assumed dashpots of a unit coefficient, (d,).
+        found: those at the amplitude that follows, (d,).
+    """
     return float(np.max(np.abs(taken - found) / found))

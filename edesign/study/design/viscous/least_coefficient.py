@@ -15,7 +15,7 @@ _MOST = 2.0
 def least_coefficient(
     frame: ViscousFrame, weight: np.ndarray, omega: float, start: np.ndarray | None = None
 ) -> np.ndarray:
-    """Coefficients of the storeys (s,), least in sum over the dampers, for which no storey drifts more than `drift`.
+    """Return the coefficients of least sum over the dampers with which no storey drifts more than the target, (s,).
 
     The drifts are estimated by the response spectrum, with linear dashpots of the same energy at a given amplitude.
 

@@ -41,7 +41,7 @@ _ROUNDS: tuple[Column, ...] = (
 
 
 def coefficient_unit(alpha: float) -> str:
-    """Unit of damping coefficients, e.g. N*(s/m)^0.35."""
+    """Return the unit of damping coefficients, e.g. N*(s/m)^0.35."""
     return "N*s/m" if alpha == 1.0 else f"N*(s/m)^{alpha:g}"
 
 
@@ -88,7 +88,12 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
 
 
 def store_viscous_iterations(group: Group, rounds: Sequence[Round[ViscousSizing]]) -> None:
-    """Add the iterations of all rounds, one after the other."""
+    """Add the iterations of all rounds, one after the other, to the group of a design.
+
+    Args:
+        group: of the design.
+        rounds: all rounds in their order.
+    """
     steps = store_iterations(group, rounds, _STEPS)
     coefficient = np.array([s.coefficient for s in steps])
     unit = group.variables["damping_coefficient"].unit
@@ -116,9 +121,16 @@ def store_viscous_rounds(
 def store_viscous_estimate(
     group: Group, building: Building, number: int, found: ViscousEstimate, bare: ViscousEstimate
 ) -> None:
-    """Add the response that the spectrum estimates, with (`found`) and without dampers (`bare`).
+    """Add the response that the spectrum estimates, with and without dampers, to the group of a design.
 
     Forces are of all dampers of a place; those of one are divided by their `number`.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        number: of dampers side by side at a place.
+        found: estimated response with dampers.
+        bare: estimated response without dampers.
     """
     store_drifts(group, building, found, bare)
     store_devices(group, building, number, found, found.damper_stroke)
@@ -127,6 +139,12 @@ def store_viscous_estimate(
 
 
 def store_viscous_bounds(group: Group, building: Building, found: tuple[Bound[ViscousEstimate], ...]) -> None:
-    """Add the response with the bounds of the coefficients, and which of them governs each quantity."""
+    """Add the estimated response with each bound of the coefficients, and the bound that governs each quantity.
+
+    Args:
+        group: of the design.
+        building: the frame with its places.
+        found: the response with lower, nominal and upper coefficients.
+    """
     labels = ("coefficients of the dampers over those of the design", _DAMPING)
     store_bounds(group, building, found, labels, STROKE)

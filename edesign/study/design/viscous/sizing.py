@@ -71,8 +71,11 @@ def size_viscous(frame: ViscousFrame, target: float, factor: float = 1.0) -> Vis
 
     Args:
         frame: with its dampers' law.
-        target: damping ratio to be added (nan for the least coefficients).
+        target: damping ratio to be added; nan for the least coefficients.
         factor: on the coefficients, after they are found.
+
+    Returns:
+        The coefficients with the vibration of the frame; with a `reason` where the iteration did not converge.
 
     Raises:
         InputError: no coefficients reach the target.
@@ -103,9 +106,12 @@ def size_viscous(frame: ViscousFrame, target: float, factor: float = 1.0) -> Vis
 
 
 def largest_viscous_damping(frame: ViscousFrame) -> float:
-    """The largest damping ratio of the first mode with any coefficients of the design's distribution.
+    """Return the largest damping ratio of the first mode that any coefficients of the design's distribution reach.
 
-    At the amplitude of the mode without dampers.
+    The amplitude is that of the mode without dampers.
+
+    Args:
+        frame: the frame of the design.
     """
     pattern, weight = pattern_of(frame.building, frame.spec.distribution), frame.weight(frame.undamped(0.0))
     damping_of = partial(_damping, frame, pattern, weight)

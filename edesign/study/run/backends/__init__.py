@@ -14,7 +14,7 @@ __all__ = ["BACKENDS", "Backend", "Control", "Result", "Call", "make_backend"]
 
 
 def make_backend(name: str, workers: int = 1, scheduler: str | None = None) -> Backend:
-    """Choose a back end by its name.
+    """Return a back end by its name.
 
     Args:
         name: "serial", "threads" or "dask".

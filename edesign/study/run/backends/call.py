@@ -35,7 +35,7 @@ class Call:
 
 @dataclass(frozen=True)
 class Result:
-    """How a call ended.
+    """The result of a call, or the reason of its failure.
 
     Attributes:
         key: of the call.
@@ -57,22 +57,28 @@ Results = Generator[Result, None, None]
 
 
 class Control(Protocol):
-    """What the one who wants the results tells and is told while the call goes on, from any thread."""
+    """What the caller of a back end is told and may ask for while calls run, from any thread."""
 
     def progress(self, key: str, done: int, total: int) -> None:
-        """Hear how far a call is."""
+        """Report the progress of a call.
+
+        Args:
+            key: of the call.
+            done: steps done.
+            total: steps in all.
+        """
 
     def stopped(self) -> bool:
-        """Whether the call shall end."""
+        """Return whether calls shall end."""
 
 
 class Backend(Protocol):
-    """Runs calls; a context manager that holds the processes it needs."""
+    """A back end that runs calls; it is a context manager that holds the processes it needs."""
 
     name: str
 
     def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
-        """Yield results as they are ready; what they are does not depend on the back end.
+        """Yield the results of calls as they are ready; their values do not depend on the back end.
 
         Nothing begins after `control.stopped()`, and calls that did not begin have no result. Closing the generator
         ends what runs and waits for it.
@@ -89,7 +95,7 @@ class Backend(Protocol):
 
 
 class LocalBackend:
-    """What back ends without processes of their own have in common."""
+    """A back end without processes of its own."""
 
     def __enter__(self) -> Self:
         return self
@@ -99,7 +105,12 @@ class LocalBackend:
 
 
 def perform(call: Call, control: Control) -> Result:
-    """Run a call; whatever goes wrong in it becomes the reason of a failed result."""
+    """Run a call; any error becomes the reason of a failed result.
+
+    Args:
+        call: the function and its arguments.
+        control: is told the progress and asked whether to stop.
+    """
     began = time.monotonic()
     if control.stopped():
         return Result(call.key, interrupted=True)
@@ -125,12 +136,12 @@ def perform(call: Call, control: Control) -> Result:
 
 
 def internal_error(error: Exception) -> str:
-    """Return the reason of a failure that is edesign's own."""
+    """Return the message of a failure that is an error of edesign."""
     return f"internal error, please report it ({type(error).__name__}: {error})"
 
 
 def check_keys(calls: Sequence[Call]) -> None:
-    """Refuse calls that could not be told apart.
+    """Check that the keys of calls are unique.
 
     Raises:
         ValueError: two have the same key.

@@ -22,7 +22,7 @@ DEATHS = 1  # of workers of our own on which a call may have been before it is l
 
 
 class DaskBackend:
-    """Runs calls on the workers of a dask scheduler.
+    """A back end that runs calls on the workers of a dask scheduler.
 
     Args:
         workers: processes of a cluster on this machine, each of one thread.
@@ -61,7 +61,12 @@ class DaskBackend:
         self._stack.close()
 
     def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
-        """Yield results as they are ready; see `Backend`.
+        """Yield the results of calls as they are ready; see `Backend`.
+
+        Args:
+            calls: with unique keys.
+            control: is told the progress and asked whether to stop.
+            started: called with the key of each call that starts.
 
         Raises:
             InputError: a worker's program is not that of this process.

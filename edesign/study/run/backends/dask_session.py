@@ -33,7 +33,7 @@ DIED = (
 
 
 class Session:
-    """One call for results on a cluster.
+    """One request for results on a cluster.
 
     Only as many calls are with the scheduler as there are threads on the workers, so nothing waits on a worker that may
     die, and a stop has little to take back. dask computes anew what was lost with a worker. A call that has been on
@@ -87,7 +87,7 @@ class Session:
             self.client.unsubscribe_topic(self.share)
 
     def results(self) -> Results:
-        """Yield results as they come."""
+        """Yield the results of the calls as they come."""
         while self.waiting or self.suspects or self.running:
             if self.control.stopped():
                 self._stop()

@@ -21,7 +21,7 @@ Packed = bytes | int  # a pickle, or the number of one that all workers hold
 
 
 class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
-    """What calls have in common, sent once to each worker; when it is taken away, they are to stop.
+    """The functions and arguments that calls share, sent once to each worker; taking it away stops the calls.
 
     Attributes:
         name: of this share, unique.
@@ -37,7 +37,7 @@ class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
         self.level = log.getEffectiveLevel()
 
     def setup(self, worker: Worker) -> None:
-        """Called by dask on each worker."""
+        """Prepare a worker; dask calls it there."""
         log.setLevel(self.level)
         logging.captureWarnings(True)  # this process has the terminal of the one that wants the results
 
@@ -99,7 +99,7 @@ def _pickled(result: Result) -> bytes:
 
 
 def pack(calls: list[Call]) -> tuple[list[bytes], dict[str, tuple[Packed, ...]]]:
-    """Pickle functions and arguments, those that several calls have once.
+    """Pickle functions and arguments; those that several calls share are pickled once.
 
     Returns:
         The pickles that are shared; by key of the call its function and arguments, numbers standing for shared ones.

@@ -9,12 +9,18 @@ from edesign.study.run.backends.call import Call, Control, LocalBackend, Results
 
 
 class SerialBackend(LocalBackend):
-    """Runs calls one after the other."""
+    """A back end that runs calls one after the other."""
 
     name = "serial"
 
     def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
-        """Yield results in the order of the calls; see `Backend`."""
+        """Yield the results in the order of the calls; see `Backend`.
+
+        Args:
+            calls: with unique keys.
+            control: is told the progress and asked whether to stop.
+            started: called with the key of each call that starts.
+        """
         check_keys(calls)
         with one_thread():
             for call in calls:

@@ -10,12 +10,17 @@ from edesign.study.run.provenance import code_checksum, libraries
 
 @cache
 def program_state() -> Mapping[str, str]:
-    """Return what the results of this process depend on beside the input: edesign's code, and libraries."""
+    """Return the versions and checksums of this process that results depend on beside the input."""
     return {"edesign": code_checksum(), **libraries()}
 
 
 def difference(wanted: Mapping[str, str], found: Mapping[str, str]) -> str:
-    """Return what is not the same, as a clause; "" if nothing differs."""
+    """Return the differences of two states of programs as a clause; "" if they are equal.
+
+    Args:
+        wanted: versions and checksums by name.
+        found: likewise, of the other program.
+    """
     parts = []
     for name, value in wanted.items():
         other = found.get(name, "nothing")
@@ -29,6 +34,12 @@ def difference(wanted: Mapping[str, str], found: Mapping[str, str]) -> str:
 
 
 def refusal(worker: str, wanted: Mapping[str, str], found: Mapping[str, str]) -> str:
-    """Return the message on a worker of another state, "" if it is of the same."""
+    """Return the message on a worker in another state, "" if its state is equal.
+
+    Args:
+        worker: name or address of the worker.
+        wanted: versions and checksums by name.
+        found: likewise, of the worker.
+    """
     what = difference(wanted, found)
     return what and f"the worker {worker} would give results of another program: {what}; install the same everywhere"

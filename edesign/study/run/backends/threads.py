@@ -13,7 +13,7 @@ ASK_EVERY = 0.2  # s, for a wish to stop
 
 
 class ThreadsBackend(LocalBackend):
-    """Runs calls in threads."""
+    """A back end that runs calls in threads."""
 
     name = "threads"
 
@@ -21,7 +21,13 @@ class ThreadsBackend(LocalBackend):
         self.workers = workers
 
     def results(self, calls: Sequence[Call], control: Control, started: Callable[[str], None]) -> Results:
-        """Yield results as they are ready, those ready at the same time in the order of the calls; see `Backend`."""
+        """Yield the results as they are ready, those ready at one time in the order of the calls; see `Backend`.
+
+        Args:
+            calls: with unique keys.
+            control: is told the progress and asked whether to stop.
+            started: called with the key of each call that starts.
+        """
         check_keys(calls)
         own = _Closable(control)
 
