@@ -29,7 +29,7 @@ def encode(value: Any) -> Any:
 
 
 def decode(value: Any) -> Any:
-    """Return what `encode` was given; numbers come back as Python's int and float.
+    """Return the value that `encode` was given; numbers come back as Python's int and float.
 
     Raises:
         ValueError: marked JSON that is none.

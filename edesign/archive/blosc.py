@@ -21,7 +21,7 @@ _FURTHEST = 8191  # distance in a short match of BloscLZ; what lies further has 
 
 
 def decompress(chunk: bytes) -> bytes:
-    """Return the bytes that a chunk holds.
+    """Return the decompressed bytes of a chunk.
 
     Args:
         chunk: of Blosc 1, with its header.

@@ -34,7 +34,7 @@ class Variable:
 
 
 class StoredVariable(Variable):
-    """A variable whose unit and long name are read when they are first asked for, as sums and extremes need neither.
+    """A variable whose unit and long name are read on their first access, as sums and extremes need neither.
 
     Args:
         dims: one name per axis of `values`.
@@ -64,7 +64,7 @@ class StoredVariable(Variable):
 
 
 class Unread(MutableMapping[str, Variable]):
-    """Variables by name, each of which is read when it is first asked for.
+    """Variables by name, each of which is read on its first access.
 
     Args:
         dims: dimensions of each variable, by its name.
@@ -98,7 +98,7 @@ class Unread(MutableMapping[str, Variable]):
         return len(self._dims)
 
     def without(self, *dims: str) -> Unread:
-        """The same variables without those along dimensions; nothing is read."""
+        """Return the variables without those along some dimensions; nothing is read."""
         return Unread({name: own for name, own in self._dims.items() if not set(dims) & set(own)}, self.__getitem__)
 
 
@@ -122,11 +122,19 @@ class Group:
         return facts_html("", about.items()) + table_html("", ("variable", "along", "unit", "meaning"), rows, left=4)
 
     def add(self, name: str, dims: tuple[str, ...], values: Any, unit: str, long_name: str) -> None:
-        """Add a variable; `values` is anything `numpy.asarray` takes."""
+        """Add a variable to the group.
+
+        Args:
+            name: of the variable.
+            dims: names of its dimensions, each of which has a coordinate in the group.
+            values: anything that `numpy.asarray` takes.
+            unit: SI unit; "1" for ratios and counts, "" for texts.
+            long_name: description for readers.
+        """
         self.variables[name] = Variable(dims, np.asarray(values), unit, long_name)
 
     def without(self, *dims: str) -> Group:
-        """The same group without what lies along dimensions."""
+        """Return the group without the variables and coordinates along some dimensions."""
         coords, variables = (
             items.without(*dims)
             if isinstance(items, Unread)

@@ -33,7 +33,7 @@ _REASONS = {
 
 
 def reason(error: OSError) -> str:
-    """Return in words why the file system refused something."""
+    """Return the reason of an error of the file system in words."""
     return _REASONS.get(error.errno or 0) or error.strerror or str(error)
 
 
@@ -76,7 +76,7 @@ ARCHIVES = (".h5", ".hdf5", ".nc")
 
 
 def check_archive_name(path: Path) -> None:
-    """Check the name of an archive that is to be written: no file of another kind can be meant.
+    """Check that the name of an archive to be written cannot mean a file of another kind.
 
     Raises:
         InputError: it has another ending.
@@ -86,7 +86,7 @@ def check_archive_name(path: Path) -> None:
 
 
 def check_csv_name(path: Path) -> None:
-    """Check the name of a table that is to be written: no file of another kind can be meant.
+    """Check that the name of a table to be written cannot mean a file of another kind.
 
     Raises:
         InputError: it has another ending, or an input of the command stands there.
@@ -97,7 +97,7 @@ def check_csv_name(path: Path) -> None:
 
 
 def make_folder(folder: Path) -> None:
-    """Make a folder if it is not there.
+    """Make a folder if it does not exist.
 
     Raises:
         ArchiveError: it cannot be made.
@@ -110,12 +110,19 @@ def make_folder(folder: Path) -> None:
 
 
 def source_file(source: Path, result: Path) -> str:
-    """Return the path of the file that a result is of, from the result's folder: a pair that moves stays a pair."""
+    """Return the path of the source of a result, relative to the folder of the result.
+
+    A source and its result that move together stay a pair.
+
+    Args:
+        source: the file that the result is computed from.
+        result: the file of results.
+    """
     return Path(os.path.relpath(os.path.realpath(source), os.path.realpath(result.parent))).as_posix()
 
 
 def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
-    """Check that a YAML file of results takes the place of an earlier result of the same source only.
+    """Check that a YAML file of results replaces only an earlier result of the same source.
 
     Args:
         path: where the results go.
@@ -154,7 +161,7 @@ def write_text(text: str, path: Path) -> None:
 
 
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
-    """Let a function write a file that appears only when it is whole; it never takes the place of an archive.
+    """Write a file that appears only when it is complete; it never replaces an archive.
 
     Args:
         path: the file.
@@ -210,7 +217,7 @@ def _words(error: OSError | ValueError) -> str:
 
 
 def is_hdf5(path: Path) -> bool:
-    """Whether a file begins as one of HDF5."""
+    """Return whether a file begins as one of HDF5."""
     try:
         with path.open("rb") as file:
             return file.read(len(HDF5)) == HDF5

@@ -48,7 +48,12 @@ def _places(file: Readable) -> Iterator[int]:
 
 
 def disable(file: TransactionFile, places: Iterable[int]) -> None:
-    """Make collections unreadable in a file in memory, so that the library says so of every text in them."""
+    """Make collections unreadable in a file in memory, so that the library reports an error for every text in them.
+
+    Args:
+        file: held in memory; the disk is not touched.
+        places: offsets of the collections, bytes.
+    """
     for place in places:
         file.seek(place)
         file.write(bytes(len(SIGNATURE)))

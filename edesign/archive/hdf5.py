@@ -31,7 +31,11 @@ DEFLATE_LEVEL = 1
 
 
 def write_group(target: h5py.Group, group: Group) -> None:
-    """Write a group's attributes, coordinates and variables into an empty HDF5 group, with their checksum.
+    """Write attributes, coordinates and variables of a group into an empty HDF5 group, with their checksum.
+
+    Args:
+        target: the empty HDF5 group.
+        group: what is written.
 
     Raises:
         ValueError: a dimension has no coordinate, or lengths disagree (a mistake of the caller, not of the user).
@@ -54,7 +58,12 @@ def write_group(target: h5py.Group, group: Group) -> None:
 
 
 def write_attributes(target: h5py.Group, group: Group) -> None:
-    """Write a group's attributes, new or in place of older ones, with the checksum of the group."""
+    """Write the attributes of a group, in place of older ones, with the checksum of the group.
+
+    Args:
+        target: the HDF5 group.
+        group: what is written, with its variables, which the checksum covers.
+    """
     variables = {**group.coords, **group.variables}
     attributes = {name: encode(value) for name, value in group.attributes.items()}
     if variables:

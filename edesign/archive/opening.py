@@ -17,7 +17,7 @@ PARTIAL_SUFFIX = ".partial"
 
 @dataclass
 class Opened:
-    """An open file.
+    """An open HDF5 file.
 
     Attributes:
         tree: its groups.
@@ -34,7 +34,7 @@ class Opened:
 
 
 def has_seal(path: Path) -> bool:
-    """Whether a file has a seal that tells that every byte is as it was written.
+    """Return whether a file has a seal that proves every byte unchanged.
 
     Raises:
         OSError: the system cannot read it.
@@ -81,7 +81,7 @@ def open_file(path: Path, sealed: bool, mend: bool = False) -> Opened:
 
 
 def is_partial(path: Path) -> bool:
-    """Whether the name of a file is that of an archive that is not complete."""
+    """Return whether the name of a file is that of an archive that is not complete."""
     return path.suffix == PARTIAL_SUFFIX
 
 

@@ -17,7 +17,7 @@ _NAMES = ("project_file", "study_file", "title")  # by which archives without `s
 
 
 def check_owner(path: Path, root: Group, overwrite: bool = False) -> list[str]:
-    """Refuse to replace the archive of something else, finished or interrupted, or an input of the command.
+    """Refuse to replace the archive of another source, finished or interrupted, or an input of the command.
 
     An archive of the same state of a project with analyses that the run leaves out (`--only`) is not replaced either.
     One of an earlier state of the file is: what the file no longer asks for goes.

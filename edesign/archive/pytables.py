@@ -12,7 +12,7 @@ from edesign.archive.blosc import FILTER, decompress
 
 
 def read_array(path: str | os.PathLike[str], place: str) -> np.ndarray:
-    """Return a data set of one dimension.
+    """Return a one-dimensional data set of an HDF5 file.
 
     Args:
         path: of the file.
@@ -31,6 +31,10 @@ def read_table(path: str | os.PathLike[str], place: str) -> dict[str, np.ndarray
     """Return the columns of a table that pandas wrote in its form `table`, each (rows,), by name.
 
     Args, Raises: as of `read_array`.
+
+    Args:
+        path: of the file.
+        place: of the table in the file.
     """
     with h5py.File(path, "r") as file:
         item = file[place]["table"]

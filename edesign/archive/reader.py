@@ -25,7 +25,7 @@ PAUSE = 0.1  # s between them; a run writes a group in less
 
 
 class DamagedArchive(ArchiveError):
-    """An archive is damaged, or holds what no archive can contain.
+    """An archive is damaged, or has content that no archive can have.
 
     Attributes:
         changed: whether the file changed while it was read, as a partial archive does while its run goes on.
@@ -93,19 +93,19 @@ class Archive:
 
     @property
     def complete(self) -> bool:
-        """Whether the run that wrote the archive came to its end."""
+        """Whether the run that wrote the archive was completed."""
         return str(self.attributes.get("complete")) == "1"  # a text too, as a damaged archive may have anything there
 
     @property
     def changed(self) -> bool:
-        """Whether the file has changed since it was opened, as a partial archive does while its run goes on."""
+        """Return whether the file has changed since it was opened, as a partial archive does during its run."""
         try:
             return _state(self.path) != self._state
         except OSError:
             return True
 
     def has(self, path: str) -> bool:
-        """Whether there is a group at a path that can be read."""
+        """Return whether a readable group is at a path."""
         place = path.strip("/")
         try:
             return not self.lost(place) and self._tree.has(place)
@@ -134,7 +134,7 @@ class Archive:
             raise self._damaged(error) from error
 
     def group_attributes(self, path: str) -> dict[str, object]:
-        """Return only the attributes of a group.
+        """Return the attributes of a group without reading its variables.
 
         Raises:
             ArchiveError: there is no such group, or it is damaged.
@@ -150,7 +150,7 @@ class Archive:
         return self._found(path, self._tree.group)
 
     def view(self, path: str = "/") -> Group:
-        """Return a group as `group` does, but read each of its variables when it is first asked for.
+        """Return a group whose variables are each read on their first access; otherwise as `group`.
 
         Values are read first, unit and long name when these are asked for.
 
@@ -189,14 +189,14 @@ class Archive:
             self._opened.close()
 
     def damage_in_short(self) -> str:
-        """Return one line on how much of a damaged archive can be read; "" unless something is damaged."""
+        """Return one line on how much of a damaged archive can be read; "" unless it is damaged."""
         if not self.damage and not self._fault:
             return ""
         count = f"{self._readable} of {self._readable + len(self.damage)} groups can be read"
         return f"The archive is damaged: {self._fault}{count}."
 
     def describe_damage(self) -> str:
-        """Return what is damaged and what can be read, with a line for each of the first damaged groups; or ""."""
+        """Return the damage and the readable part in lines, with the first damaged groups; "" unless it is damaged."""
         if not self.damage_in_short():
             return ""
         told = [f"\n  {place or 'the root'}: {why}" for place, why in list(self.damage.items())[:NAMED]]
@@ -262,7 +262,7 @@ def open_archive(path: str | os.PathLike[str], damaged: bool = False) -> Archive
 
 
 def refuse_calibration(archive: Archive) -> None:
-    """Refuse the archive of a calibration, whose verdict, effects and law stand in the files beside it.
+    """Refuse the archive of a calibration, whose verdict, effects and law are in the files beside it.
 
     Raises:
         ArchiveError: it is one.
@@ -275,7 +275,7 @@ def refuse_calibration(archive: Archive) -> None:
 
 
 def read_archive(path: str | os.PathLike[str], use: Callable[[Archive], Found]) -> tuple[Found, str]:
-    """Use an archive, and of a damaged one what can be read.
+    """Call a function with an open archive, of a damaged one with its readable part.
 
     Args:
         path: `NAME.h5` or `NAME.h5.partial`.

@@ -28,12 +28,17 @@ class Readable(Protocol):
 
 
 def seal_of(file: Readable, size: int) -> bytes:
-    """Return the seal of the first `size` bytes of a file."""
+    """Return the seal of the first bytes of a file.
+
+    Args:
+        file: the file.
+        size: number of bytes that the seal covers.
+    """
     return b"\nedesign archive seal: sha256 %b of %020d bytes\n" % (_sha256(file, size).encode(), size)
 
 
 def sealed_size(file: Readable) -> int | None:
-    """Return how many bytes a seal at the end of a file stands for; None if there is no seal, or it tells otherwise.
+    """Return the number of bytes that the seal at the end of a file covers; None without a valid seal.
 
     Args:
         file: open for reading.

@@ -36,7 +36,7 @@ main({file!r}, {without!r}, {limit})
 
 @dataclass
 class Survey:
-    """What was found.
+    """The result of reading every group of a file once.
 
     Attributes:
         readable: places of groups that can be read, "" for the root.
@@ -95,7 +95,13 @@ def _asked(path: Path, without: list[str], limit: float) -> tuple[Survey, str, s
 
 
 def main(file: str, without: Container[str], limit: float) -> None:
-    """Print a line of JSON for each group as it is begun, [place, null], and read, [place, why it cannot be or ""]."""
+    """Print a line of JSON for each group before it is read, [place, null], and after, [place, error or ""].
+
+    Args:
+        file: path of the file.
+        without: places of groups that are not read.
+        limit: seconds of processor time after which the process ends.
+    """
     if resource is not None:
         for kind, most in ((resource.RLIMIT_CPU, int(limit)), (resource.RLIMIT_CORE, 0)):
             _, hard = resource.getrlimit(kind)

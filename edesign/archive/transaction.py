@@ -58,12 +58,12 @@ class TransactionFile:
 
     @property
     def size(self) -> int:
-        """Bytes of the file, with the changes that were not committed."""
+        """The size of the file in bytes, with the changes that were not committed."""
         return self._size
 
     @property
     def path(self) -> Path | None:
-        """Where the file is now, if the system can tell and it has not been deleted."""
+        """The present path of the file, if the system tells it and the file has not been deleted."""
         try:
             if os.fstat(self._descriptor).st_nlink:
                 return Path(os.readlink(f"/proc/self/fd/{self._descriptor}"))
@@ -72,7 +72,7 @@ class TransactionFile:
         return None
 
     def is_at(self, path: Path) -> bool:
-        """Whether a path leads to the file, and not to another one.
+        """Return whether a path leads to this file.
 
         Raises:
             FileNotFoundError: it leads nowhere.
@@ -80,7 +80,7 @@ class TransactionFile:
         return _identity(os.stat(path)) == self._identity
 
     def write_again(self, path: Path) -> None:
-        """Write the committed content to a path where nothing is, and go on there.
+        """Write the committed content to a path where nothing is, and continue there.
 
         Raises:
             OSError: it cannot be written, or something is there.
@@ -101,7 +101,12 @@ class TransactionFile:
         self._identity = _identity(os.fstat(descriptor))
 
     def seek(self, offset: int, whence: int = os.SEEK_SET) -> int:
-        """Move to `offset` bytes from the start, the position or the end; return the position."""
+        """Move to a position and return it.
+
+        Args:
+            offset: bytes.
+            whence: 0 from the start, 1 from the position, 2 from the end.
+        """
         base = {os.SEEK_SET: 0, os.SEEK_CUR: self._position, os.SEEK_END: self._size}[whence]
         self._position = base + offset
         return self._position
@@ -160,7 +165,7 @@ class TransactionFile:
         return size
 
     def load(self) -> None:
-        """Take the whole file into memory, so that changes on the disk are not seen."""
+        """Read the whole file into memory, so that changes on the disk are not seen."""
         for number in range(-(-self._on_disk // PAGE)):
             self._pages.setdefault(number, self._page(number))
 
@@ -168,7 +173,7 @@ class TransactionFile:
         """Do nothing: only `commit` touches the disk."""
 
     def commit(self) -> None:
-        """Take all changes to the disk.
+        """Write all changes to the disk.
 
         Raises:
             OSError: no space, or another failure; the file on disk is as the last commit left it.
@@ -221,7 +226,7 @@ class TransactionFile:
 
 @contextmanager
 def between_commits(path: Path) -> Iterator[BinaryIO]:
-    """Open a file for reading, and hold back whoever commits to it.
+    """Open a file for reading, and hold back other processes that commit to it.
 
     The lock is one of the process and goes as soon as the process closes the file by any descriptor. So another one may
     be opened meanwhile, but not closed before the copy is made.

@@ -39,7 +39,7 @@ _ERRORS = (OSError, RuntimeError, ValueError, LookupError, TypeError, MemoryErro
 
 
 class Damaged(Exception):
-    """A place of an archive cannot be read: damaged, or not what an archive can contain.
+    """A place of an archive cannot be read because it is damaged or no content of an archive.
 
     Attributes:
         place: path of the group, "" for the root.
@@ -86,7 +86,7 @@ class Tree:
             self.layout = FORMAT  # layout 1 has no checksums: the mark is not as it was written, as its checksum tells
 
     def has(self, path: str) -> bool:
-        """Whether there is something at a path.
+        """Return whether something is at a path.
 
         Raises:
             Damaged: a group on the way to it is damaged.
@@ -182,7 +182,15 @@ class Tree:
             return _in_double(self._values(self._data(place, name)))
 
     def labels(self, place: str, name: str) -> tuple[str, str]:
-        """Read the unit and the long name of one variable of a group of a trusted file; see `values`."""
+        """Read the unit and the long name of one variable of a group of a trusted file; see `values`.
+
+        Args:
+            place: of the group.
+            name: of the variable.
+
+        Returns:
+            Unit and long name.
+        """
         with _reading(place), _about(name):
             return self._labels(self._data(place, name), name)
 
@@ -239,7 +247,7 @@ class Tree:
         return group
 
     def places(self, without: Container[str] = (), place: str = "") -> Iterator[str]:
-        """Give the places of all groups, "" for the root; of a damaged group those below it are not known.
+        """Yield the places of all groups, "" for the root; groups below a damaged group are not known.
 
         Args:
             without: places that are left out, with all below them.

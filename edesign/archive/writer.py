@@ -24,7 +24,7 @@ from edesign.errors import ArchiveError
 
 
 def partial_path(path: str | os.PathLike[str]) -> Path:
-    """Return where an archive lies while it is not complete."""
+    """Return the path of an archive while it is not complete."""
     return Path(f"{os.fspath(path)}{PARTIAL_SUFFIX}")
 
 
@@ -100,7 +100,7 @@ class ArchiveWriter:
         self.close()
 
     def write(self, path: str, group: Group) -> None:
-        """Write a group at a path, replacing what is there, and take it to the disk.
+        """Write a group at a path, in place of an earlier one, and commit it to the disk.
 
         Args:
             path: place in the archive, such as "analyses/el_centro".
@@ -114,7 +114,7 @@ class ArchiveWriter:
             self._commit()
 
     def has(self, path: str) -> bool:
-        """Whether a group was written at a path, or is reused."""
+        """Return whether a group was written at a path, or is reused."""
         return path in self._open_file()
 
     def read(self, path: str) -> Group:

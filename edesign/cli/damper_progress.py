@@ -9,7 +9,7 @@ from edesign.study.run.progress import Listener, Progress
 
 
 def reporter(listen: Listener, name: str) -> Callable[[int, int, str], None]:
-    """Return what to tell before each step: its number from 1, how many there are, its name.
+    """Return the function to be called before each step with its number from 1, the number of steps, and its name.
 
     Args:
         listen: of the command line.

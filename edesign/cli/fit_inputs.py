@@ -22,7 +22,7 @@ AGAINST = ("forces", "properties")
 
 @dataclass(frozen=True)
 class FitInput:
-    """What is fitted to.
+    """The tests or properties that laws are fitted to.
 
     Attributes:
         against: "forces" or "properties".
@@ -95,7 +95,7 @@ def _properties(tests: Sequence[DamperTest], specimen: Specimen, path: Path) -> 
 
 
 def read_specimen(layers: int | None, area: str | None, thickness: str | None) -> Specimen | None:
-    """The specimen of the options; None if none is given.
+    """Return the specimen of the options; None if none is given.
 
     Raises:
         InputError: some of them are missing, or have no unit.
@@ -114,7 +114,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
 
 
 def read_laws(names: Sequence[str], choice: LawChoice | None) -> tuple[Law, ...]:
-    """The laws of --law, else that of the campaign.
+    """Return the laws of --law, else that of the campaign.
 
     Raises:
         InputError: one is unknown or named twice, or there is none.
@@ -131,7 +131,7 @@ def read_laws(names: Sequence[str], choice: LawChoice | None) -> tuple[Law, ...]
 
 
 def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone: bool) -> dict[str, float]:
-    """Start values of a law: of the campaign's law, a published set, or NAME=VALUE; `data`: none.
+    """Return start values of a law: of the campaign's law, a published set, or NAME=VALUE; `data`: none.
 
     Args:
         law: the law.
@@ -158,7 +158,7 @@ def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone:
 
 
 def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone: bool) -> dict[str, float] | list[str]:
-    """Parameters of --fix: NAME=VALUE, or NAME alone for its start value."""
+    """Return the parameters of --fix: NAME=VALUE, or NAME alone for its start value."""
     names = [text for text in given if "=" not in text]
     values = read_values(law, [text for text in given if "=" in text], "--fix", alone)
     known = {parameter.name for parameter in law.parameters} | set(start) | set(values)
@@ -173,7 +173,7 @@ def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone
 
 
 def read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dict[str, float]:
-    """Values of NAME=VALUE with units.
+    """Return the values of NAME=VALUE with units, by name.
 
     Raises:
         InputError: a name is unknown, or a value cannot be read.

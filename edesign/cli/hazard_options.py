@@ -125,7 +125,7 @@ def _flag(key: str) -> str:
 
 
 def quantity(text: str, kind: Kind, option: str) -> float:
-    """Read an option with its unit.
+    """Read the value of an option with its unit.
 
     Args:
         text: such as `0.05s`.

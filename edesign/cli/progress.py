@@ -18,7 +18,7 @@ TOLD_FROM = 1.0  # s: less that is left is not worth telling
 
 @contextmanager
 def listener(quiet: bool = False) -> Iterator[Listener]:
-    """Give a listener for `run_project` that shows on standard error how far the run is."""
+    """Return a listener for `run_project` that shows the progress of the run on standard error."""
     if quiet:
         yield silent
     elif sys.stderr.isatty():
@@ -29,7 +29,7 @@ def listener(quiet: bool = False) -> Iterator[Listener]:
 
 
 class PlainLines:
-    """A line at the start and the end of each analysis, and at every tenth of those that take long."""
+    """A listener that prints a line at the start and the end of each analysis, and at every tenth of long ones."""
 
     def __init__(self) -> None:
         self._told: dict[str, int] = {}
@@ -60,7 +60,7 @@ class PlainLines:
 
 
 def place(report: Progress) -> str:
-    """Return the place in the plan, such as "[3/20] "; "" for what is not in the plan."""
+    """Return the place of an analysis in the plan, such as "[3/20] "; "" for what is not in the plan."""
     return f"[{report.index}/{report.count}] " if report.index else ""
 
 
@@ -88,7 +88,7 @@ def duration(seconds: float) -> str:
 
 
 def remaining(seconds: float | None, before: str = "") -> str:
-    """Return the estimate of what is left, such as "25 s left"; "" if there is none or it is not worth telling."""
+    """Return the estimate of the remaining time, such as "25 s left"; "" if there is none or it is negligible."""
     if seconds is None or seconds < TOLD_FROM:
         return ""
     step = 1 if seconds < 10 else 5 if seconds < 120 else 60  # s: no more digits than an estimate has

@@ -69,7 +69,7 @@ class Reading:
         column: str | None = None,
         time_column: str | None = None,
     ) -> Reading:
-        """The options as they are written.
+        """Return the options as they are written on the command line.
 
         Raises:
             InputError: the time step is none.
@@ -121,7 +121,7 @@ def read_inputs(
 
 
 def is_suite(path: Path) -> bool:
-    """Whether a path is meant to be a suite file."""
+    """Return whether a path is meant to be a suite file."""
     return path.suffix.lower() in (".yaml", ".yml")
 
 

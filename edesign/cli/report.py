@@ -44,7 +44,7 @@ def report(
 
 
 class PageProgress:
-    """A line on standard error now and then: by time on a terminal, elsewhere by count, whatever the machine."""
+    """A listener that prints progress on standard error: by time on a terminal, elsewhere by count."""
 
     def __init__(self) -> None:
         self._by_time = sys.stderr.isatty()

@@ -20,7 +20,7 @@ LINE_AFTER = 1.0  # s: on a terminal quicker stages have no line
 
 
 def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
-    """Do work in a thread of its own, with lines on standard error for its stages, and return its result.
+    """Run a function in a thread, with lines on standard error for its stages, and return its result.
 
     On a terminal stages that last have a line. In a file or a pipe each stage has one at its beginning, so that the
     lines do not depend on the speed of the machine.

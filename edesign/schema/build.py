@@ -36,7 +36,7 @@ _YEAR = 365.25 * 86400.0
 
 
 def file_name(kind: SchemaKind) -> str:
-    """Return the name of the file that the schema of a kind is written to."""
+    """Return the file name of the schema of a kind."""
     return f"{kind.name}.schema.json"
 
 
@@ -63,7 +63,7 @@ def _of_model(model: type[BaseModel]) -> Json:
 
 
 def combined_schema() -> Json:
-    """Return the schema that sends a file to that of its kind, by the keys of its outermost mapping.
+    """Return the schema that chooses the kind of a file by the keys of its outermost mapping.
 
     It refers to the schemas of the kinds by their file names, so that it stands in one folder with them.
     """
@@ -131,7 +131,7 @@ def _without_null(schema: Any) -> Any:
 
 
 def as_written(value: Any, schema: Json) -> Any:
-    """Return a value of a model as it would stand in a file.
+    """Return a value of a model as a YAML file would have it.
 
     Args:
         value: SI; of a default.

@@ -14,7 +14,7 @@ _SECTION = re.compile(r"(Attributes|Source|Raises|Returns|Args):(.*)")
 
 @cache
 def of_model(model: type[BaseModel]) -> str:
-    """Return what a model is, in its first paragraph."""
+    """Return the description of a model, the first paragraph of its docstring."""
     origin = model.__pydantic_generic_metadata__["origin"] or model
     text = inspect.cleandoc(origin.__doc__ or "")
     return " ".join(text.split("\n\n")[0].split())

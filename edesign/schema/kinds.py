@@ -40,7 +40,7 @@ class SchemaKind:
     needed: tuple[str, ...] = ()
 
     def load(self) -> type[BaseModel]:
-        """Return the model; imports what it needs."""
+        """Import and return the model of the kind."""
         found: type[BaseModel] = getattr(import_module(self.module), self.model)
         return found
 

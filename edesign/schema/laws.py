@@ -21,7 +21,7 @@ _KINDS = {kind.unit: kind for kind in (AREA, ENERGY, FORCE, LENGTH, STIFFNESS, S
 
 
 def add_laws(schema: Json, schema_of_model: Callable[[type[BaseModel]], Json]) -> None:
-    """Say in a schema which damper laws and effects there are, and which parameters each has.
+    """Add the damper laws and effects with the parameters of each to a schema.
 
     Args:
         schema: of a file; is changed where laws stand in it.

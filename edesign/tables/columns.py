@@ -26,7 +26,7 @@ _MISSPELT = 0.75  # likeness of names from which a header is one misspelt: of `f
 
 @dataclass(frozen=True)
 class Chosen:
-    """What is said of the columns of a table.
+    """The columns that a file names for a table.
 
     Attributes:
         columns: header or number, from 1, by quantity; if there are any, no other column is read.
@@ -39,12 +39,12 @@ class Chosen:
     reversed: Sequence[str] = ()
 
     def names(self, header: str) -> bool:
-        """Return whether a cell is a header: one that is said, or that names a quantity."""
+        """Return whether a cell is a header: a chosen one, or one that names a quantity."""
         return header in self.columns.values() or names_quantity(header)
 
 
 def columns_in_si(table: Table, chosen: Chosen | None = None) -> tuple[dict[str, np.ndarray], list[str]]:
-    """Columns by quantity, in s, m, N, degC, and the headers of columns of other quantities, which are not read.
+    """Return columns by quantity in s, m, N, degC, and the headers of other columns, which are not read.
 
     Args:
         table: headers name quantity and unit: `force_kN`, also `Force (kN)`, `Axial Force [kN]` or `Load kN`.
@@ -80,7 +80,13 @@ def places_of(table: Table) -> dict[str, int]:
 
 
 def unit_of(table: Table, column: int, quantity: str) -> str | None:
-    """Return the unit of a column as `QUANTITIES` has it; None: none that is known."""
+    """Return the unit of a column as `QUANTITIES` has it; None: no known unit.
+
+    Args:
+        table: the table.
+        column: from 0.
+        quantity: a key of `QUANTITIES`.
+    """
     if column in table.clocks and quantity == "time":
         return "s"
     unit = name_and_unit(table.headers[column])[1]
@@ -88,7 +94,12 @@ def unit_of(table: Table, column: int, quantity: str) -> str | None:
 
 
 def need(table: Table, columns: Mapping[str, np.ndarray], *quantities: str) -> None:
-    """Check that quantities are there.
+    """Check that a table has columns of the quantities that are needed.
+
+    Args:
+        table: the table, for messages.
+        columns: values by quantity.
+        *quantities: those that are needed.
 
     Raises:
         InputError: one is missing.

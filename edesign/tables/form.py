@@ -26,7 +26,7 @@ _MARKS = {
 
 @dataclass(frozen=True)
 class Form:
-    """How a table stands in its file, as it was read.
+    """The form of a table in its file: encoding, header, delimiter, decimal sign.
 
     Attributes:
         encoding: of the file.
@@ -52,7 +52,7 @@ class Form:
 
     @property
     def words(self) -> str:
-        """What is not plain about the table, for people; empty: UTF-8, one line of headers, commas and points."""
+        """The unusual parts of the form in words; empty for UTF-8 with one line of headers, commas and points."""
         parts = [f"as exported by {self.mark}"] if self.mark else []
         if self.encoding != "utf-8":
             parts.append(self.encoding)
@@ -73,19 +73,26 @@ class Form:
 
 
 def mark_of(lines: Sequence[str]) -> str:
-    """Return the maker whose marks stand in lines; empty: none that is known."""
+    """Return the maker whose marks are in lines; empty: no known maker."""
     text = "\n".join(lines)
     return next((maker for maker, mark in _MARKS.items() if mark.search(text)), "")
 
 
 def cells(line: str, delimiter: Delimiter) -> list[str]:
-    """Split a line; quotes around a cell fall away."""
+    """Return the cells of a line without the quotes around them.
+
+    Args:
+        line: without its line feed.
+        delimiter: the sign between cells, or blanks.
+    """
     sign = SIGNS[delimiter]
     return line.split() if sign is None else [cell.strip().strip('"').strip() for cell in line.split(sign)]
 
 
 def header_cells(line: str, delimiter: Delimiter, width: int | None = None) -> list[str]:
-    """Split a line of headers; between blanks `Time (s)` is one, and two blanks may part names of several words.
+    """Return the cells of a line of headers; between blanks, `Time (s)` is one cell.
+
+    Two blanks may part names of several words.
 
     Args:
         line: of headers.
@@ -101,7 +108,16 @@ def header_cells(line: str, delimiter: Delimiter, width: int | None = None) -> l
 def find_header(
     lines: Sequence[str], names: Callable[[str], bool], given: TableFormat | None
 ) -> tuple[int, Delimiter] | None:
-    """Find the first line with two names or more, and the sign between its columns; None: there is none."""
+    """Return the first line with two names or more, and the sign between its columns; None without one.
+
+    Args:
+        lines: of the file.
+        names: tells whether a cell is a header.
+        given: the form that the file of the user states; None: nothing is stated.
+
+    Returns:
+        Index of the line, from 0, and the sign between columns.
+    """
     signs: tuple[Delimiter, ...] = ("semicolon", "tab", "comma")
     if given is not None and given.delimiter is not None:
         signs = (given.delimiter,)
@@ -117,7 +133,17 @@ def find_header(
 
 
 def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int | None:
-    """Find the first line with two names between blanks, with numbers between blanks below it or below its units."""
+    """Return the first line with two names between blanks above numbers between blanks; None without one.
+
+    A line of units may be between them.
+
+    Args:
+        lines: of the file.
+        names: tells whether a cell is a header.
+
+    Returns:
+        Index of the line, from 0.
+    """
     for i, line in enumerate(lines[:-1]):
         below = [lines[k].split() for k in range(i + 1, min(i + 3, len(lines)))]
         row = next((row for row in below if all(map(like_number, row))), None)
@@ -128,7 +154,15 @@ def find_blank_header(lines: Sequence[str], names: Callable[[str], bool]) -> int
 
 
 def first_numbers(lines: Sequence[str], delimiter: Delimiter) -> int | None:
-    """Find the first line with nothing but numbers, several of them; None: there is none."""
+    """Return the first line with several cells that are all numbers; None without one.
+
+    Args:
+        lines: of the file.
+        delimiter: the sign between cells.
+
+    Returns:
+        Index of the line, from 0.
+    """
     for i, line in enumerate(lines):
         row = cells(line, delimiter)
         if len(row) > 1 and any(row) and all(like_number(cell) for cell in row if cell):
@@ -137,20 +171,25 @@ def first_numbers(lines: Sequence[str], delimiter: Delimiter) -> int | None:
 
 
 def delimiter_of(line: str) -> Delimiter:
-    """Return the sign that a line of headers or numbers has, a comma before others; a comma if it has none."""
+    """Return the sign between the cells of a line of headers or numbers: a comma, unless it has another one only."""
     order: tuple[Delimiter, ...] = ("comma", "semicolon", "tab")
     return next((sign for sign in order if str(SIGNS[sign]) in line), "comma")
 
 
 def are_units(row: Sequence[str], width: int) -> bool:
-    """Return whether cells below headers are units: words and no number."""
+    """Return whether cells below headers are units: words and no number.
+
+    Args:
+        row: the cells.
+        width: number of the headers.
+    """
     return len(row) == width and any(row) and not any(map(like_number, row))
 
 
 def decimal_of(
     text: TableText, lines: Sequence[str], first: int, delimiter: Delimiter, given: Decimal | None
 ) -> Decimal:
-    """Find the sign before the decimals: a comma if numbers have at most one each, and no point anywhere.
+    """Return the decimal sign: a comma if numbers have at most one comma each, and no point anywhere.
 
     Args:
         text: of the table, for messages.

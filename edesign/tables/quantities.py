@@ -58,7 +58,12 @@ _SCALED = re.compile(
 
 
 def scaled_unit(text: str, units: Mapping[str, float]) -> float | None:
-    """Return the factor of a unit, also with a number: `g/10`, `5 kN`; None: it is none."""
+    """Return the factor of a unit, also of one with a number as `g/10` or `5 kN`; None: no unit.
+
+    Args:
+        text: the unit as written.
+        units: factor to SI by unit.
+    """
     if text in units:
         return units[text]
     match = _SCALED.fullmatch(text.strip())
@@ -69,13 +74,13 @@ def scaled_unit(text: str, units: Mapping[str, float]) -> float | None:
 
 
 def names_quantity(header: str) -> bool:
-    """Whether a header names a quantity, with a unit or without."""
+    """Return whether a header names a quantity, with a unit or without."""
     name = name_and_unit(header)[0]
     return quantity_of(name) is not None or other_quantity_of(name) is not None
 
 
 def name_and_unit(header: str) -> tuple[str, str | None]:
-    """Name and unit of `force_kN`, `Axial Force (kN)`, `Load kN`, `time`."""
+    """Return name and unit of a header such as `force_kN`, `Axial Force (kN)`, `Load kN` or `time`."""
     if match := _BRACKETED.fullmatch(header):
         return match["name"], match["unit"].strip() or None
     name, _, unit = header.rpartition("_")
@@ -86,13 +91,13 @@ def name_and_unit(header: str) -> tuple[str, str | None]:
 
 
 def quantity_of(name: str) -> str | None:
-    """What a name means; None: another quantity."""
+    """Return the quantity that a name means; None: another quantity."""
     plain = _BEFORE.sub("", name.strip().lower())
     return next((quantity for quantity, names in _NAMES.items() if plain in names), None)
 
 
 def other_quantity_of(name: str) -> str | None:
-    """What one of the other names means, or the last word of a path such as `Model Root/force`; None: no quantity."""
+    """Return the quantity of another name, or of the last word of a path as `Model Root/force`; None: no quantity."""
     plain = _BEFORE.sub("", name.strip().lower())
     found = next((quantity for quantity, names in _OTHER_NAMES.items() if plain in names), None)
     if found is None and "/" in plain:

@@ -16,7 +16,14 @@ from edesign.tables.text import clock_seconds, is_clock, is_number
 def clocks_in_seconds(
     path: Path, lines: list[str], numbers: Sequence[int], delimiter: Delimiter
 ) -> tuple[list[str], frozenset[int]]:
-    """Put seconds since the first row in place of clock times; return the columns that had them too."""
+    """Return lines with seconds since the first row in place of clock times, and the columns that had clock times.
+
+    Args:
+        path: of the file, for messages.
+        lines: of the table below its headers.
+        numbers: numbers of these lines in the file, from 1.
+        delimiter: the sign between cells.
+    """
     sign = SIGNS[delimiter]
     clocks = [] if sign is None else [i for i, cell in enumerate(cells(lines[0], delimiter)) if is_clock(cell)]
     if not clocks or sign is None:
@@ -35,7 +42,14 @@ def clocks_in_seconds(
 def rows_of_numbers(
     path: Path, headers: list[str], numbers: list[int], lines: list[str], delimiter: Delimiter
 ) -> np.ndarray:
-    """Read rows of finite numbers (n, columns).
+    """Read rows of finite numbers, (n, columns).
+
+    Args:
+        path: of the file, for messages.
+        headers: of the columns.
+        numbers: numbers of the lines in the file, from 1.
+        lines: of the table below its headers.
+        delimiter: the sign between cells.
 
     Raises:
         InputError: a row is too short or long, or a cell is empty or no finite number.

@@ -31,7 +31,7 @@ _LABELS = ("trace_values", "values", "data")  # in the first cell of the first r
 
 @dataclass(frozen=True)
 class Table:
-    """A table as it stands in a file.
+    """A table of numbers as it is in a file.
 
     Attributes:
         path: the file.
@@ -52,7 +52,12 @@ class Table:
     clocks: frozenset[int] = frozenset()
 
     def where(self, column: int | None = None, row: int | None = None) -> str:
-        """`file:line, column 2 (force_kN)` for messages; without a row the line of the headers."""
+        """Return `file:line, column 2 (force_kN)` for messages.
+
+        Args:
+            column: from 0; None: the message is about the whole line.
+            row: from 0; None: the line of the headers.
+        """
         line = self.header_line if row is None else int(self.lines[row])
         place = f"{self.path}:{line}"
         return place if column is None else f"{place}, column {column + 1} (`{self.headers[column]}`)"
@@ -77,7 +82,7 @@ def read_table(
     content: bytes | None = None,
     given: TableFormat | None = None,
 ) -> Table:
-    """Read a table; blank lines and lines that begin with # are skipped.
+    """Read a table of numbers; blank lines and lines that begin with # are skipped.
 
     Exports of test machines are read too: lines above the headers, a line of units below them, headers that come
     again, columns without header and values at either end, and decimal commas where semicolons, tabs or blanks stand

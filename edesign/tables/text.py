@@ -39,7 +39,7 @@ _CLOCK = re.compile(
 
 @dataclass(frozen=True)
 class TableText:
-    """The lines of a table that count.
+    """The lines of a table without comments and blank lines.
 
     Attributes:
         path: the file.
@@ -122,7 +122,7 @@ def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Enc
 
 
 def encoding_of(data: bytes) -> Encoding | None:
-    """Find the encoding of a text file; None: it is no text.
+    """Return the encoding of a text file; None: no text.
 
     Marks and zero bytes show UTF-16, and what is valid UTF-8 is that. Of the others, GBK and Shift-JIS are taken
     where they give words of headers, and Windows-1252 or Latin-1 if not.
@@ -168,6 +168,12 @@ def like_number(cell: str) -> bool:
 def number(word: str, path: Path, line: int, what: str = "an acceleration") -> float:
     """Read a finite number.
 
+    Args:
+        word: the cell.
+        path: of the file, for messages.
+        line: number of the line, from 1.
+        what: what the number is, for messages.
+
     Raises:
         InputError: `word` is none; the message names file, line (from 1) and what was expected.
     """
@@ -188,6 +194,11 @@ def clock_seconds(path: Path, cells: Sequence[str], numbers: Sequence[int]) -> l
     """Return seconds since the first of clock times, to nanoseconds, as text.
 
     Times without a date that go back by more than half a day have gone over midnight.
+
+    Args:
+        path: of the file, for messages.
+        cells: the clock times.
+        numbers: numbers of their lines in the file, from 1.
 
     Raises:
         InputError: a cell is no clock time, some have a date and others not, or a date does not exist.
