@@ -39,7 +39,7 @@ Date = Annotated[
 
 
 class Document(Model):
-    """What the cover of a report says beside the title.
+    """The lines of a report's cover beside its title.
 
     Attributes:
         client: for whom the report is.
@@ -60,10 +60,10 @@ class Document(Model):
     notes: Annotated[str, Field(min_length=1, max_length=20 * LONGEST)] | None = None
 
     def over(self, other: Document) -> Document:
-        """Return what another document says, with what this one says in its place."""
+        """Return the document with the keys of another one where this one has none."""
         return other.model_copy(update=dict(self.said))
 
     @property
     def said(self) -> Mapping[str, str]:
-        """The keys that are given, with their texts, in the order of the cover."""
+        """Return the keys that are given with their texts, in the order of the cover."""
         return {key: value for key in type(self).model_fields if (value := getattr(self, key)) is not None}

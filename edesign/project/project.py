@@ -120,7 +120,12 @@ class Project(RecordFiles, FileModel):
         return self.model_copy(update={"dampers": dampers, "frame": frame})
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
-        """Return what the file would be with other values; see `FileModel.with_values`."""
+        """Return the project as its file would be with other values; see `FileModel.with_values`.
+
+        Args:
+            values: new values by key path, or one key path.
+            value: the new value, if `values` is a key path.
+        """
         return super().with_values(values, value).with_folders(self._more_folders)
 
     def with_folders(self, folders: Sequence[Path]) -> Self:
@@ -130,13 +135,13 @@ class Project(RecordFiles, FileModel):
         return found
 
     def with_choices(self, choices: Mapping[str, RecordChoice]) -> Self:
-        """Return the project with what was chosen for its records, by their names."""
+        """Return the project with chosen recordings for its records, by their names."""
         found = self.model_copy()
         found._choices = dict(choices)
         return found
 
     def afresh(self) -> Self:
-        """Return the project without the contents of files that were read so far, and what was chosen of them."""
+        """Return the project without contents of files that were read and choices made from them."""
         found = self.with_choices({})
         found._contents = {}
         if self.hazard is not None and any(self.hazard.files()):
@@ -147,7 +152,7 @@ class Project(RecordFiles, FileModel):
 
     @property
     def archive_path(self) -> Path:
-        """Where the archive goes unless the command line says otherwise."""
+        """The path of the archive, unless the command line gives another one."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
 
     @property
@@ -168,11 +173,11 @@ class Project(RecordFiles, FileModel):
         return self.dampers.isolation if self.dampers is not None else None
 
     def record_choice(self, name: str) -> RecordChoice | None:
-        """What was chosen for a record; None if nothing was yet."""
+        """Return the choice that was made for a record; None if none was made."""
         return self._choices.get(name)
 
     def suite_folders(self, name: str) -> list[Path]:
-        """The folders in which the recordings of a suite are looked for, those of `with_folders` last.
+        """Return the folders that are searched for the recordings of a suite, those of `with_folders` last.
 
         Raises:
             KeyError: no record of this name is a suite.

@@ -51,7 +51,7 @@ class Template:
 
 
 def templates() -> dict[str, Template]:
-    """Return all templates by their names, in the order in which they are told."""
+    """Return all templates by their names, in the order in which they are listed."""
     with (FOLDER / _ABOUT).open(encoding="utf-8") as file:
         about = yaml.safe_load(file)
     return {

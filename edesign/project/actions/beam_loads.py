@@ -35,7 +35,14 @@ class PartOnMember:
 
 
 def points_on_members(frame: Frame, loads: Loads) -> Iterator[PointOnMember]:
-    """The point loads on each member that a beam is; one over the middle of halves stands on the end of the first."""
+    """Yield the point loads on each member that is part of a beam.
+
+    A load over the middle of a divided beam is on the end of its first half.
+
+    Args:
+        frame: the frame of the project.
+        loads: the loads of the project.
+    """
     for load in loads.beams:
         for place in frame.standing_beams(load) if load.points else ():
             width = frame.bay_widths[place[0] - 1]
@@ -48,7 +55,12 @@ def points_on_members(frame: Frame, loads: Loads) -> Iterator[PointOnMember]:
 
 
 def parts_on_members(frame: Frame, loads: Loads) -> Iterator[PartOnMember]:
-    """The partial loads on each member that a beam is."""
+    """Yield the partial loads on each member that is part of a beam.
+
+    Args:
+        frame: the frame of the project.
+        loads: the loads of the project.
+    """
     for load in loads.beams:
         for place in frame.standing_beams(load) if load.partial else ():
             width = frame.bay_widths[place[0] - 1]
@@ -63,7 +75,15 @@ def parts_on_members(frame: Frame, loads: Loads) -> Iterator[PartOnMember]:
 
 
 def breaks_of_members(frame: Frame, loads: Loads) -> dict[str, tuple[float, ...]]:
-    """The places (0 to 1) inside members where loads begin, end or stand, rising; of members that have any."""
+    """Return the places inside members where loads begin, end or act, ascending, as shares of the length.
+
+    Args:
+        frame: the frame of the project.
+        loads: the loads of the project.
+
+    Returns:
+        The places, 0 to 1, by name of the member; members without such places are left out.
+    """
     found: dict[str, set[float]] = {}
     for point in points_on_members(frame, loads):
         found.setdefault(point.member, set()).add(point.position)
@@ -74,7 +94,12 @@ def breaks_of_members(frame: Frame, loads: Loads) -> dict[str, tuple[float, ...]
 
 
 def points_of_member(elements: Elements, breaks: tuple[float, ...]) -> int:
-    """Number of integration points of a member with fibres that is integrated piece by piece between breaks."""
+    """Return the number of integration points of a fibre member that is integrated piece by piece between breaks.
+
+    Args:
+        elements: integration points and geometry of the members.
+        breaks: places inside the member, 0 to 1 of its length, ascending.
+    """
     return (len(breaks) + 1) * (elements.integration_points - 1) + 1
 
 

@@ -13,7 +13,7 @@ _WAYS = tuple(Level.model_fields)
 
 
 def check_hazard(hazard: Hazard | None, holder: FileModel, problems: Problems, files: bool = True) -> None:
-    """Check the seismic action, which has no schema problems. What names of the code mean is checked later.
+    """Check the seismic action of a file without schema problems; names of the code are checked later.
 
     Args:
         hazard: the block.

@@ -12,7 +12,12 @@ from edesign.project.reading.problems import Keys, Problems
 
 
 def check_loads(project: Project, problems: Problems) -> None:
-    """Check the loads; `project` has no schema problems."""
+    """Check the loads; `project` has no schema problems.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     check = Selections(project.frame, problems)
     loads, before = project.loads, len(problems.found)
     for i, strip in enumerate(loads.floors):

@@ -62,7 +62,14 @@ def check_vertical(
 
 
 def check_horizontal(project: Project, problems: Problems, keys: Keys, records: Sequence[str]) -> None:
-    """Check that records of horizontal motions are not fitted to a vertical spectrum; `keys` of one or of a list."""
+    """Check that the records of horizontal motions are not fitted to a vertical spectrum.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        records: references of the records.
+    """
     for i, name in enumerate(map(record_of, records)):
         match = project.records[name].match if name in project.records else None
         if match is not None and match.component == "vertical":

@@ -112,7 +112,7 @@ class EC8Hazard(Hazard):
 
     @property
     def q(self) -> float | None:
-        """Behaviour factor of the design spectrum."""
+        """The behaviour factor of the design spectrum."""
         return self.behaviour_factor
 
     @property
@@ -121,11 +121,11 @@ class EC8Hazard(Hazard):
         return self.country if self.country is not None and self.country.endswith((".yaml", ".yml")) else None
 
     def probability(self, level: str) -> float | None:
-        """Return the probability of exceedance in 50 years; None of a level by class or factor."""
+        """Return the probability of exceedance of a level in 50 years; None for a level by class or factor."""
         return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
 
     def files(self) -> Iterator[tuple[Keys, str]]:
-        """Yield the file of the country."""
+        """Yield key path and name of the file of the country."""
         if self.country_file is not None:
             yield ("country",), self.country_file
 
@@ -171,12 +171,12 @@ class NtcHazard(Hazard):
 
     @property
     def own_shapes(self) -> bool:
-        """True: each limit state has a_g, F_0 and T_C* of its own."""
+        """Whether limit states have spectra of their own shapes: they do, with a_g, F_0 and T_C* of each."""
         return True
 
     @property
     def q(self) -> float | None:
-        """Behaviour factor of the design spectrum."""
+        """The behaviour factor of the design spectrum."""
         return self.behaviour_factor
 
 
@@ -265,7 +265,7 @@ class UserHazard(Hazard):
         return self.levels[level].spectrum if self.spectrum is None and level is not None else self.spectrum
 
     def probability(self, level: str) -> float | None:
-        """Return the probability of exceedance in 50 years, if the file states it."""
+        """Return the probability of exceedance of a level in 50 years, if the file states it."""
         return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
 
     def tables(self) -> Iterator[tuple[Keys, SpectrumTable]]:
@@ -277,7 +277,7 @@ class UserHazard(Hazard):
                 yield ("levels", name, "spectrum"), level.spectrum
 
     def files(self) -> Iterator[tuple[Keys, str]]:
-        """Yield the files of tables."""
+        """Yield key path and name of each file of a table."""
         for keys, table in self.tables():
             if isinstance(table, SpectrumFile):
                 yield (*keys, "file"), table.file

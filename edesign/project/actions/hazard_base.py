@@ -69,7 +69,7 @@ class Hazard(Model):
 
     @property
     def q(self) -> float | None:
-        """Behaviour factor of the design spectrum; None without one, or where the code has another notion."""
+        """The behaviour factor of the design spectrum; None without one, or where the code has another notion."""
         return None
 
     def probability(self, level: str) -> float | None:
@@ -81,11 +81,20 @@ class Hazard(Model):
         return iter(())
 
     def lend(self, folder: Path, contents: dict[Path, bytes]) -> None:
-        """Tell where the files are, and the contents of those that were read, which the file of the action keeps."""
+        """Set the folder of the files that the action names, and the contents of those that were read.
+
+        Args:
+            folder: to which paths are relative.
+            contents: by path; files that are read later are added to it.
+        """
         self._folder, self._contents = folder, contents
 
     def content(self, file: str, read: Callable[[Path], bytes]) -> bytes:
-        """Return the content of a file that the action names, as it was when first asked for.
+        """Return the content of a file that the action names, as it was on its first reading.
+
+        Args:
+            file: name of the file in the hazard.
+            read: reads the file at a path.
 
         Raises:
             InputError: it cannot be read.
@@ -101,7 +110,11 @@ class Hazard(Model):
 
 
 def level_of(hazard: Hazard, level: str | None) -> str:
-    """Return the level of an action whose levels have spectra of their own; None is the only one.
+    """Return the level of an action whose levels have spectra of their own; None stands for the only one.
+
+    Args:
+        hazard: the seismic action.
+        level: name of a level, or None.
 
     Raises:
         InputError: there are several.

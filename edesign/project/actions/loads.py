@@ -174,5 +174,5 @@ class Loads(Model):
 
     @property
     def are_vertical(self) -> bool:
-        """Whether there are any that act downwards, of which masses can come."""
+        """Whether any load acts downwards, from which masses may follow."""
         return bool(self.floors or self.beams or self.nodes)

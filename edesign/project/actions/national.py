@@ -117,5 +117,5 @@ class NationalValues(Model):
     resistance_factors: ResistanceFactors | None = None
 
     def stated(self) -> dict[str, Any]:
-        """Return what the file states, by name; tables as mappings."""
+        """Return the parameters that the file states, by name; tables are mappings."""
         return self.model_dump(exclude_none=True)

@@ -165,8 +165,12 @@ class NationalFileError(FileProblems):
 def read_national_file(hazard: Hazard, file: str) -> dict[str, dict[str, Any]]:
     """Read the parameters of a country from a file that a hazard names.
 
+    Args:
+        hazard: the seismic action, which keeps the content of the file.
+        file: name of the file in the hazard.
+
     Returns:
-        Value, unit, clause and source by name of the parameter.
+        The stated parameters by name, each with its value, clause and source.
 
     Raises:
         InputError: the file cannot be read.
@@ -177,7 +181,12 @@ def read_national_file(hazard: Hazard, file: str) -> dict[str, dict[str, Any]]:
 
 
 def parse_national(text: str, path: Path) -> dict[str, dict[str, Any]]:
-    """Check the text of a national data file; result and errors as `read_national_file`."""
+    """Check the text of a national data file; result and errors as `read_national_file`.
+
+    Args:
+        text: the text of the file.
+        path: path of the file, for messages.
+    """
     found, problems = check_model(text, NationalFile, _WHAT, _BEGINS)
     if found is None or problems.found:
         raise NationalFileError(path, problems.found)

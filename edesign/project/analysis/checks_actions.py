@@ -69,7 +69,14 @@ def _validity(project: Project, problems: Problems) -> None:
 
 
 def check_drift(project: Project, problems: Problems, keys: Keys, drift: float | None) -> None:
-    """A drift that an analysis is to reach is not beyond the one up to which its result counts."""
+    """Check that a drift that an analysis is to reach is within the limit of valid results.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        drift: drift ratio; None: none is given.
+    """
     largest = project.largest_drift
     if drift is not None and largest is not None and drift > largest:
         problems.at_value(

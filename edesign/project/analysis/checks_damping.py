@@ -19,7 +19,12 @@ MOST_TERMS = 8
 
 
 def check_damping(project: Project, problems: Problems) -> None:
-    """Check the inherent damping; `project` has no schema problems."""
+    """Check the inherent damping; `project` has no schema problems.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     damping = project.damping
     if isinstance(damping, RayleighDamping):
         _either(damping, "modes", "periods", problems)

@@ -13,7 +13,12 @@ from edesign.project.reading.problems import Keys, Problems, did_you_mean
 
 
 def check_outputs(project: Project, problems: Problems) -> None:
-    """Check what is to be kept; `project` has no schema problems."""
+    """Check what is to be kept; `project` has no schema problems.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     outputs = project.outputs
     for i, kind in enumerate(outputs.histories):
         if kind in outputs.histories[:i]:
@@ -35,9 +40,13 @@ def check_outputs(project: Project, problems: Problems) -> None:
 
 
 def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
-    """How many layers of fibres an I section has; None where the building decides.
+    """Return the number of layers of fibres of an I section; None where the section does not determine it.
 
     It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.
+
+    Args:
+        project: the project, which has no schema problems.
+        run: the run of members, with their section.
     """
     fibres = project.fibres
     weak = not isinstance(run, BraceRun) and run.axis == "weak"
@@ -49,7 +58,14 @@ def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int
 
 
 def check_member(project: Project, problems: Problems, keys: Keys, member: str) -> bool:
-    """Check that a member exists; returns whether it does."""
+    """Check that a member exists, and return whether it does.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        member: name of the member.
+    """
     known = project.frame.members
     if member in known:
         return True

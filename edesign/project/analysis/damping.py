@@ -108,7 +108,7 @@ class ModalDamping(Model):
 
     @property
     def count(self) -> int:
-        """How many modes are damped."""
+        """The number of damped modes."""
         return len(self.ratio) if isinstance(self.ratio, tuple) else self.modes or 0
 
 
@@ -143,7 +143,7 @@ Damping = Annotated[
 
 
 def first_ratio(damping: Damping | None) -> float:
-    """Return the ratio of critical that is given, of several the first: that of the lowest mode; 0 without damping."""
+    """Return the ratio of critical damping that is given, of several that of the lowest mode; 0 without damping."""
     if damping is None or isinstance(damping, NoDamping):
         return 0.0
     return damping.ratio[0] if isinstance(damping.ratio, tuple) else damping.ratio

@@ -45,7 +45,7 @@ class GivenPattern(Model):
 
     @property
     def name(self) -> str:
-        """In names of analyses."""
+        """The name of the pattern in names of analyses."""
         if self.floors is not None:
             return "floors"
         return f"mode_{self.mode}" if self.mode is not None else f"modes_{self.modes}"
@@ -99,5 +99,5 @@ class Pushovers(Pushover):
 
 
 def pattern_name(pattern: Pattern) -> str:
-    """Return the name of a pattern, as it stands in names of analyses."""
+    """Return the name of a pattern in names of analyses."""
     return pattern.name if isinstance(pattern, GivenPattern) else pattern

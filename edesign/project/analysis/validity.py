@@ -22,7 +22,7 @@ class Validity(Model):
 
     @property
     def geometric_drift(self) -> float:
-        """Drift ratio at which small rotations are wrong by `energy_error`.
+        """The drift ratio at which the geometry of small rotations is wrong by `energy_error`.
 
         A column of height h that leans by the angle theta moves by d h = h sin(theta) and is h cos(theta) high.
         P-Delta takes its height as h, so that the overturning effect of its load, tan(theta), comes out as d: too

@@ -25,7 +25,7 @@ class WavePassage(Model):
     delays: Annotated[dict[str, Duration], Field(min_length=1)] | None = None
 
     def delays_of(self, lines: Mapping[str, float]) -> dict[str, float]:
-        """Return the delay of each line, s, by the places of lines, m; the wave reaches the first at once."""
+        """Return the delay of each line, s, from the places of lines, m; the wave reaches the first one at 0 s."""
         if self.velocity is None:
             given = self.delays or {}
             return {line: given.get(line, 0.0) for line in lines}

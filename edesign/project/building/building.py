@@ -157,7 +157,12 @@ class Building(FileModel):
     _path: Path = PrivateAttr(default=Path("building.yaml"))
 
     def model_copy(self, *, update: Mapping[str, Any] | None = None, deep: bool = False) -> Self:
-        """Return a copy, which works out anew what follows from the values."""
+        """Return a copy whose derived values are computed anew.
+
+        Args:
+            update: values in place of those of the building, by name.
+            deep: whether nested models are copied too.
+        """
         found = super().model_copy(update=update, deep=deep)
         for name in ("layout", "heights", "levels"):
             found.__dict__.pop(name, None)
@@ -165,19 +170,19 @@ class Building(FileModel):
 
     @property
     def archive_path(self) -> Path:
-        """Where the archive goes unless the command line says otherwise."""
+        """The path of the archive, unless the command line gives another one."""
         return self.folder / f"{self._path.stem}.h5"
 
     @property
     def design_level(self) -> str:
-        """The level of the hazard that the building is designed for; "" without a design."""
+        """The name of the hazard level that the building is designed for; "" without a design."""
         if self.design is None or self.hazard is None:
             return ""
         return self.design.level or next(iter(self.hazard.levels))
 
     @cached_property
     def layout(self) -> Layout:
-        """What stands where."""
+        """The members at each place of the grid."""
         return Layout(self)
 
     def widths(self, along: Direction) -> tuple[float, ...]:
@@ -187,7 +192,7 @@ class Building(FileModel):
 
     @cached_property
     def heights(self) -> tuple[float, ...]:
-        """Height of each storey, bottom to top, m."""
+        """Height of each storey, from the lowest, m."""
         return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
 
     @property
@@ -213,7 +218,7 @@ class Building(FileModel):
         return tuple(accumulate(self.heights, initial=0.0))
 
     def support(self, line: ColumnLine) -> Springs:
-        """Return what holds the foot of a column line; without a name in a mapping its `default`, or fixed."""
+        """Return the support at the foot of a column line, by its name, by `default`, or fixed."""
         if not isinstance(self.supports, dict):
             return springs_of(self.supports)
         found = self.supports.get("default", "fixed")

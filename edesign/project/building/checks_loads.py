@@ -86,7 +86,14 @@ def _by_floor(places: set[BeamPlace]) -> list[BeamPlace]:
 
 
 def carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:
-    """Return the beams at the edges of a bay that a floor loads: those across its span, all with secondary beams."""
+    """Return the beams at the edges of a bay that carry its floor load.
+
+    They are those across the span of the floor, and all four where it spans both ways or has secondary beams.
+
+    Args:
+        area: the area load with the span of its floor.
+        around: the beams at the edges of the bay.
+    """
     if area.spans == "two_way" or area.secondary_beams:
         return around
     return around[2:] if area.spans == "x" else around[:2]

@@ -14,7 +14,7 @@ from edesign.project.reading.problems import Keys, Problems, listed
 
 
 class Selections:
-    """Checks of the selections of a building; each returns whether all is right.
+    """Checks that selections of a building exist; each returns whether they do.
 
     Args:
         building: read without schema problems.
@@ -26,7 +26,15 @@ class Selections:
         self.problems = problems
 
     def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int, of: str = "") -> bool:
-        """Every number is from 1 to `last`; `of` says more of what they are."""
+        """Check that every number is within 1 to `last`.
+
+        Args:
+            keys: key path of the selection.
+            chosen: the numbers.
+            what: what they count, for messages.
+            last: the largest number.
+            of: further words for messages on what they belong to.
+        """
         good = True
         for i, (low, high) in enumerate(chosen.ranges):
             if low < 1 or high > last:
@@ -37,15 +45,30 @@ class Selections:
         return good
 
     def storeys(self, keys: Keys, chosen: NumberSelection) -> bool:
-        """Every storey exists."""
+        """Check that every storey exists.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected numbers.
+        """
         return self.numbers((*keys, "storeys"), chosen, "storey", self.building.n_storeys)
 
     def floors(self, keys: Keys, chosen: NumberSelection) -> bool:
-        """Every floor exists."""
+        """Check that every floor exists.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected numbers.
+        """
         return self.numbers((*keys, "floors"), chosen, "floor", self.building.n_storeys)
 
     def bays(self, keys: Keys, blocks: tuple[Panels, ...]) -> bool:
-        """Every bay of the plan exists."""
+        """Check that every bay of the plan exists.
+
+        Args:
+            keys: key path of the value in the file.
+            blocks: blocks of bays of the plan.
+        """
         good = True
         several = self.problems.node(keys).items is not None
         for i, block in enumerate(blocks):
@@ -56,7 +79,12 @@ class Selections:
         return good
 
     def lines(self, keys: Keys, chosen: ColumnLineSelection) -> bool:
-        """Every column line exists."""
+        """Check that every column line exists.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected column lines.
+        """
         outside = self.lines_outside(chosen)
         for i, message in outside.items():
             self.problems.at_item(keys, i, message)
@@ -72,7 +100,13 @@ class Selections:
         }
 
     def frames(self, keys: Keys, chosen: FrameSelection, along: Direction) -> bool:
-        """Every frame exists and is of the direction."""
+        """Check that every frame exists and has the direction.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected frames.
+            along: direction of the frames, x or y.
+        """
         good = True
         last = self.building.n_frames(along) - 1
         names = f"{line_label(along, 0)} to {line_label(along, last)}"
@@ -83,19 +117,34 @@ class Selections:
         return good
 
     def column_places(self, keys: Keys, chosen: ColumnPlaces) -> bool:
-        """Column lines and storeys exist."""
+        """Check that column lines and storeys exist.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected columns.
+        """
         lines = self.lines((*keys, "at"), chosen.at)
         return self.storeys(keys, chosen.storeys) and lines
 
     def beam_places(self, keys: Keys, chosen: BeamPlaces) -> bool:
-        """Frames, bays and floors exist."""
+        """Check that frames, bays and floors exist.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected beams.
+        """
         frames = self.frames((*keys, "frames"), chosen.frames, chosen.along)
         last = self.building.n_bays(chosen.along)
         bays = self.numbers((*keys, "bays"), chosen.bays, "bay", last, f" along {chosen.along}")
         return self.floors(keys, chosen.floors) and frames and bays
 
     def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> bool:
-        """Beams that are named one by one stand."""
+        """Check that beams that are selected one by one exist.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected beams.
+        """
         if not self.beam_places(keys, chosen):
             return False
         if chosen.frames.is_all or chosen.bays.is_all or chosen.floors.is_all:
@@ -104,7 +153,13 @@ class Selections:
         return self.absent(keys, "beam", (str(p) for p in layout.beam_places(chosen) if p not in layout.beam_at))
 
     def nodes(self, keys: Keys, lines: ColumnLineSelection, floors: NumberSelection) -> bool:
-        """Nodes that are named one by one exist."""
+        """Check that nodes that are selected one by one exist.
+
+        Args:
+            keys: key path of the value in the file.
+            lines: the selected column lines.
+            floors: numbers of the selected floors.
+        """
         inside = self.lines((*keys, "at"), lines)
         if not (self.floors(keys, floors) and inside):
             return False
@@ -116,7 +171,13 @@ class Selections:
         return self.absent(keys, "node", (node_name(*place) for place in named if place[0] not in there[place[1]]))
 
     def absent(self, keys: Keys, what: str, names: Iterable[str]) -> bool:
-        """Nothing is missing that was named."""
+        """Check that none of the names is missing, and return whether it is so.
+
+        Args:
+            keys: key path of the selection.
+            what: kind of the items, for messages.
+            names: the missing ones.
+        """
         missing = list(names)
         if missing:
             verb = f"1 {what} is" if len(missing) == 1 else f"{len(missing)} {what}s are"

@@ -229,7 +229,7 @@ class BucklingLength(Model):
 
 
 class LateralRestraint(Model):
-    """What holds the compressed flange.
+    """The lateral restraint of the compressed flange.
 
     Attributes:
         beams: by the slab all along, or at the ends only.
@@ -310,7 +310,7 @@ class Select(Model):
 
 
 class Design(Model):
-    """What is checked, and how the seismic action is combined.
+    """The checks of a building, and the combination of the seismic action.
 
     Attributes:
         code: codes and their editions.

@@ -20,7 +20,7 @@ DIRECTIONS: tuple[Direction, Direction] = ("x", "y")
 
 
 class Layout:
-    """What stands where in a building.
+    """The members of a building at the places of its grid.
 
     Args:
         building: read without schema problems.
@@ -33,7 +33,7 @@ class Layout:
 
     @cached_property
     def floors(self) -> dict[int, frozenset[Panel]]:
-        """The bays that each floor covers, floors from 1."""
+        """The bays that each floor covers; floors count from 1."""
         n_x, n_y = self._building.n_bays("x"), self._building.n_bays("y")
         whole = frozenset((i, j) for i in range(1, n_x + 1) for j in range(1, n_y + 1))
         found = {floor: whole for floor in range(1, self._building.n_storeys + 1)}
@@ -52,7 +52,7 @@ class Layout:
 
     @cached_property
     def floor_edges(self) -> dict[int, Counter[BeamPlace]]:
-        """How many covered bays each place of a beam borders, by floor: 1 at the perimeter, 2 inside."""
+        """The number of covered bays at each place of a beam, by floor: 1 at the perimeter, 2 inside."""
         return {
             floor: Counter(edge for panel in sorted(panels) for edge in edges(panel, floor))
             for floor, panels in self.floors.items()
@@ -112,14 +112,14 @@ class Layout:
     # --- selections on this grid
 
     def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[ColumnLine, int]]:
-        """Yield (line, storey) of a selection of columns, whether they stand or not."""
+        """Yield (line, storey) of a selection of columns, whether they exist or not."""
         lines = self._building.lines_of(chosen.at)
         for storey in chosen.storeys.numbers(1, self._building.n_storeys):
             for line in lines:
                 yield line, storey
 
     def beam_places(self, chosen: BeamPlaces) -> Iterator[BeamPlace]:
-        """Yield the places of a selection of beams, whether they stand or not."""
+        """Yield the places of a selection of beams, whether they exist or not."""
         along = chosen.along
         for floor in chosen.floors.numbers(1, self._building.n_storeys):
             for frame in chosen.frames.numbers(self._building.n_frames(along)):
@@ -142,7 +142,12 @@ def corners(panel: Panel) -> tuple[ColumnLine, ...]:
 
 
 def edges(panel: Panel, floor: int) -> tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]:
-    """Return the places of the beams at the edges of a bay of the plan: two along x, two along y."""
+    """Return the places of the beams at the edges of a bay of the plan: two along x, two along y.
+
+    Args:
+        panel: the bay: its numbers along x and along y, from 1.
+        floor: number of the floor; 0 is the base.
+    """
     i, j = panel
     return (
         BeamPlace("x", j - 1, i, floor),
@@ -153,7 +158,12 @@ def edges(panel: Panel, floor: int) -> tuple[BeamPlace, BeamPlace, BeamPlace, Be
 
 
 def met_beam(place: BracePlace, run: BraceRun) -> BeamPlace:
-    """Return the place of the beam that a chevron (above it) or V brace (below it) meets in the middle."""
+    """Return the place of the beam that a chevron (above it) or V brace (below it) meets in the middle.
+
+    Args:
+        place: the place of the brace: frame, bay and storey.
+        run: the run of braces, with their kind.
+    """
     floor = place.storey if run.kind == "chevron" else place.storey - 1
     return BeamPlace(place.along, place.frame, place.bay, floor)
 
@@ -163,7 +173,12 @@ Point = tuple[ColumnLine | None, int]
 
 
 def ways(place: BracePlace, run: BraceRun) -> dict[str, tuple[Point, Point]]:
-    """Return the braces of one place: lower and upper point by their way, `r` rising and `f` falling."""
+    """Return the lower and upper point of each brace of one place by its way, `r` rising and `f` falling.
+
+    Args:
+        place: the place of the brace: frame, bay and storey.
+        run: the run of braces, with their kind.
+    """
     left, right = place.lines
     low, high = place.storey - 1, place.storey
     rising, falling = ((left, low), (right, high)), ((right, low), (left, high))

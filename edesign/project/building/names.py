@@ -61,27 +61,53 @@ class BracePlace(NamedTuple):
 
 
 def bay_lines(along: Direction, frame: int, bay: int) -> tuple[ColumnLine, ColumnLine]:
-    """Return the column lines at the two ends of a bay of a frame."""
+    """Return the column lines at the two ends of a bay of a frame.
+
+    Args:
+        along: direction of the frame, x or y.
+        frame: number of the frame, from 0.
+        bay: number of the bay, from 1.
+    """
     if along == "x":
         return ColumnLine(bay - 1, frame), ColumnLine(bay, frame)
     return ColumnLine(frame, bay - 1), ColumnLine(frame, bay)
 
 
 def line_label(along: Direction, frame: int) -> str:
-    """Return the label of the grid line that a frame stands on: `2` of a frame along x, `A` of one along y."""
+    """Return the label of the grid line of a frame: `2` of a frame along x, `A` of one along y.
+
+    Args:
+        along: direction of the frame, x or y.
+        frame: number of the frame, from 0.
+    """
     return str(frame + 1) if along == "x" else line_name(frame)
 
 
 def frame_name(along: Direction, frame: int) -> str:
-    """Return the name of a plane frame: `X2` along x on line 2, `YA` along y on line A."""
+    """Return the name of a plane frame: `X2` along x on line 2, `YA` along y on line A.
+
+    Args:
+        along: direction of the frame, x or y.
+        frame: number of the frame, from 0.
+    """
     return along.upper() + line_label(along, frame)
 
 
 def node_name(line: ColumnLine, floor: int) -> str:
-    """Return the name of a node: `A2.3` on column line A2 at floor 3."""
+    """Return the name of a node: `A2.3` on column line A2 at floor 3.
+
+    Args:
+        line: the column line.
+        floor: number of the floor; 0 is the base.
+    """
     return f"{line}.{floor}"
 
 
 def column_name(line: ColumnLine, storey: int) -> str:
-    """Return the name of a column: `C_A2_3` on column line A2 in storey 3."""
+    """Return the name of a column: `C_A2_3` on column line A2 in storey 3.
+
+    Args:
+        line: the column line.
+        storey: number of the storey, from 1.
+    """
     return f"C_{line}_{storey}"

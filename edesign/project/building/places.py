@@ -47,7 +47,12 @@ class ColumnLineSelection:
         return self.is_all or any(_within(line.i, item.x) and _within(line.j, item.y) for item in self.items)
 
     def lines(self, n_x: int, n_y: int) -> Iterator[ColumnLine]:
-        """Yield the selected ones of n_x times n_y column lines, each once."""
+        """Yield the selected ones of the column lines of a plan, each once.
+
+        Args:
+            n_x: number of lines along x.
+            n_y: number of lines along y.
+        """
         return (line for i in range(n_x) for j in range(n_y) if (line := ColumnLine(i, j)) in self)
 
 
@@ -93,7 +98,12 @@ class Panels(Model):
         return self.x.is_all and self.y.is_all
 
     def numbers(self, n_x: int, n_y: int) -> Iterator[tuple[int, int]]:
-        """Yield the selected bays (along x, along y) of a plan of n_x times n_y bays; both count from 1."""
+        """Yield the selected bays (along x, along y) of a plan; both count from 1.
+
+        Args:
+            n_x: number of bays along x.
+            n_y: number of bays along y.
+        """
         for i in self.x.numbers(1, n_x):
             for j in self.y.numbers(1, n_y):
                 yield i, j
@@ -164,7 +174,13 @@ ALL_BAYS = (Panels(),)
 
 
 def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[int, int]]:
-    """Return the bays (along x, along y) that a selection takes of a plan of n_x times n_y bays."""
+    """Return the bays (along x, along y) of a plan that a selection takes.
+
+    Args:
+        bays: blocks of bays.
+        n_x: number of bays along x.
+        n_y: number of bays along y.
+    """
     return frozenset(place for block in bays for place in block.numbers(n_x, n_y))
 
 

@@ -32,7 +32,7 @@ from edesign.project.reading.problems import Keys, Problems, keys_text
 
 @dataclass(frozen=True)
 class Range:
-    """The bounds of a quantity, in SI.
+    """The possible and usual bounds of a quantity, in SI.
 
     Attributes:
         what: its name.
@@ -51,15 +51,15 @@ class Range:
     why_usual: str
 
     def refuses(self, value: float) -> bool:
-        """Whether a value is not possible."""
+        """Return whether a value is impossible."""
         return not self.possible[0] <= value <= self.possible[1]
 
     def warns(self, value: float) -> bool:
-        """Whether a value is not usual."""
+        """Return whether a value is unusual."""
         return not self.usual[0] <= value <= self.usual[1]
 
     def shown(self, bounds: tuple[float, float]) -> str:
-        """Bounds in the unit that people write: `150 to 700 MPa`."""
+        """Return the bounds in the unit that people write, such as `150 to 700 MPa`."""
         factor = units_of(self.kind)[self.unit]
         return f"{bounds[0] / factor:.4g} to {bounds[1] / factor:.4g} {self.unit}".rstrip()
 
@@ -174,7 +174,7 @@ BUCKLING_LENGTH = Range(
 
 
 def check_plausible(building: Building, problems: Problems) -> None:
-    """Refuse what no steel building has; zero loads are allowed.
+    """Refuse values that no steel building has; zero loads are allowed.
 
     Args:
         building: read without schema problems.
@@ -189,7 +189,12 @@ def check_plausible(building: Building, problems: Problems) -> None:
 
 
 def check_given_masses(building: Building, problems: Problems) -> None:
-    """Refuse given masses that no floor has; its area is that of the bays that it covers."""
+    """Refuse given masses that no floor has, by the area of the bays that it covers.
+
+    Args:
+        building: the building without schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     for floor, by_area in _mass_by_area(building).items():
         if FLOOR_MASS.refuses(by_area):
             message = (
@@ -200,7 +205,7 @@ def check_given_masses(building: Building, problems: Problems) -> None:
 
 
 def unusual(building: Building) -> list[tuple[Keys, str]]:
-    """Return what is allowed and worth a second look: the place, and a sentence that names it."""
+    """Return place and sentence of each value that is possible but unusual."""
     found: list[tuple[Keys, str]] = [
         (
             keys,

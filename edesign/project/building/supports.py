@@ -38,7 +38,7 @@ class Springs(Model):
     rz: Rotation = "fixed"
 
     def all(self) -> tuple[Held, ...]:
-        """What holds ux, uy, uz, rx, ry, rz."""
+        """The restraints of ux, uy, uz, rx, ry and rz."""
         return self.ux, self.uy, self.uz, self.rx, self.ry, self.rz
 
 

@@ -89,6 +89,10 @@ def objective_level(letter: str, hazard: Hazard | None) -> str | None:
 
     A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
     by a factor or an importance class have none.
+
+    Args:
+        letter: of the objective.
+        hazard: the seismic action; None: the project has none.
     """
     wanted = OBJECTIVE_PROBABILITY[letter]
     for name in hazard.levels if hazard is not None else ():

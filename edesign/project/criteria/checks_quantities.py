@@ -35,7 +35,7 @@ def check_quantity(
     kept: Collection[HistoryKind] | None,
     dampers: Mapping[str, Sequence[str]],
 ) -> None:
-    """Check where a quantity is taken, and that the archive will have what it needs.
+    """Check the places of a quantity, and that the archive will have its values.
 
     Args:
         keys: of the criterion.
@@ -74,7 +74,12 @@ def check_quantity(
 
 
 def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
-    """Return the names of the dampers and isolators of a project, as its frame has them."""
+    """Return the names of the dampers and isolators of a project.
+
+    Args:
+        frame: the frame of the project.
+        dampers: the dampers; None: the project has none.
+    """
     if dampers is None:
         return ()
     found: list[str] = []
@@ -97,7 +102,12 @@ def names_of_dampers(frame: Frame, dampers: Dampers | None) -> tuple[str, ...]:
 
 
 def names_of_design(frame: Frame, design: Design) -> tuple[str, ...]:
-    """Return the names of the dampers that a design places, or may place."""
+    """Return the names of the dampers that a design places, or may place.
+
+    Args:
+        frame: the frame of the project.
+        design: a design of a study.
+    """
     kinds = [design.kind]
     if isinstance(design, PlacementDesign):
         kinds = list(dict.fromkeys(kind for item in design.catalogue.values() for kind in design.kinds_of(item)))
@@ -124,7 +134,15 @@ def _members(keys: Keys, criterion: QuantityCriterion, frame: Frame, problems: P
 
 
 def check_members(keys: Keys, given: Sequence[str], allowed: Sequence[str], what: str, problems: Problems) -> None:
-    """Check that members are some of those allowed (at least one), and come once; `what` they are, for messages."""
+    """Check that members are among those allowed, at least one of them, each once.
+
+    Args:
+        keys: key path of the value in the file.
+        given: names of the members.
+        allowed: names that may be given.
+        what: kind of the members, for messages.
+        problems: the problems of the file, to which those found are added.
+    """
     for i, name in enumerate(given):
         if name not in allowed:
             hint = did_you_mean(name, allowed)

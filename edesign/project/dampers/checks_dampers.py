@@ -23,7 +23,12 @@ from edesign.project.reading.problems import Keys, Problems, did_you_mean, liste
 
 
 def check_dampers(project: Project, problems: Problems) -> None:
-    """Check dampers and attachments; `project` has no schema problems."""
+    """Check dampers and attachments; `project` has no schema problems.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     for i, analysis in enumerate(project.analyses):
         if isinstance(analysis, ModalAnalysis):
             _amplitude(project, problems, ("analyses", i), analysis)
@@ -65,7 +70,13 @@ def _amplitude(project: Project, problems: Problems, keys: Keys, analysis: Modal
 
 
 def check_law(problems: Problems, keys: Keys, law: DamperLaw) -> None:
-    """Check that a law stands in the file itself or in a law file, one of them."""
+    """Check that a law is either in the file itself or in a law file.
+
+    Args:
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        law: the law, as the file describes it.
+    """
     if law.file is None:
         for key in ("type", "parameters"):
             if getattr(law, key) is None:
@@ -97,7 +108,14 @@ def _device(project: Project, problems: Problems, keys: Keys, device: Device) ->
 
 
 def check_size(problems: Problems, keys: Keys, device: Device | CatalogueItem, laws: Mapping[str, DamperLaw]) -> None:
-    """Check that a damper gives the size of layers where its law has some, and a scale where it has none."""
+    """Check that a damper has the size that its law needs: layers or a factor on its forces.
+
+    Args:
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        device: the damper, or an item of a catalogue.
+        laws: of the project, by name.
+    """
     law = laws[device.law]
     restrained = law.type == "buckling_restrained"  # a prototype of it is refused itself
     if restrained or (law.prototype is None and law.file is None):

@@ -66,7 +66,7 @@ def check_design(keys: Keys, spec: Design, project: Project, problems: Problems)
 
 
 def design_warnings(spec: Design) -> list[str]:
-    """What is allowed but unusual."""
+    """Return one sentence for each unusual value of a design."""
     low, high = _RECOMMENDED_ALPHA
     if isinstance(spec, SimplifiedDesign) and not low <= spec.alpha <= high:
         return [f"alpha = {spec.alpha:g} is outside the recommended {low:g} to {high:g} (thesis 5.3.4)"]
@@ -181,7 +181,13 @@ def _bounds(keys: Keys, spec: SizedDesign, bounds: Bounds, problems: Problems) -
 
 
 def check_factors(keys: Keys, bounds: Bounds, problems: Problems) -> None:
-    """Check the factors and temperatures of bounds against each other."""
+    """Check factors and temperatures of bounds against each other.
+
+    Args:
+        keys: key path of the value in the file.
+        bounds: the bounds of a design.
+        problems: the problems of the file, to which those found are added.
+    """
     for side in ("upper", "lower"):
         if getattr(bounds, side) is not None and getattr(bounds, f"{side}_factors") is not None:
             problems.at_key((*keys, f"{side}_factors"), f"`{side}` is given; keep one of them")

@@ -12,7 +12,7 @@ TARGETS = ("shear_share", "damping", "optimum")
 
 
 def check_hysteretic_design(keys: Keys, spec: HystereticDesign, project: Project, problems: Problems) -> None:
-    """Check what only a design of hysteretic dampers has.
+    """Check the keys that only a design of hysteretic dampers has.
 
     Args:
         keys: of the design in the study file, e.g. ("designs", "dampers").

@@ -16,7 +16,12 @@ _AT: Keys = ("dampers", "isolation")
 
 
 def check_isolation(project: Project, problems: Problems) -> None:
-    """Check the isolated base of a project; `project` has no schema problems, and may have no isolation."""
+    """Check the isolated base of a project; `project` has no schema problems, and may have no isolation.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     isolation = project.isolation
     if isolation is None:
         return

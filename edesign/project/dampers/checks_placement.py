@@ -31,14 +31,28 @@ def check_placement_design(keys: Keys, spec: PlacementDesign, project: Project, 
 
 
 def check_candidate_places(keys: Keys, spec: Design, project: Project, problems: Problems) -> bool:
-    """Check that the bays and storeys of a design are some of the frame's; returns whether it is so."""
+    """Check that the frame has the bays and storeys of a design, and return whether it has.
+
+    Args:
+        keys: key path of the value in the file.
+        spec: the design.
+        project: the validated project.
+        problems: the problems of the file, to which those found are added.
+    """
     check = Selections(project.frame, problems)
     bays = check.numbers((*keys, "bays"), spec.bays, "bay", project.frame.n_bays)
     return check.numbers((*keys, "storeys"), spec.storeys, "storey", project.frame.n_storeys) and bays
 
 
 def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Problems) -> None:
-    """Check that the levels and records of a design are some of the project's."""
+    """Check that the project has the levels and records of a design.
+
+    Args:
+        keys: key path of the value in the file.
+        spec: the design.
+        project: the validated project.
+        problems: the problems of the file, to which those found are added.
+    """
     levels = project.hazard_levels
     if spec.level is not None and spec.level not in levels:
         problems.at_value((*keys, "level"), unknown_name("level", spec.level, levels))
@@ -48,7 +62,12 @@ def check_design_hazard(keys: Keys, spec: Design, project: Project, problems: Pr
 
 
 def placement_warnings(spec: PlacementDesign, frame: Frame) -> list[str]:
-    """What is allowed in a placement and may not be meant."""
+    """Return one sentence for each value of a placement that may not be meant.
+
+    Args:
+        spec: the placement.
+        frame: the frame of the project.
+    """
     widths = frame.bay_widths
     pairs = [(bay, frame.n_bays + 1 - bay) for bay in range(1, frame.n_bays // 2 + 1)]
     uneven = [(a, b) for a, b in pairs if not math.isclose(widths[a - 1], widths[b - 1])]

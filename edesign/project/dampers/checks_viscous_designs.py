@@ -9,7 +9,7 @@ from edesign.project.reading.problems import Keys, Problems
 
 
 def check_viscous_design(keys: Keys, spec: ViscousDesign, project: Project, problems: Problems) -> None:
-    """Check what only a design of viscous dampers has.
+    """Check the keys that only a design of viscous dampers has.
 
     Args:
         keys: of the design in the study file, e.g. ("designs", "dampers").

@@ -153,7 +153,7 @@ BRACE_KINDS = ("chevron_braces", "rising", "falling", "nodes")
 
 
 def restrained_misfits(kind: str, brace: object, kinds: Iterable[str] = BRACE_KINDS) -> dict[str, str]:
-    """Return what buckling-restrained braces must not have, by its key, in words.
+    """Return why a buckling-restrained brace must not have some keys, by the key.
 
     Args:
         kind: how they stand.
@@ -303,11 +303,11 @@ class Dampers(Model):
 
     @property
     def none(self) -> bool:
-        """Whether there are laws at most, and nothing that has them."""
+        """Whether no damper stands in the frame, although laws may be given."""
         return not (self.devices or self.attachments or self.isolation)
 
     @property
     def used_laws(self) -> frozenset[str]:
-        """Names of the laws that some damper or isolator has."""
+        """The names of the laws that some damper or isolator has."""
         base = () if self.isolation is None else (*self.isolation.isolators, *self.isolation.beside)
         return frozenset(item.law for item in (*self.devices, *base))

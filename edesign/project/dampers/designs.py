@@ -319,7 +319,7 @@ HYSTERETIC_LAWS = ("friction", "elastic_plastic", "self_centring", "ramberg_osgo
 
 
 class Optimum(Model):
-    """The share of the storey shears for which histories answer least.
+    """The search for the share of the storey shears with the least response in histories.
 
     Attributes:
         range: shares that are looked at.

@@ -25,7 +25,7 @@ Kind = Literal["chevron", "rising", "falling", "storey"]
 
 
 class CatalogueItem(Model):
-    """What one place may be equipped with: equal dampers side by side behind their brace.
+    """The equipment of one place: equal dampers side by side behind their brace.
 
     Attributes:
         law: one of `dampers.laws` of the project.
@@ -54,7 +54,7 @@ class CatalogueItem(Model):
 
 
 class Costs(Model):
-    """What is paid beside the dampers: for each equipped place (brace, connections), storey, and bay.
+    """The costs beside the dampers: for each equipped place (brace, connections), storey, and bay.
 
     Attributes:
         place: cost of each equipped place, for brace and connections.
@@ -68,7 +68,7 @@ class Costs(Model):
 
 
 class LayoutLimits(Model):
-    """Which layouts are allowed.
+    """The limits of the allowed layouts.
 
     Attributes:
         most_dampers: largest number of dampers.
@@ -117,6 +117,6 @@ class PlacementDesign(Model):
     verify: PlacementVerify
 
     def kinds_of(self, item: CatalogueItem) -> tuple[Kind, ...]:
-        """The kinds in which an item may stand: diagonals of mirrored layouts lean both ways."""
+        """Return the kinds in which an item may stand: diagonals of mirrored layouts lean both ways."""
         kind = item.kind or self.kind
         return ("rising", "falling") if self.limits.mirrored and kind in ("rising", "falling") else (kind,)

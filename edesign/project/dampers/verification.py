@@ -15,7 +15,7 @@ Budget = Annotated[int, Field(ge=1, le=1_000_000)]
 
 
 class AnyVerify(Model):
-    """The motions of the histories, and the criteria that have to be met.
+    """Verification of a design: the motions of its histories, and the criteria that they have to meet.
 
     Attributes:
         records: records of the project for the histories.
@@ -31,7 +31,7 @@ class AnyVerify(Model):
 
 
 class LoopVerify(AnyVerify):
-    """Rounds of histories, changing something, until the criteria are met.
+    """Verification in rounds of histories that change the dampers until the criteria are met.
 
     Attributes:
         rounds: largest number of rounds that may be tried.
@@ -43,7 +43,7 @@ class LoopVerify(AnyVerify):
 
 
 class Verify(LoopVerify):
-    """Of dampers with layers.
+    """Verification of a design of dampers with layers, in rounds of histories.
 
     Attributes:
         change: what a round that misses changes: the target, the area, or the thickness at the same stiffness.
@@ -53,7 +53,7 @@ class Verify(LoopVerify):
 
 
 class ViscousVerify(LoopVerify):
-    """Of viscous dampers.
+    """Verification of a design of viscous dampers, in rounds of histories.
 
     Attributes:
         change: what a round that misses changes.
@@ -63,7 +63,7 @@ class ViscousVerify(LoopVerify):
 
 
 class HystereticVerify(LoopVerify):
-    """Of hysteretic dampers.
+    """Verification of a design of hysteretic dampers, in rounds of histories.
 
     Attributes:
         rounds: largest number of rounds that may be tried.
@@ -75,7 +75,7 @@ class HystereticVerify(LoopVerify):
 
 
 class PlacementVerify(AnyVerify):
-    """Of a placement.
+    """Verification of the layouts of a placement by histories.
 
     Attributes:
         budget: largest number of histories that the search runs.

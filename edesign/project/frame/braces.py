@@ -72,5 +72,5 @@ class BraceBuckling(Model):
 
     @property
     def n_elements(self) -> int:
-        """Beams over the buckling length."""
+        """The number of elements over the buckling length."""
         return self.elements or ELEMENTS["pinned" if self.ends == "pinned" else "held"]

@@ -59,14 +59,21 @@ def check_frame(project: Project, problems: Problems, profiles: Catalogue | None
 
 
 class Selections:
-    """Checks that selections stay inside the grid of a frame and, unless they say `all`, that what they name stands."""
+    """Checks that selections are within the grid of a frame, and that items selected one by one exist."""
 
     def __init__(self, frame: Frame, problems: Problems) -> None:
         self.frame = frame
         self.problems = problems
 
     def numbers(self, keys: Keys, chosen: NumberSelection, what: str, last: int) -> bool:
-        """Every number from 1 to `last`; returns whether it is so."""
+        """Check that every number is within 1 to `last`, and return whether it is so.
+
+        Args:
+            keys: key path of the selection.
+            chosen: the numbers.
+            what: what they count, for messages.
+            last: the largest number.
+        """
         good = True
         for i, (low, high) in enumerate(chosen.ranges):
             if low < 1 or high > last:
@@ -77,7 +84,12 @@ class Selections:
         return good
 
     def lines(self, keys: Keys, chosen: LineSelection) -> bool:
-        """Every line exists; returns whether it is so."""
+        """Check that every line exists, and return whether it is so.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected lines.
+        """
         good = True
         for i, span in enumerate(chosen.ranges):
             outside = next((line for line in reversed(span) if line not in self.frame.lines), None)
@@ -88,29 +100,55 @@ class Selections:
         return good
 
     def column_places(self, keys: Keys, chosen: ColumnPlaces) -> bool:
-        """Lines and storeys inside the grid; returns whether it is so."""
+        """Check that lines and storeys are within the grid, and return whether it is so.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected columns.
+        """
         lines = self.lines((*keys, "lines"), chosen.lines)
         return self.numbers((*keys, "storeys"), chosen.storeys, "storey", self.frame.n_storeys) and lines
 
     def beam_places(self, keys: Keys, chosen: BeamPlaces) -> bool:
-        """Bays and floors inside the grid; returns whether it is so."""
+        """Check that bays and floors are within the grid, and return whether it is so.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected beams.
+        """
         bays = self.numbers((*keys, "bays"), chosen.bays, "bay", self.frame.n_bays)
         return self.numbers((*keys, "floors"), chosen.floors, "floor", self.frame.n_storeys) and bays
 
     def standing_columns(self, keys: Keys, chosen: ColumnPlaces) -> None:
-        """Columns that are named one by one stand."""
+        """Check that columns that are selected one by one exist.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected columns.
+        """
         if self.column_places(keys, chosen) and not (chosen.lines.is_all or chosen.storeys.is_all):
             absent = [p for p in self.frame.column_places(chosen) if p not in self.frame.column_at]
             self._absent(keys, "column", [names.column_name(*p) for p in absent])
 
     def standing_beams(self, keys: Keys, chosen: BeamPlaces) -> None:
-        """Beams that are named one by one stand."""
+        """Check that beams that are selected one by one exist.
+
+        Args:
+            keys: key path of the value in the file.
+            chosen: the selected beams.
+        """
         if self.beam_places(keys, chosen) and not (chosen.bays.is_all or chosen.floors.is_all):
             absent = [p for p in self.frame.beam_places(chosen) if p not in self.frame.beam_at]
             self._absent(keys, "beam", [names.beam_name(*p) for p in absent])
 
     def nodes(self, keys: Keys, lines: LineSelection, floors: NumberSelection) -> bool:
-        """Lines and floors inside the grid; nodes that are named one by one exist. Returns whether it is so."""
+        """Check lines and floors, and that nodes that are selected one by one exist; return whether it is so.
+
+        Args:
+            keys: key path of the value in the file.
+            lines: the selected lines.
+            floors: numbers of the selected floors.
+        """
         inside = self.lines((*keys, "lines"), lines)
         if not (self.numbers((*keys, "floors"), floors, "floor", self.frame.n_storeys) and inside):
             return False

@@ -162,11 +162,11 @@ class Frame(Model):
         return self.y[-1]
 
     def bay_lines(self, bay: int) -> tuple[str, str]:
-        """The lines left and right of a bay (bays count from 1)."""
+        """Return the lines at the left and right of a bay (bays count from 1)."""
         return self.lines[bay - 1], self.lines[bay]
 
     def support(self, line: str) -> SupportKind | SupportSprings | FootingSupport:
-        """Support at the base of a line; lines that a mapping does not name take its `default`, else fixed."""
+        """Return the support at the base of a line; lines without one of their own take `default`, else fixed."""
         if isinstance(self.supports, dict):
             return self.supports.get(line, self.supports.get("default", "fixed"))
         return self.supports
@@ -241,13 +241,24 @@ class Frame(Model):
         return found
 
     def ends_of_beam(self, bay: int, floor: int) -> tuple[str, str]:
-        """Names of the first and the last member of a beam: its halves if braces meet it, else the same one twice."""
+        """Return the names of the first and the last member of a beam, which are its halves if braces meet it.
+
+        Args:
+            bay: number of the bay, from 1.
+            floor: number of the floor; 0 is the base.
+        """
         if (bay, floor) in self.met_beams:
             return names.beam_half_names(bay, floor)
         return (names.beam_name(bay, floor),) * 2
 
     def brace_nodes(self, bay: int, storey: int, way: str) -> tuple[str, str]:
-        """Names of the left and the right node of a brace."""
+        """Return the names of the left and the right node of a brace.
+
+        Args:
+            bay: number of the bay, from 1.
+            storey: number of the storey, from 1.
+            way: r for rising, f for falling.
+        """
         left, right = self.bay_lines(bay)
         kind = self.brace_at[bay, storey, way].kind
         below, above = (left, right) if way == "r" else (right, left)
@@ -306,30 +317,35 @@ class Frame(Model):
         return found
 
     def length(self, member: str) -> float:
-        """Distance between the nodes of a member, m."""
+        """Return the distance between the nodes of a member, m."""
         start, end = self.ends[member]
         return math.dist(self.nodes[start], self.nodes[end])
 
     # --- selections on this grid
 
     def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[str, int]]:
-        """(line, storey) of a selection of columns, whether they stand or not."""
+        """Return (line, storey) of a selection of columns, whether they exist or not."""
         for storey in chosen.storeys.numbers(1, self.n_storeys):
             for line in chosen.lines.names(self.lines):
                 yield line, storey
 
     def beam_places(self, chosen: BeamPlaces) -> Iterator[tuple[int, int]]:
-        """(bay, floor) of a selection of beams, whether they stand or not."""
+        """Return (bay, floor) of a selection of beams, whether they exist or not."""
         for floor in chosen.floors.numbers(1, self.n_storeys):
             for bay in chosen.bays.numbers(1, self.n_bays):
                 yield bay, floor
 
     def standing_beams(self, chosen: BeamPlaces) -> list[tuple[int, int]]:
-        """(bay, floor) of the selected beams that stand."""
+        """Return (bay, floor) of the selected beams that exist."""
         return [place for place in self.beam_places(chosen) if place in self.beam_at]
 
     def node_places(self, lines: LineSelection, floors: NumberSelection) -> list[tuple[str, int]]:
-        """(line, floor) of the selected nodes that exist, floors from 1."""
+        """Return (line, floor) of the selected nodes that exist, floors from 1.
+
+        Args:
+            lines: the selected lines.
+            floors: numbers of the selected floors.
+        """
         return [
             (line, floor)
             for floor in floors.numbers(1, self.n_storeys)
@@ -338,11 +354,16 @@ class Frame(Model):
         ]
 
     def leading_node(self, floor: int) -> str:
-        """Name of the first node of a floor from the left, which stands for the floor."""
+        """Return the name of the first node of a floor from the left, which stands for the floor."""
         return next(name for line in self.lines if (name := names.node_name(line, floor)) in self.nodes)
 
     def members_in(self, beams: BeamPlaces | None, columns: ColumnPlaces | None) -> Iterator[tuple[str, str]]:
-        """The first and the last member of each selected beam or column that stands; of most they are one."""
+        """Yield the first and the last member of each selected beam or column that exists; of most they are one.
+
+        Args:
+            beams: the selected beams; None: none.
+            columns: the selected columns; None: none.
+        """
         if beams is not None:
             yield from (self.ends_of_beam(*place) for place in self.standing_beams(beams))
         if columns is not None:

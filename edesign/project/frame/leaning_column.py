@@ -38,5 +38,10 @@ class LeaningColumn(Model):
 
 
 def of_floors(values: float | tuple[float, ...], floors: int) -> tuple[float, ...]:
-    """Return the value of each floor from the lowest."""
+    """Return the value of each floor from the lowest.
+
+    Args:
+        values: of each floor, or one of all.
+        floors: number of floors.
+    """
     return values if isinstance(values, tuple) else (values,) * floors

@@ -104,10 +104,10 @@ class Catalogue(Collection[str], Protocol):
     """The names of sections that a project need not define."""
 
     def canonical(self, name: str) -> str | None:
-        """The catalogue's own name of a section that may be written in another way; None if it has no such section."""
+        """Return the catalogue's own name of a section that may be spelled otherwise; None for an unknown one."""
 
     def near(self, name: str) -> str:
-        """What the catalogue has near a name that it has not, as a clause."""
+        """Return the catalogue's names near an unknown one as a clause for messages."""
 
 
 HOLLOW_FAMILIES = ("SHS", "RHS", "CHS")
@@ -115,11 +115,17 @@ HOLLOW_FAMILIES = ("SHS", "RHS", "CHS")
 
 
 def is_hollow(name: str) -> bool:
-    """Whether a name, as the catalogue writes it, is that of a hollow section."""
+    """Return whether a name of the catalogue is that of a hollow section."""
     return name.removeprefix("CF").startswith(HOLLOW_FAMILIES)
 
 
 def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
-    """The message on a name that is neither one of a project's own sections nor one of the catalogue."""
+    """Return the message on a name that is neither a section of the project nor one of the catalogue.
+
+    Args:
+        name: as the file has it.
+        own: names of the project's own sections.
+        catalogue: of sections, for names that are alike.
+    """
     hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"
     return f"there is no section `{name}`{hint} (own sections: {listed(own)}; `edesign sections` lists the catalogue)"

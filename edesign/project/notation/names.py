@@ -6,7 +6,7 @@ from collections.abc import Collection
 
 
 def line_name(index: int) -> str:
-    """Name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB."""
+    """Return the name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB."""
     if index < 0:
         raise ValueError(f"line index {index} is negative")
     name = ""
@@ -18,7 +18,7 @@ def line_name(index: int) -> str:
 
 
 def line_index(name: str) -> int:
-    """Position of a column line from the left: A -> 0, AA -> 26; the inverse of `line_name`.
+    """Return the position of a column line from the left: A -> 0, AA -> 26; the inverse of `line_name`.
 
     Raises:
         ValueError: `name` is not made of the letters A to Z.
@@ -32,30 +32,59 @@ def line_index(name: str) -> int:
 
 
 def node_name(line: str, floor: int) -> str:
-    """Node on a line at a floor (0 is the base): A3."""
+    """Return the name of the node on a line at a floor: A3.
+
+    Args:
+        line: name of the column line.
+        floor: number of the floor; 0 is the base.
+    """
     return f"{line}{floor}"
 
 
 def column_name(line: str, storey: int) -> str:
-    """Column on a line in a storey: C_A_3."""
+    """Return the name of the column on a line in a storey: C_A_3.
+
+    Args:
+        line: name of the column line.
+        storey: number of the storey, from 1.
+    """
     return f"C_{line}_{storey}"
 
 
 def beam_name(bay: int, floor: int) -> str:
-    """Beam in a bay at a floor: B_2_5."""
+    """Return the name of the beam in a bay at a floor: B_2_5.
+
+    Args:
+        bay: number of the bay, from 1.
+        floor: number of the floor; 0 is the base.
+    """
     return f"B_{bay}_{floor}"
 
 
 def beam_half_names(bay: int, floor: int) -> tuple[str, str]:
-    """Members of a beam that braces meet in the middle: B_2_5_1, B_2_5_2; the node between them is named B_2_5."""
+    """Return the names of the halves of a beam that braces meet in the middle: B_2_5_1, B_2_5_2.
+
+    The node between them is named B_2_5.
+
+    Args:
+        bay: number of the bay, from 1.
+        floor: number of the floor; 0 is the base.
+    """
     name = beam_name(bay, floor)
     return f"{name}_1", f"{name}_2"
 
 
 def damper_names(kind: str, bay: int, storey: int) -> tuple[str, ...]:
-    """Dampers of a kind in a bay and storey, e.g. V_2_5: chevron (V), rising (R), falling (F), storey (S).
+    """Return the names of the dampers of a kind in a bay and storey, such as V_2_5.
 
     In place of the braces of a chevron are two: V_2_5_r, which rises from left to right, and V_2_5_f.
+
+    The letters are V for chevron, R for rising, F for falling, S for storey.
+
+    Args:
+        kind: chevron, chevron_braces, rising, falling or storey.
+        bay: number of the bay, from 1.
+        storey: number of the storey, from 1.
     """
     if kind == "chevron_braces":
         return f"V_{bay}_{storey}_r", f"V_{bay}_{storey}_f"
@@ -67,7 +96,7 @@ _STANDING = {"V": "chevron", "R": "rising diagonal", "F": "falling diagonal", "S
 
 
 def damper_place(name: str) -> tuple[str, str]:
-    """How the damper with a name stands, and where: `V_2_5` is a chevron in bay 2, `I_A` an isolator under line A."""
+    """Return how a damper stands and where, in words, by its name: `V_2_5` is a chevron in bay 2."""
     letter, _, rest = name.partition("_")
     parts = rest.split("_")
     if letter in _STANDING and len(parts) > 1:
@@ -81,22 +110,32 @@ def damper_place(name: str) -> tuple[str, str]:
 
 
 def isolator_name(line: str) -> str:
-    """Isolator under a line: I_A."""
+    """Return the name of the isolator under a line: I_A."""
     return f"I_{line}"
 
 
 def base_device_name(line: str) -> str:
-    """Damper or stop between the ground and an isolated base at a line: G_A."""
+    """Return the name of a damper or stop between the ground and an isolated base at a line: G_A."""
     return f"G_{line}"
 
 
 def damper_between_name(start: str, end: str) -> str:
-    """Damper between two nodes: N_A0_B1."""
+    """Return the name of a damper between two nodes: N_A0_B1.
+
+    Args:
+        start: name of the first node.
+        end: name of the second node.
+    """
     return f"N_{start}_{end}"
 
 
 def free_name(name: str, taken: Collection[str]) -> str:
-    """The name, or with the next number where several dampers stand at one place: V_1_3, V_1_3_2."""
+    """Return a name, or with the next number where several dampers stand at one place: V_1_3, V_1_3_2.
+
+    Args:
+        name: of the place.
+        taken: names that are used.
+    """
     number = 2
     chosen = name
     while chosen in taken:
@@ -106,5 +145,11 @@ def free_name(name: str, taken: Collection[str]) -> str:
 
 
 def brace_name(bay: int, storey: int, direction: str) -> str:
-    """Brace in a bay and storey, rising (r) or falling (f) from left to right: D_2_5_r."""
+    """Return the name of the brace in a bay and storey, rising (r) or falling (f) from left to right: D_2_5_r.
+
+    Args:
+        bay: number of the bay, from 1.
+        storey: number of the storey, from 1.
+        direction: r or f.
+    """
     return f"D_{bay}_{storey}_{direction}"

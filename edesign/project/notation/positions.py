@@ -33,11 +33,11 @@ class Position:
     is_share: bool
 
     def share(self, length: float) -> float:
-        """Return the place as a share of a length in m."""
+        """Return the position as a share of the length, which is in m."""
         return self.value if self.is_share else self.value / length
 
     def along(self, length: float) -> float:
-        """Return the place in m, of a length in m."""
+        """Return the position in m along a length in m."""
         return self.value * length if self.is_share else self.value
 
     def __str__(self) -> str:

@@ -35,7 +35,7 @@ _KINDS = {
 
 
 def unit_factor(unit: str, si_unit: str) -> float:
-    """Return what one `unit` is in SI.
+    """Return the factor of a unit to SI.
 
     Args:
         unit: as written; of a ratio `1` or `%`.

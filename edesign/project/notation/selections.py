@@ -28,7 +28,12 @@ class NumberSelection:
     is_all: bool = False
 
     def numbers(self, first: int, last: int) -> tuple[int, ...]:
-        """Selected numbers among first..last, ascending, each once."""
+        """Return the selected numbers among first..last, ascending, each once.
+
+        Args:
+            first: the smallest number.
+            last: the largest number.
+        """
         if self.is_all:
             return tuple(range(first, last + 1))
         found = {n for a, b in self.ranges for n in range(max(a, first), min(b, last) + 1)}
@@ -50,7 +55,7 @@ class LineSelection:
     is_all: bool = False
 
     def names(self, lines: Sequence[str]) -> tuple[str, ...]:
-        """Selected lines in the order of `lines`, each once."""
+        """Return the selected lines in the order of `lines`, each once."""
         if self.is_all:
             return tuple(lines)
         spans = [(line_index(a), line_index(b)) for a, b in self.ranges]
@@ -92,7 +97,7 @@ def parse_lines(value: Any) -> LineSelection:
 
 
 def selection(title: str, one: str, words: Sequence[str], example: str, numbers: bool) -> SchemaMaker:
-    """Return what makes the schema of a selection.
+    """Return the maker of the schema of a selection.
 
     Args:
         title: what is selected.

@@ -10,7 +10,7 @@ from edesign.project.notation.written import Written, one_or_list
 
 
 def several(value: Any) -> Any:
-    """What is no list is a list of one."""
+    """Return a value as a list of one, unless it is a list."""
     return value if isinstance(value, (list, tuple)) else (value,)
 
 

@@ -14,7 +14,7 @@ Decimal = Literal["point", "comma"]
 
 
 class TableFormat(Model):
-    """How a table of numbers stands in its file; what is not said is found from the file.
+    """The form of a table of numbers in its file; keys that are left out are found from the file.
 
     Attributes:
         encoding: character encoding of the file.

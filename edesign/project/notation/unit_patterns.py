@@ -48,5 +48,5 @@ _ANY_UNIT = r"[A-Za-zµμ°%0-9 ·⋅*/^()²³⁴._+-]{1,60}"
 
 
 def unit_pattern(kind: Kind) -> str:
-    """Return the expression that the unit of a quantity matches; of rare quantities any unit does."""
+    """Return the regular expression of the units of a quantity; of rare quantities any unit matches."""
     return _PATTERNS.get(kind.unit, _ANY_UNIT)

@@ -55,7 +55,7 @@ class Kind:
     """From which number on people mean another unit than that of the example, and which."""
 
     def written(self, number: str) -> str:
-        """Return a bare number with the unit that people likely mean."""
+        """Return a bare number with the unit that it is likely to have."""
         unit = self.example.split(" ", 1)[1]
         if self.large is not None and abs(float(number)) >= self.large[0]:
             unit = self.large[1]
@@ -135,7 +135,15 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
 
 
 def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> float:
-    """Read a ratio: a plain number or a percentage such as `2 %`; the value must lie between `low` and `high`."""
+    """Read a ratio: a plain number or a percentage such as `2 %`; the value must lie between `low` and `high`.
+
+    Args:
+        value: the value in the file.
+        low: lower bound.
+        high: upper bound.
+        low_allowed: whether the lower bound itself is allowed.
+        high_allowed: whether the upper bound itself is allowed.
+    """
     match = None
     if isinstance(value, (str, int, float)) and not isinstance(value, bool):
         match = _VALUE.fullmatch(str(value))
@@ -169,7 +177,7 @@ def parse_signed_ratio(value: Any) -> float:
 
 
 def held(kind: Kind, what: str, *words: str) -> Written:
-    """Return what reads one of some words, or a stiffness greater than zero.
+    """Return the reader of a restraint: one of some words, or a stiffness greater than zero.
 
     Args:
         kind: of the stiffness.
@@ -192,7 +200,7 @@ def held(kind: Kind, what: str, *words: str) -> Written:
 
 
 def a(noun: str) -> str:
-    """The noun with its indefinite article."""
+    """Return a noun with its indefinite article."""
     return f"an {noun}" if noun[0] in "aeiou" else f"a {noun}"
 
 
@@ -243,7 +251,7 @@ _POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
 
 
 def units_of(kind: Kind) -> dict[str, float]:
-    """Return the units that engineers write a quantity in most, with their factors to SI."""
+    """Return the usual units of a quantity with their factors to SI."""
     return _FACTORS[kind.unit]
 
 
@@ -321,12 +329,24 @@ def _dimensions(dimensionality: Any) -> str:
 
 
 def written(kind: Kind, sign: Sign = "any") -> Written:
-    """Return what reads a quantity of a kind."""
+    """Return the reader of a quantity.
+
+    Args:
+        kind: the physical quantity.
+        sign: `any`, `positive` or `not negative`.
+    """
     return Written(lambda value: parse_quantity(value, kind, sign), quantity(kind, sign))
 
 
 def written_ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> Written:
-    """Return what reads a ratio between two bounds."""
+    """Return the reader of a ratio between two bounds.
+
+    Args:
+        low: lower bound.
+        high: upper bound.
+        low_allowed: whether the lower bound itself is allowed.
+        high_allowed: whether the upper bound itself is allowed.
+    """
     bounds = (low, high, low_allowed, high_allowed)
     return Written(lambda value: parse_ratio(value, *bounds), ratio(*bounds))
 

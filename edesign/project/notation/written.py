@@ -54,7 +54,12 @@ def _titled(title: str) -> Json:
 
 
 def quantity(kind: Kind, sign: Literal["any", "positive", "not negative"] = "any") -> SchemaMaker:
-    """Return what makes the schema of a quantity with its unit."""
+    """Return the maker of the schema of a quantity with its unit.
+
+    Args:
+        kind: the physical quantity.
+        sign: the sign that the value may have.
+    """
 
     def make(_inner: Inner) -> Json:
         from edesign.project.notation.unit_patterns import unit_pattern
@@ -74,7 +79,14 @@ def quantity(kind: Kind, sign: Literal["any", "positive", "not negative"] = "any
 
 
 def ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool = True) -> SchemaMaker:
-    """Return what makes the schema of a plain number between two bounds, or of so many per cent."""
+    """Return the maker of the schema of a number between two bounds, or of a percentage.
+
+    Args:
+        low: lower bound.
+        high: upper bound.
+        low_allowed: whether the lower bound itself is allowed.
+        high_allowed: whether the upper bound itself is allowed.
+    """
 
     def make(_inner: Inner) -> Json:
         number: Json = {"type": "number"}
@@ -98,7 +110,13 @@ def ratio(low: float, high: float, low_allowed: bool = True, high_allowed: bool 
 
 
 def text(title: str, pattern: str, *examples: str) -> SchemaMaker:
-    """Return what makes the schema of text of a pattern."""
+    """Return the maker of the schema of a text of a pattern.
+
+    Args:
+        title: of the schema.
+        pattern: regular expression of the text.
+        *examples: texts that match.
+    """
     return lambda _: {
         "type": "string",
         **_titled(title),
@@ -109,33 +127,33 @@ def text(title: str, pattern: str, *examples: str) -> SchemaMaker:
 
 
 def words_or(other: SchemaMaker, *words: str) -> SchemaMaker:
-    """Return what makes the schema of one of some words, or of something else."""
+    """Return the maker of the schema of one of some words, or of something else."""
     return lambda inner: {"anyOf": [{"enum": list(words)}, other(inner)]}
 
 
 def either(*makers: SchemaMaker) -> SchemaMaker:
-    """Return what makes the schema of one of several things."""
+    """Return the maker of the schema of one of several things."""
     return lambda inner: {"anyOf": [make(inner) for make in makers]}
 
 
 def given(schema: Json) -> SchemaMaker:
-    """Return what gives a schema as it is."""
+    """Return the maker of a given schema."""
     return lambda _: dict(schema)
 
 
 def as_kept(inner: Inner) -> Json:
-    """The schema of the value after reading: it is only checked further."""
+    """Return the schema of the value after reading, which is only checked further."""
     return inner()
 
 
 def one_or_list(inner: Inner) -> Json:
-    """One item, or the list of them that is kept."""
+    """Return the schema of one item, or of a list of items."""
     whole = inner()
     return {"anyOf": [whole["items"], whole]}
 
 
 def one_or_list_of(make: SchemaMaker) -> SchemaMaker:
-    """Return what makes the schema of one value of a kind, or of a list of one and more."""
+    """Return the maker of the schema of one value of a kind, or of a list of one and more."""
 
     def both(inner: Inner) -> Json:
         one = make(inner)
@@ -145,7 +163,7 @@ def one_or_list_of(make: SchemaMaker) -> SchemaMaker:
 
 
 def items(*makers: SchemaMaker, fewest: int | None = None) -> SchemaMaker:
-    """Return what makes the schema of a list whose items have schemas of their own."""
+    """Return the maker of the schema of a list whose items have schemas of their own."""
     return lambda inner: {
         "type": "array",
         "prefixItems": [make(inner) for make in makers],

@@ -31,7 +31,7 @@ FormatVersion = Annotated[Literal[1], BeforeValidator(_whole_number)]
 
 
 def by_key(key: str) -> Callable[[Any], str]:
-    """Discriminator that chooses the model by the value of `key`; the tags are `?key=value`."""
+    """Return the discriminator that chooses the model by the value of `key`; the tags are `?key=value`."""
 
     def choose(value: Any) -> str:
         chosen = value.get(key, "") if isinstance(value, Mapping) else getattr(value, key, "")
@@ -48,17 +48,17 @@ def keys_in(value: Any) -> Collection[str]:
 
 
 def by_shape(value: Any) -> str:
-    """Discriminator that tells a mapping (`?mapping`) from everything else (`?plain`)."""
+    """Return the tag of a mapping (`?mapping`) or of anything else (`?plain`), for discriminators."""
     return TAG + ("mapping" if isinstance(value, (Mapping, BaseModel)) else "plain")
 
 
 def plain_or_list(value: Any) -> str:
-    """Discriminator that tells a list (`?list`) from everything else (`?plain`)."""
+    """Return the tag of a list (`?list`) or of anything else (`?plain`), for discriminators."""
     return TAG + ("list" if isinstance(value, (list, tuple)) else "plain")
 
 
 def refuse(message: str, *at: str | int) -> PydanticCustomError:
-    """A problem of a value, ready to be raised in a validator.
+    """Return the problem of a value as an error to be raised in a validator.
 
     Args:
         message: what was seen and what is allowed.

@@ -9,7 +9,14 @@ from edesign.project.reading.problems import Keys, Problems
 
 
 def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
-    """Check that a file is there that `what` names; returns whether it is."""
+    """Check that a file exists, and return whether it does.
+
+    Args:
+        path: of the file.
+        keys: key path of the value in the file.
+        problems: the problems of the file, to which those found are added.
+        what: what the file is, for messages.
+    """
     if not is_there(path):
         problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what})")
     elif not is_file(path):

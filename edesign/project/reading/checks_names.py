@@ -13,7 +13,7 @@ ALL = "all"
 
 
 def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str], known: Collection[str]) -> None:
-    """Check names that stand for something.
+    """Check that names are defined.
 
     Args:
         problems: collects what is wrong.
@@ -30,7 +30,14 @@ def check_names(problems: Problems, keys: Keys, what: str, given: Sequence[str],
 
 
 def check_records(problems: Problems, keys: Keys, given: Sequence[str], project: Project) -> None:
-    """Check references of records, RECORD or SUITE/RECORDING; recordings are looked for when the suite is read."""
+    """Check references of records, RECORD or SUITE/RECORDING; recordings are found when the suite is read.
+
+    Args:
+        problems: the problems of the file, to which those found are added.
+        keys: key path of the value in the file.
+        given: the references.
+        project: the project, which has no schema problems.
+    """
     for i, reference in enumerate(given):
         if record_of(reference) not in project.records:
             problems.at_item(keys, i, unknown_name("record", record_of(reference), project.records))

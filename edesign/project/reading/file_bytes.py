@@ -31,7 +31,7 @@ def read_file(
     advice: str = TABLE_ADVICE,
     refused: tuple[FileKind, ...] = (ARCHIVE, *YAML_KINDS),
 ) -> bytes:
-    """Read a file.
+    """Read a file within a limit of size.
 
     Args:
         path: the file; what has no size, a pipe for instance, is read up to the limit.
@@ -98,7 +98,12 @@ def _has_writer(descriptor: int) -> bool:
 
 
 def read_up_to(file: Readable, most: int) -> bytes:
-    """Read at most one byte more than `most`, by which a file that is too large is known."""
+    """Read at most one byte more than `most`, by which a file that is too large is known.
+
+    Args:
+        file: an open file.
+        most: the largest number of bytes.
+    """
     chunks: list[bytes] = []
     left = most + 1
     while left > 0 and (chunk := file.read(min(_CHUNK, left))):
@@ -108,21 +113,29 @@ def read_up_to(file: Readable, most: int) -> bytes:
 
 
 def too_large(path: Path, what: str, size: int, most: int, advice: str = TABLE_ADVICE) -> InputError:
-    """The error of a file that has `size` bytes (at least), of which `most` are read."""
+    """Return the error of a file that is too large.
+
+    Args:
+        path: of the file.
+        what: what the file is, for messages.
+        size: its bytes, at least.
+        most: bytes that are read.
+        advice: what the user can do.
+    """
     seen = f"more than {megabytes(most)}" if size == most + 1 else megabytes(size)
     return InputError(f"{path}: the {what} has {seen}; at most {megabytes(most)} are read: {advice}")
 
 
 def is_file(path: Path) -> bool:
-    """Whether a file is at a path; not where the system refuses the path, as a name that is too long."""
+    """Return whether a path is that of a file; False where the system refuses the path."""
     return os.path.isfile(path)
 
 
 def is_folder(path: Path) -> bool:
-    """Whether a folder is at a path; not where the system refuses the path."""
+    """Return whether a path is that of a folder; False where the system refuses the path."""
     return os.path.isdir(path)
 
 
 def is_there(path: Path) -> bool:
-    """Whether anything is at a path; not where the system refuses the path."""
+    """Return whether a path exists; False where the system refuses the path."""
     return os.path.exists(path)

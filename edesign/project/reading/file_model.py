@@ -19,14 +19,14 @@ from edesign.project.reading.yaml_nodes import Node, find, parse
 
 
 class Reader(Protocol):
-    """Reads texts in the place of one that was read, as that one was read."""
+    """A reader of other texts in the place of one that was read."""
 
     def __call__(self, text: str) -> Any:
         """Return the model of another text, checked."""
         ...
 
     def completed(self, model: Any) -> Any:
-        """Return a model of the values of a text with what reading adds to them, as names of a catalogue."""
+        """Return a model with the values that reading adds to it, such as names of a catalogue."""
         ...
 
 
@@ -55,7 +55,7 @@ class FileModel(Model):
         return facts_html(f"{getattr(self, 'title', '')} ({self._path.name})".strip(), rows)
 
     def read_from(self, path: Path, text: str, root: Node, read: Reader | None = None) -> Self:
-        """Tell the model, once, where it comes from.
+        """Set, once, the path and text that the model was read from.
 
         Args:
             path: of the file.
@@ -67,7 +67,7 @@ class FileModel(Model):
         return self
 
     def with_values(self, values: Mapping[KeyPath, Any] | KeyPath, value: Any = None) -> Self:
-        """Return what the file would be with other values: its text is edited, read and checked again.
+        """Return the file with other values: its text is edited, read and checked again.
 
             project.with_values("materials.S275.E", "100 GPa")
             project.with_values({"frame.columns[0].section": "HEB300", "damping.ratio": "3 %"})
@@ -113,7 +113,7 @@ class FileModel(Model):
             )
 
     def content(self, path: Path, read: Callable[[Path], bytes]) -> bytes:
-        """Return the content of a file that this one names, as it was when first asked for.
+        """Return the content of a file that this one names, as it was on its first reading.
 
         So checksum, archive and all analyses of a run are of one state of the file, on whatever machine they run.
 
@@ -126,7 +126,7 @@ class FileModel(Model):
         return self._contents[path]
 
     def lend_contents(self, taker: Callable[[Path, dict[Path, bytes]], None]) -> None:
-        """Let a part of this file that names files of its own share the folder and the contents."""
+        """Let a part that names files of its own share the folder and the contents of this file."""
         taker(self.folder, self._contents)
 
     def yaml_content(self, file: str, what: str) -> bytes:
@@ -143,7 +143,7 @@ class FileModel(Model):
 
     @property
     def path(self) -> Path:
-        """The file, as it was given."""
+        """The path of the file, as it was given."""
         return self._path
 
     @property
@@ -158,7 +158,7 @@ class FileModel(Model):
 
     @property
     def checksum(self) -> str:
-        """SHA-256 of the text (UTF-8), hexadecimal."""
+        """The SHA-256 of the text (UTF-8), hexadecimal."""
         return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
 
     @property

@@ -27,5 +27,5 @@ TABLE_ADVICE = "cut it into several files, or take fewer samples a second"
 
 
 def megabytes(size: int) -> str:
-    """A size in bytes for people: 61.4 MB."""
+    """Return a size in bytes for people: 61.4 MB."""
     return f"{size / 1e6:.3g} MB" if size < 1e9 else f"{size / 1e9:.4g} GB"

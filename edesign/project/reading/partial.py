@@ -51,7 +51,7 @@ def readable_part(model: type[M], problems: Problems) -> M | None:
 
 
 def check_independent(part: BaseModel, checks: Iterable[Callable[[], None]]) -> None:
-    """Do cross checks, each until it asks for a part of the file that is wrong.
+    """Run cross checks, each until it reads a part of the file that is wrong.
 
     What a check has told before that is true of what it has asked for.
 

@@ -19,7 +19,7 @@ MOST_SHOWN = 100
 
 
 class FileProblems(InputError):
-    """A YAML file is wrong; the message lists the problems found, of very many the first.
+    """A YAML file is wrong; the message lists the problems found, at most the first of very many.
 
     Attributes:
         problems: the problems in the order of the file.
@@ -41,7 +41,7 @@ class ProjectError(FileProblems):
 
 @dataclass(frozen=True)
 class Problem:
-    """What is wrong with one key or value."""
+    """A problem of one key or value."""
 
     mark: Mark
     keys_text: str
@@ -59,27 +59,55 @@ class Problems:
         self.found: list[Problem] = []
 
     def at_value(self, keys: Keys, message: str) -> None:
-        """A problem of the value at `keys`; of the nearest part that exists if it came from a default."""
+        """Add a problem of the value at a key path, or of the nearest part that exists if the value is a default.
+
+        Args:
+            keys: key path of the value in the file.
+            message: what is wrong.
+        """
         self.add(self.node(keys).mark, keys, message)
 
     def at_item(self, keys: Keys, i: int, message: str) -> None:
-        """A problem of one of several names at `keys`, of which a single one needs no list."""
+        """Add a problem of one of several names at a key path; a single name need not be in a list.
+
+        Args:
+            keys: key path of the names.
+            i: index of the name.
+            message: what is wrong.
+        """
         self.at_value((*keys, i) if self.node(keys).items is not None else keys, message)
 
     def at_key(self, keys: Keys, message: str) -> None:
-        """A problem of the key itself (unknown, or something under it missing)."""
+        """Add a problem of a key itself: it is unknown, or a key below it is missing.
+
+        Args:
+            keys: key path of the value in the file.
+            message: what is wrong.
+        """
         self.add(self._key_mark(keys), keys, message)
 
     def under(self, keys: Keys, missing: str, message: str) -> None:
-        """The key `missing` is not there; the place is that of the mapping it should stand in."""
+        """Add a problem of a missing key, at the place of the mapping that needs it.
+
+        Args:
+            keys: key path of the mapping.
+            missing: the key.
+            message: what is wrong.
+        """
         self.add(self._key_mark(keys), (*keys, missing), message)
 
     def add(self, mark: Mark, keys: Keys, message: str) -> None:
-        """A problem at a place."""
+        """Add a problem at a place.
+
+        Args:
+            mark: line and column.
+            keys: key path of the value in the file.
+            message: what is wrong.
+        """
         self.found.append(Problem(mark, keys_text(keys), message))
 
     def node(self, keys: Keys) -> Node:
-        """The node at `keys`, or the deepest one on the way to it."""
+        """Return the node at a key path, or the deepest one on the way to it."""
         return find(self.root, keys)
 
     def _key_mark(self, keys: Keys) -> Mark:
@@ -94,7 +122,7 @@ class Problems:
 
 
 def keys_text(keys: Iterable[str | int]) -> str:
-    """A key path for people: analyses[2].record; lists count from 0."""
+    """Return a key path for people: analyses[2].record; lists count from 0."""
     text = ""
     for key in keys:
         text += f"[{key}]" if isinstance(key, int) else f".{key}" if text else key
@@ -102,13 +130,23 @@ def keys_text(keys: Iterable[str | int]) -> str:
 
 
 def did_you_mean(seen: str, allowed: Iterable[str]) -> str:
-    """`; did you mean ...?` with the nearest allowed name, or nothing."""
+    """Return `; did you mean ...?` with the nearest allowed name, or "".
+
+    Args:
+        seen: the name in the file.
+        allowed: the known names.
+    """
     name = nearest(seen, allowed)
     return f"; did you mean `{name}`?" if name else ""
 
 
 def nearest(seen: str, allowed: Iterable[str]) -> str:
-    """The allowed name that is most like the one that was seen, "" if none is."""
+    """Return the allowed name that is most like an unknown one, "" if none is.
+
+    Args:
+        seen: the name in the file.
+        allowed: the known names.
+    """
     names = {name.lower(): name for name in allowed}
     close = difflib.get_close_matches(seen.lower(), names, n=20, cutoff=0.6)
     if not close:
@@ -121,14 +159,19 @@ def nearest(seen: str, allowed: Iterable[str]) -> str:
 
 
 def listed(names: Iterable[object], most: int = 12) -> str:
-    """Names in backquotes with commas, the first `most` of them."""
+    """Return names in backquotes with commas.
+
+    Args:
+        names: in their order.
+        most: number of names that are written; the others are counted.
+    """
     names = list(names)
     text = ", ".join(f"`{name}`" for name in names[:most])
     return text + (f" and {len(names) - most} more" if len(names) > most else "") if names else "none"
 
 
 def as_seen(value: Any) -> str:
-    """A value of a file, as messages say what stands there."""
+    """Return a value of a file as messages show it."""
     if value is None:
         return "nothing"
     if isinstance(value, Mapping):
@@ -139,7 +182,13 @@ def as_seen(value: Any) -> str:
 
 
 def unknown_name(what: str, seen: str, allowed: Iterable[str]) -> str:
-    """Message for a name that is not defined."""
+    """Return the message for a name that is not defined.
+
+    Args:
+        what: kind of the name, such as "record".
+        seen: the name in the file.
+        allowed: the known names.
+    """
     allowed = list(allowed)
     hint = did_you_mean(seen, allowed)
     several = f"{what[:-1]}ies" if what.endswith("y") else f"{what}s"

@@ -65,7 +65,13 @@ def wrong_place(path: str, model: BaseModel, root: Node) -> str:
 
 
 def first_difference(model: Any, said: Any, keys: Keys = ()) -> tuple[Keys, Any, Any] | None:
-    """Return place, value of the model and value of its text where they first differ, None if they do not."""
+    """Return place, value of the model and value of its text where they first differ, None if they do not.
+
+    Args:
+        model: a model, or a part of one.
+        said: the part of another model that the text makes.
+        keys: key path of both.
+    """
     if type(model) is type(said) and not isinstance(model, (str, bytes)):
         parts = _parts(model, said)
         if parts is not None:
@@ -95,7 +101,7 @@ def _parts(model: Any, said: Any) -> Iterator[tuple[str | int, Any, Any]] | None
 
 
 def shown(value: Any) -> str:
-    """A value of a model for messages."""
+    """Return a value of a model for messages."""
     if value is _ABSENT:
         return "nothing"
     return f"`{value}`" if isinstance(value, (str, int, float)) else f"another {type(value).__name__.lower()}"

@@ -40,6 +40,10 @@ def read_yaml_file(path: Path, what: str) -> bytes:
 def yaml_text(data: bytes, path: Path) -> str:
     """Return the text of a YAML file.
 
+    Args:
+        data: bytes of the file.
+        path: for messages.
+
     Raises:
         InputError: its content is not UTF-8.
     """

@@ -29,7 +29,7 @@ class Mark(NamedTuple):
 
 
 class Fault(NamedTuple):
-    """Something wrong with the YAML itself."""
+    """An error in the YAML itself."""
 
     mark: Mark
     keys: tuple[str | int, ...]
@@ -58,7 +58,7 @@ class Node:
     key_marks: dict[str, Mark] = field(default_factory=dict)
 
     def plain(self) -> Any:
-        """The value as Python data: dict, tuple, str, int, float, bool or None."""
+        """Return the value as Python data: dict, tuple, str, int, float, bool or None."""
         if self.entries is not None:
             return {key: child.plain() for key, child in self.entries.items()}
         if self.items is not None:
@@ -66,7 +66,7 @@ class Node:
         return self.value
 
     def child(self, key: str | int) -> Node | None:
-        """The value under a key or index, None where there is none."""
+        """Return the value under a key or index, None where there is none."""
         if self.entries is not None and isinstance(key, str):
             return self.entries.get(key)
         if self.items is not None and isinstance(key, int) and 0 <= key < len(self.items):
@@ -105,7 +105,12 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
 
 
 def find(root: Node, keys: Sequence[str | int]) -> Node:
-    """The node at a key path, or the deepest one on the way to it."""
+    """Return the node at a key path, or the deepest one on the way to it.
+
+    Args:
+        root: of the tree.
+        keys: keys and indices from the root.
+    """
     node = root
     for key in keys:
         below = node.child(key)

@@ -29,7 +29,12 @@ from edesign.project.records.suite_names import is_suite_name, suite_names
 
 
 def check_project_records(project: Project, problems: Problems) -> None:
-    """Check what records of a project say of themselves and of its hazard; their files are another matter."""
+    """Check the keys of the records of a project against its hazard, without reading their files.
+
+    Args:
+        project: the project, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     for name, record in project.records.items():
         keys: Keys = ("records", name)
         _matching(project, record.match, (*keys, "match"), problems)
@@ -47,7 +52,13 @@ def check_project_records(project: Project, problems: Problems) -> None:
 
 
 def check_record(record: Record, keys: Keys, problems: Problems) -> None:
-    """Check what a record says of itself; its file is another matter."""
+    """Check the keys of a record, without reading its file.
+
+    Args:
+        record: as the file describes it.
+        keys: key path of the value in the file.
+        problems: the problems of the file, to which those found are added.
+    """
     if isinstance(record, ChosenRecords):
         return
     if isinstance(record, PairRecord):
@@ -194,7 +205,12 @@ def _fitted_level(hazard: Hazard, level: str | None, keys: Keys, problems: Probl
 
 
 def fitted_level(project: Project, record: str) -> str | None:
-    """Return the only level that a record is fitted to; None: it is not fitted, or to a shape that all levels have."""
+    """Return the only level that a record is fitted to; None: it is not fitted, or to the shape of all levels.
+
+    Args:
+        project: the project, which has no schema problems.
+        record: reference of the record.
+    """
     spec, hazard = project.records[record], project.hazard
     if not spec.fitted or hazard is None or not hazard.own_shapes:
         return None
@@ -204,7 +220,7 @@ def fitted_level(project: Project, record: str) -> str | None:
 def check_fitted_levels(
     keys: Keys, records: Iterable[str], levels: Sequence[str], project: Project, problems: Problems
 ) -> None:
-    """Check that records which are fitted to the spectrum of one level are used at no other.
+    """Check that records fitted to the spectrum of one level are used at no other.
 
     Args:
         keys: where the levels stand in the file of the problems.

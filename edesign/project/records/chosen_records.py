@@ -30,7 +30,7 @@ class Period:
     of_T_1: bool = False
 
     def at(self, T_1: float) -> float:
-        """The period for a fundamental period, both in s."""
+        """Return the period for a fundamental period, both in s."""
         return self.value * T_1 if self.of_T_1 else self.value
 
 
@@ -149,7 +149,7 @@ Source = Annotated[
 
 
 class Limits(Model):
-    """What a candidate must be; one of which it is not known is left out.
+    """The limits of a candidate; one without the data to judge it is left out.
 
     Attributes:
         magnitude: least and largest moment magnitude.
@@ -221,10 +221,10 @@ class ChosenRecords(Model):
 
     @property
     def fitted(self) -> bool:
-        """Whether the records are fitted to the spectrum of the hazard: these always are, at least by a factor."""
+        """Whether the records are fitted to the spectrum of the hazard: chosen ones are, at least by a factor."""
         return True
 
     @property
     def fit_level(self) -> str | None:
-        """The level whose spectrum they are chosen for and fitted to; None: the one that all levels have."""
+        """The level whose spectrum the records are chosen for and fitted to; None: the one that all levels have."""
         return self.level if self.match is None else self.match.level

@@ -11,7 +11,7 @@ from edesign.project.records.suite_names import suite_file
 
 
 class RecordChoice(Protocol):
-    """What was chosen for a record of a project."""
+    """The recordings that were chosen for a record of a project."""
 
     @property
     def factors(self) -> Mapping[str, float]:
@@ -29,7 +29,7 @@ class HoldsRecords(Protocol):
 
     @property
     def path(self) -> Path:
-        """The file."""
+        """The path of the file."""
         ...
 
     @property
@@ -54,15 +54,15 @@ class HoldsRecords(Protocol):
         ...
 
     def record_choice(self, name: str) -> RecordChoice | None:
-        """Return what was chosen for a record; None if nothing was."""
+        """Return the choice that was made for a record; None if none was made."""
         ...
 
 
 class RecordFiles:
-    """What the models of files with `records` have in common."""
+    """The methods shared by models of files with `records`."""
 
     def record_path(self: HoldsRecords, name: str) -> Path:
-        """The file of a record that is given by `file`.
+        """Return the file of a record that is given by `file`.
 
         Raises:
             KeyError: no record of this name is a file.
@@ -73,7 +73,7 @@ class RecordFiles:
         return self.folder / record.file
 
     def suite_folders(self: HoldsRecords, name: str) -> list[Path]:
-        """The folders in which the recordings of a suite are looked for.
+        """Return the folders that are searched for the recordings of a suite.
 
         Raises:
             KeyError: no record of this name is a suite.
@@ -84,7 +84,7 @@ class RecordFiles:
         return [self.folder / folder for folder in record.folders]
 
     def suite_path(self: HoldsRecords, name: str) -> Path:
-        """The suite file of a record that is given by `suite`.
+        """Return the suite file of a record that is given by `suite`.
 
         Raises:
             KeyError: no record of this name is a suite.
@@ -95,5 +95,5 @@ class RecordFiles:
         return suite_file(self.folder, record.suite)
 
     def record_choice(self, name: str) -> RecordChoice | None:
-        """What was chosen for a record: nothing, but in a project."""
+        """Return None: only records of a project can be chosen."""
         return None

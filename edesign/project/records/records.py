@@ -217,10 +217,10 @@ RecordSet = SuiteRecords | ChosenRecords | PairRecord
 
 
 def component_references(name: str) -> tuple[str, str]:
-    """References of the components of a pair, which are called NAME.1 and NAME.2."""
+    """Return the references of the components of a pair, which are called NAME.1 and NAME.2."""
     return f"{name}/{name}.1", f"{name}/{name}.2"
 
 
 def record_of(reference: str) -> str:
-    """The record of the project that a reference is of: `suite` of `suite/recording`."""
+    """Return the record of the project that a reference belongs to: `suite` of `suite/recording`."""
     return reference.partition("/")[0]

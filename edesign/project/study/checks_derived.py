@@ -14,7 +14,12 @@ from edesign.project.study.study import Study, Variant
 
 
 def check_derived(study: Study, problems: Problems) -> None:
-    """Check `values` and `bounds` of the variants, and `vary`; variants and designs have been checked."""
+    """Check `values` and `bounds` of the variants, and `vary`, after variants and designs.
+
+    Args:
+        study: the study, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     of_file = [name for name in study.variants if name not in study.derived]
     for name in of_file:
         variant = study.variants[name]

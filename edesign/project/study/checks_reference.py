@@ -21,7 +21,12 @@ PROFILES = {
 
 
 def check_reference(reference: Reference, problems: Problems) -> None:
-    """Find everything that the schema alone cannot see."""
+    """Check a reference file beyond its schema.
+
+    Args:
+        reference: the reference file, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     _check_unique(problems, ("tables",), [table.title for table in reference.tables], "title")
     for i, table in enumerate(reference.tables):
         _check_unique(problems, ("tables", i, "rows"), [row.label for row in table.rows], "label")

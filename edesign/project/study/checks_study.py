@@ -23,7 +23,12 @@ from edesign.project.study.study import Histories, Study, Variant
 
 
 def check_study(study: Study, problems: Problems) -> None:
-    """Check a study against its project; `study` has no schema problems."""
+    """Check a study against its project; `study` has no schema problems.
+
+    Args:
+        study: the study, which has no schema problems.
+        problems: the problems of the file, to which those found are added.
+    """
     base = study.base
     for name, design in study.designs.items():
         check_design(("designs", name), design, base, problems)

@@ -67,5 +67,10 @@ class Derived:
 
 
 def derived_name(of: str, suffix: str) -> str:
-    """Return the name of a variant made of another one: damped_c_2, damped_upper."""
+    """Return the name of a variant made of another one, such as damped_c_2 or damped_upper.
+
+    Args:
+        of: name of the other variant.
+        suffix: number of the value, or the bound.
+    """
     return f"{of}_{suffix}"

@@ -24,7 +24,7 @@ Count = Annotated[int, Field(ge=2, le=1000)]
 
 
 class Limit(Model):
-    """What a fragility is of: a response measure beyond a value; written `{interstorey_drift: 2.5 %}`.
+    """A limit of a fragility: a response measure with a value, written `{interstorey_drift: 2.5 %}`.
 
     Attributes:
         measure: response measure.

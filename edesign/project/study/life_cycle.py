@@ -49,7 +49,7 @@ HazardCurve = Annotated[
 
 
 class LifeCycle(Model):
-    """How often limits are passed over some years, and what that costs.
+    """The rates at which limits are exceeded, and the losses over some years.
 
     Attributes:
         hazard_curve: how often intensities are exceeded.

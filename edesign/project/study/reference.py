@@ -92,7 +92,7 @@ class ResponseRow(Model):
     change: dict[Identifier, Printed] = {}
 
     def cells(self) -> Iterator[tuple[str, str, Cell]]:
-        """Variant, level and value of each cell."""
+        """Yield variant, level and value of each cell."""
         for variant, levels in self.values.items():
             for level, value in levels.items():
                 yield variant, level, _cell(value)
@@ -127,7 +127,14 @@ class ResponseTable(Model):
     rows: Annotated[tuple[ResponseRow, ...], Field(min_length=1)]
 
     def bar(self, row: ResponseRow, variant: str, level: str, cell: Cell) -> float | None:
-        """The bar of a cell (a ratio): its own, that of its row, that of the table."""
+        """Return the bar of a cell (a ratio): its own, that of its row, or that of the table.
+
+        Args:
+            row: of the table.
+            variant: name of the variant.
+            level: name of the hazard level.
+            cell: the printed value.
+        """
         for bar in (cell.within, row.within, self.within):
             found = _bar(bar, variant, level)
             if found is not None:
@@ -155,7 +162,7 @@ class VariableRow(Model):
     values: Annotated[tuple[Printed | None, ...], Field(min_length=1)]
 
     def cells(self) -> tuple[Cell | None, ...]:
-        """The values; None where the source has none to compare."""
+        """Return the values; None where the source has none to compare."""
         return tuple(None if value is None else _cell(value) for value in self.values)
 
 
@@ -185,7 +192,12 @@ class VariableTable(Model):
     rows: Annotated[tuple[VariableRow, ...], Field(min_length=1)]
 
     def bar(self, row: VariableRow, cell: Cell) -> float | None:
-        """The bar of a cell (a ratio): its own, that of its row, that of the table."""
+        """Return the bar of a cell (a ratio): its own, that of its row, or that of the table.
+
+        Args:
+            row: of the table.
+            cell: the printed value.
+        """
         return next((bar for bar in (cell.within, row.within, self.within) if bar is not None), None)
 
 

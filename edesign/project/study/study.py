@@ -52,7 +52,12 @@ class Variant(Model):
 
 
 def warm_variant(variant: str, temperature_C: float) -> str:
-    """Return the name of a variant whose dampers have another temperature than its own: `damped at 35 degC`."""
+    """Return the name of a variant whose dampers have another temperature than its own: `damped at 35 degC`.
+
+    Args:
+        variant: name of the variant.
+        temperature_C: of the dampers, degC.
+    """
     return f"{variant} at {temperature_C:g} degC".strip()
 
 
@@ -112,7 +117,7 @@ class Details(Model):
 
 
 class StudyOutputs(Model):
-    """What is kept, as in a project; of the records of `details` more.
+    """The results that are kept, as in a project; of the records of `details` more are kept.
 
     Attributes:
         archive: file of the archive, relative to the study file; without the key the name of the study file with .h5.
@@ -183,7 +188,7 @@ class Study(FileModel):
         return self._base
 
     def of(self, base: Project) -> Study:
-        """Return the same study of another project, such as `study.base.with_values(...)`, checked against it.
+        """Return the study with another project, such as `study.base.with_values(...)`, checked against it.
 
         Raises:
             InputError: the study was changed otherwise than by `with_values`.
@@ -199,12 +204,12 @@ class Study(FileModel):
         return self.model_copy().set_base(self.base.afresh())
 
     def set_base(self, base: Project) -> Study:
-        """Tell the study, once, the project that it is of."""
+        """Set, once, the project of the study."""
         self._base, self._projects = base, {}
         return self
 
     def with_derived(self) -> Study:
-        """Return the study, as its file says it, with the variants that `vary` and `bounds` make."""
+        """Return the study of the file with the variants that `vary` and `bounds` make."""
         variants, derived = dict(self.variants), {}
         for name, variant, source in self._made():
             if name not in variants:
@@ -231,11 +236,11 @@ class Study(FileModel):
         return self._derived
 
     def named(self, variant: str) -> str:
-        """Return the variant of the file that a variant is, or was made of."""
+        """Return the variant of the file that a variant is, or is derived from."""
         return self._derived[variant].of if variant in self._derived else variant
 
     def project_of(self, variant: str) -> Project:
-        """Return the project with the values of a variant, the dampers apart that a design gives it.
+        """Return the project with the values of a variant, without the dampers of its design.
 
         Raises:
             FileProblems: a place does not exist, or the project would be wrong.
@@ -255,12 +260,12 @@ class Study(FileModel):
 
     @property
     def archive_path(self) -> Path:
-        """Where the archive goes unless the command line says otherwise."""
+        """The path of the archive, unless the command line gives another one."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
 
     @property
     def planned_sets(self) -> tuple[tuple[str, str], ...]:
-        """(variant, level) of all histories that are judged; the level is "" where they have none."""
+        """Return (variant, level) of all histories that are judged; the level is "" where they have none."""
         pairs = (
             (variant if temperature is None else warm_variant(variant, temperature), level)
             for histories in self.histories
@@ -271,7 +276,7 @@ class Study(FileModel):
         return tuple(dict.fromkeys(pairs))
 
     def variants_of(self, histories: Histories | Incremental | Pushovers) -> tuple[str, ...]:
-        """Names of the variants that histories or pushovers are of, in the order of the file, with those made of it."""
+        """Return the names of the variants of histories or pushovers in the order of the file, with derived ones."""
         wanted = histories.variants
         if wanted == ("all",):
             return tuple(self.variants)

@@ -33,7 +33,12 @@ def check_plant(rig: RigModel, keys: Keys, problems: Problems) -> None:
 
 
 def check_covariance(file: RigFile, problems: Problems) -> None:
-    """Check that the covariance of a rig file is one, of numbers of its rig."""
+    """Check that the covariance of a rig file is a covariance matrix of the numbers of its rig.
+
+    Args:
+        file: the rig file.
+        problems: the problems of the file, to which those found are added.
+    """
     if file.covariance is None:
         return
     names, rows, keys = list(file.standard_errors), file.covariance, ("covariance",)
@@ -83,7 +88,12 @@ def _transfer_function(rig: TransferFunctionRig, keys: Keys, problems: Problems)
 
 
 def check_sensors(rts: RtsFile, problems: Problems) -> None:
-    """Check the sensors; the rig of the file is known."""
+    """Check the sensors; the rig of the file is known.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     sensors, limits = rts.sensors, rts.plant.limits
     for key, limit, value in (
         ("displacement_range", "stroke", rts.displacement_range),
@@ -105,7 +115,12 @@ def check_sensors(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
-    """Check that a servo-hydraulic rig does not swing by its sub-steps alone; the rig of the file is known."""
+    """Check that the sub-steps of a servo-hydraulic rig do not make it oscillate; the rig of the file is known.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     plant, h = rts.plant, rts.sub_step
     if not isinstance(plant, ServoHydraulicRig):
         return
@@ -122,7 +137,12 @@ def check_sub_steps(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_noise(rts: RtsFile, problems: Problems) -> None:
-    """Check that the noise of the sensors is below what they can read; the rig of the file is known."""
+    """Check that the noise of the sensors is within their range; the rig of the file is known.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     in_rig_file = rts.sensors.encoder_noise is None
     for keys, noise, reach, what, scale, unit in (
         (
@@ -141,7 +161,12 @@ def check_noise(rts: RtsFile, problems: Problems) -> None:
 
 
 def check_loop(rts: RtsFile, problems: Problems) -> None:
-    """Check steps, and parameters of the integration."""
+    """Check steps, and parameters of the integration.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     if rts.loop.main_step > LONGEST_STEP:
         message = f"{rts.loop.main_step:.4g} s is no step of a loop; at most {LONGEST_STEP:g} s is possible"
         problems.at_value(("loop", "main_step"), message)

@@ -21,7 +21,12 @@ LARGEST_STEP = {"newmark_explicit": 2.0, "central_difference": 2.0, "bogacki_sha
 
 
 def check_structure(rts: RtsFile, problems: Problems) -> None:
-    """Check what stands in the computer; the file has no schema problems."""
+    """Check the numerical part of the tests; the file has no schema problems.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     if isinstance(rts.structure, ProjectStructure) and rts.project is not None:
         _physical(rts.structure, rts.project, problems)
         if rts.project.isolation is not None:

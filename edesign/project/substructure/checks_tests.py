@@ -30,7 +30,12 @@ _WHAT = "substructure test file"
 
 
 def check_tests(rts: RtsFile, problems: Problems) -> None:
-    """Check tests, records and outputs; the rig of the file is known."""
+    """Check tests, records and outputs; the rig of the file is known.
+
+    Args:
+        rts: the file of substructure tests.
+        problems: the problems of the file, to which those found are added.
+    """
     if rts.structure is None and not rts.tests:
         message = "there is nothing to test; give the `structure`, or `tests` of the kind `command`"
         problems.at_key(("compensators",), message)

@@ -10,7 +10,7 @@ from edesign.project.project import Project
 
 
 def devices_of(project: Project) -> dict[str, tuple[Device, int]]:
-    """Return every device: what describes it, and its storey; 0 of one between nodes."""
+    """Return every device with its description and its storey, 0 of one between nodes."""
     found: dict[str, tuple[Device, int]] = {}
     for device in project.dampers.devices if project.dampers is not None else ():
         for name, storey in _places(project, device):
@@ -19,7 +19,12 @@ def devices_of(project: Project) -> dict[str, tuple[Device, int]]:
 
 
 def law_of(project: Project, physical: Sequence[str]) -> str | None:
-    """Return the name of the law that the physical devices have; None: there are none, or they have several."""
+    """Return the name of the law that the physical devices have; None: there are none, or they have several.
+
+    Args:
+        project: the validated project.
+        physical: names of the devices in the laboratory.
+    """
     known = devices_of(project)
     laws = {known[name][0].law for name in physical if name in known}
     return laws.pop() if len(laws) == 1 else None

@@ -56,7 +56,13 @@ def load_rts_file(path: Path | str, profiles: Catalogue | None = None) -> RtsFil
 
 
 def parse_rts_file(text: str, path: Path | str = "rts.yaml", profiles: Catalogue | None = None) -> RtsFile:
-    """Check the text of a file of substructure tests that (supposedly) stands at `path`; else as `load_rts_file`."""
+    """Check the text of a file of substructure tests that (supposedly) stands at `path`; else as `load_rts_file`.
+
+    Args:
+        text: the text of the file.
+        path: path of the file, for messages and for the files that it names.
+        profiles: names of the catalogue's sections, as for `load_project`.
+    """
     path = Path(path)
     rts, problems = check_model(text, RtsFile, WHAT, _BEGINS)
     if rts is not None:

@@ -24,7 +24,7 @@ ForceOfStep = Literal["extrapolated", "held"]
 
 
 class Sensors(Model):
-    """What the readings add: noise, and steps of a converter.
+    """The errors of the readings: noise, and steps of a converter.
 
     Attributes:
         encoder_noise: standard deviation of the displacement; without the key that of the rig file, or none.
@@ -62,7 +62,7 @@ class Loop(Model):
 
 
 class Integration(Model):
-    """How the numerical part is integrated.
+    """The integration of the numerical part.
 
     Attributes:
         method: method of integration; `exact` is that of a linear numerical part.

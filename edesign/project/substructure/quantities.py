@@ -31,6 +31,10 @@ Parser = Callable[[Any], float]
 def parse_frequency(value: Any, sign: Sign = "positive") -> float:
     """Read a frequency such as `2 Hz`.
 
+    Args:
+        value: the value in the file.
+        sign: `any`, `positive` or `not negative`.
+
     Raises:
         PydanticCustomError: it is none, or a circular frequency, which is 2 pi times as large.
     """
@@ -52,7 +56,11 @@ def parse_delay(value: Any) -> float:
 
 
 def parse_rate(value: Any, sign: Sign = "positive") -> float:
-    """Read a change in a second such as `2 /s`.
+    """Read a rate of change such as `2 /s`.
+
+    Args:
+        value: the value in the file.
+        sign: `any`, `positive` or `not negative`.
 
     Raises:
         PydanticCustomError: it is none, or a frequency, which could be meant with or without 2 pi.
@@ -83,7 +91,7 @@ def parse_steps(value: Any) -> int:
 
 
 def each(readers: tuple[Written, ...], example: str, fewest: int | None = None) -> Written:
-    """Return what reads a list whose items have readers of their own.
+    """Return the reader of a list whose items have readers of their own.
 
     Args:
         readers: of the items.
@@ -102,7 +110,7 @@ def each(readers: tuple[Written, ...], example: str, fewest: int | None = None) 
 
 
 def several(reader: Written) -> Written:
-    """Return what reads one value, or a list of one and more."""
+    """Return the reader of one value, or of a list of one and more."""
 
     def read(value: Any) -> tuple[float, ...]:
         if not isinstance(value, (tuple, list)):

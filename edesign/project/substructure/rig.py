@@ -30,7 +30,7 @@ MOST_STATES = 12
 
 
 class Limits(Model):
-    """What the actuator reaches to either side; without a key there is no limit.
+    """The limits of the actuator to either side; without a key there is no limit.
 
     Attributes:
         stroke: largest displacement to either side.
@@ -44,7 +44,7 @@ class Limits(Model):
 
 
 class Flexibility(Model):
-    """What gives way between actuator and specimen.
+    """The flexibility between actuator and specimen.
 
     Attributes:
         stiffness: stiffness between actuator and specimen.

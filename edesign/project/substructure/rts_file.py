@@ -32,7 +32,7 @@ CHANNELS: tuple[Channel, ...] = ("target", "measured", "command", "force", "alph
 
 
 class RtsCriteria(Model):
-    """What a good test is.
+    """The criteria of a good test.
 
     Attributes:
         response_error: largest error of the response.
@@ -44,7 +44,7 @@ class RtsCriteria(Model):
 
 
 class RtsOutputs(Model):
-    """What is kept, beside the indicators.
+    """The results that are kept beside the indicators.
 
     Attributes:
         archive: file of the archive, relative to this file; without the key the name of this file with .h5.
@@ -118,7 +118,12 @@ class RtsFile(RecordFiles, FileModel):
     _rig_file: RigFile | None = PrivateAttr(default=None)
 
     def set_named(self, project: Project | None, rig_file: RigFile | None) -> RtsFile:
-        """Tell the file, once, the project and the rig file that it names."""
+        """Set, once, the project and the rig file that the file names.
+
+        Args:
+            project: the project; None: the file names none.
+            rig_file: the rig file; None: the rig is in this file.
+        """
         self._project, self._rig_file = project, rig_file
         return self
 
@@ -134,7 +139,7 @@ class RtsFile(RecordFiles, FileModel):
 
     @property
     def plant(self) -> RigModel:
-        """The rig, wherever it stands, with the limits and the flexibility that are given here.
+        """The rig of this file or of its rig file, with the limits and the flexibility given here.
 
         Raises:
             ValueError: the file was not made by `load_rts_file` (a mistake of the caller, not of the user).
@@ -180,7 +185,7 @@ class RtsFile(RecordFiles, FileModel):
 
     @property
     def law(self) -> PlacedLaw | None:
-        """The law of the specimen, at its temperature, and where it stands; None: there is no specimen."""
+        """The law of the specimen at its temperature, with its place; None: there is no specimen."""
         chosen = self.specimen.law
         placed: PlacedLaw | None = None
         if self.specimen.law_file is not None:
@@ -243,7 +248,7 @@ class RtsFile(RecordFiles, FileModel):
 
     @property
     def texts(self) -> dict[str, tuple[str, str]]:
-        """Texts of all YAML files that tests come from, and what each is, by the names that archives give them.
+        """Return the texts of all YAML files of the tests, by the names that archives give them.
 
         Raises:
             InputError: the rig file or a law file cannot be read.
@@ -271,7 +276,7 @@ class RtsFile(RecordFiles, FileModel):
 
     @property
     def archive_path(self) -> Path:
-        """Where the archive goes unless the command line says otherwise."""
+        """The path of the archive, unless the command line gives another one."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")
 
 

@@ -53,7 +53,7 @@ class Specimen(Model):
 
 @dataclass(frozen=True)
 class PlacedLaw:
-    """A law, and where it stands.
+    """A law and its place in a file.
 
     Attributes:
         law: type and parameters, or the name of a law file; its temperature is that of the specimen.

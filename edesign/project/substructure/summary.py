@@ -13,7 +13,7 @@ from edesign.project.substructure.structure import ProjectStructure, ShearBuildi
 
 
 def summary(rts: RtsFile) -> dict[str, str]:
-    """Return what the tests are of, line by line under short labels, for a checked file."""
+    """Return a description of the tests of a checked file, line by line under short labels."""
     found = {
         "title": rts.title or rts.path.stem,
         "structure": _structure(rts),
@@ -56,7 +56,12 @@ def _rig(rts: RtsFile) -> str:
 
 
 def rig_text(plant: RigModel, origin: str = "") -> str:
-    """Return the kind of a rig and its values in a line; `origin` follows the kind."""
+    """Return the kind of a rig and its values in a line.
+
+    Args:
+        plant: the rig.
+        origin: text that follows the kind.
+    """
     parts = [plant.kind + origin]
     for key, factor, unit in (
         ("frequency", 1.0, "Hz"),
