@@ -42,13 +42,21 @@ BUILDING_FIGURES = (archived_building_model, spectra, mode_shapes, storey_curves
 
 
 def building_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give all figures of a building; none of other archives."""
+    """Yield all figures of a building; none of other archives.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     if is_building_archive(archive):
         yield from chain.from_iterable(figures(archive) for figures in BUILDING_FIGURES)
 
 
 def substructure_drawings(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give all figures of virtual substructure tests; none of other archives."""
+    """Yield all figures of virtual substructure tests; none of other archives.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     if is_substructure_archive(archive):
         from edesign.report.substructure.figures import substructure_figures
 
@@ -82,7 +90,11 @@ FIGURES = (
 
 
 def all_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """All figures of an archive: name of the file, caption, figure."""
+    """Yield all figures of an archive.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     return chain.from_iterable(figures(archive) for figures in FIGURES)
 
 

@@ -88,6 +88,10 @@ def overview(archive: str | os.PathLike[str] | Archive) -> list[Table]:
 def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]:
     """Return all tables of one analysis: those of the overview, its storey profile and its fallbacks.
 
+    Args:
+        archive: path, or open archive, complete or partial.
+        name: name of the analysis.
+
     Raises:
         ArchiveError: the archive cannot be read.
         InputError: there is no such analysis.
@@ -117,7 +121,12 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
-    """Return what is doubtful about the input and, of the analyses that are given, about their results; no columns."""
+    """Return what is doubtful about the input and, of the analyses that are given, about their results; no columns.
+
+    Args:
+        archive: the open archive.
+        groups: results of analyses by name, if they are read already; None: they are read.
+    """
     return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})])
 
 
@@ -170,7 +179,13 @@ def statistics_table(entries: list[dict[str, Any]]) -> Table:
 
 
 def periods_table(name: str, group: Group, most: int | None = None) -> Table:
-    """Return periods and effective modal masses of a modal analysis: of the first modes, or of all."""
+    """Return periods and effective modal masses of a modal analysis: of the first modes, or of all.
+
+    Args:
+        name: name of the analysis.
+        group: results of the analysis.
+        most: number of modes that are shown; None: all.
+    """
     table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
     table.each = ("Periods", name)
     period = group.variables.get("period")
@@ -191,7 +206,12 @@ def periods_table(name: str, group: Group, most: int | None = None) -> Table:
 
 
 def profile_table(name: str, group: Group) -> Table:
-    """Return the peaks of every storey, from the roof down; the floor is the one above the storey."""
+    """Return the peaks of every storey, from the roof down; the floor is the one above the storey.
+
+    Args:
+        name: name of the analysis.
+        group: results of the analysis.
+    """
     found = storey_profile(group)
     columns = [(header, unit, found[key]) for header, key, unit in PROFILE_COLUMNS if key in found]
     table = Table(
@@ -211,7 +231,12 @@ def profile_table(name: str, group: Group) -> Table:
 
 
 def fallbacks_table(name: str, group: Group) -> Table:
-    """Return what the solver had to do when a step did not converge; long lists are cut."""
+    """Return what the solver had to do when a step did not converge; long lists are cut.
+
+    Args:
+        name: name of the analysis.
+        group: results of the analysis.
+    """
     abscissa = ABSCISSAE.get(str(group.attributes.get("kind")), "time [s]")
     table = Table(f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0, each=("Fallbacks", name))
     events = group.attributes.get("events")

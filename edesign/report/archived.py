@@ -23,17 +23,17 @@ if TYPE_CHECKING:
 
 
 def is_study_archive(archive: Archive) -> bool:
-    """Whether an archive is that of a study."""
+    """Return whether an archive is that of a study."""
     return archive.attributes.get("kind") == STUDY
 
 
 def is_building_archive(archive: Archive) -> bool:
-    """Whether an archive is that of the elastic design of a building."""
+    """Return whether an archive is that of the elastic design of a building."""
     return archive.attributes.get("kind") == BUILDING
 
 
 def is_substructure_archive(archive: Archive) -> bool:
-    """Whether an archive is that of virtual substructure tests."""
+    """Return whether an archive is that of virtual substructure tests."""
     return archive.attributes.get("kind") == SUBSTRUCTURE
 
 
@@ -75,13 +75,25 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
 
 
 def take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[str, str]) -> None:
-    """Let a project or building have the archived texts of the files that its hazard names."""
+    """Let a project or building read the files that its hazard names from the archived texts.
+
+    Args:
+        holder: the project or building.
+        hazard: the hazard; None: there is none.
+        texts: texts of the root of the archive, by name.
+    """
     for keys, file in hazard.files() if hazard is not None else ():
         take_text(holder, file, texts.get(text_name(keys)))
 
 
 def take_text(holder: FileModel, file: str, text: str | None) -> None:
-    """Let a file have the archived text of a file that it names, whatever stands on the disk today; None: none."""
+    """Let a file read a file that it names from the archived text, whatever is on the disk.
+
+    Args:
+        holder: the file of the user.
+        file: name of the other file in it.
+        text: the archived text; None: the archive has none, and the disk is read.
+    """
     if text is not None:
         holder.content(holder.folder / file, lambda _: text.encode())
 

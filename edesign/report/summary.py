@@ -78,7 +78,12 @@ def _criteria(archive: Archive) -> tuple[list[dict[str, Any]], str]:
 
 
 def record_entries(archive: Archive, place: str) -> list[dict[str, Any]]:
-    """Return the attributes of the records, or suites with their records, below a place of an archive."""
+    """Return the attributes of the records, or suites with their records, below a place of an archive.
+
+    Args:
+        archive: the open archive.
+        place: path of the group that holds records.
+    """
     entries = []
     for name in archive.names(place):
         attributes = dict(archive.group_attributes(f"{place}/{name}"))
@@ -97,7 +102,11 @@ def planned(archive: Archive) -> list[str]:
 
 
 def find(archive: Archive, name: str) -> str:
-    """Return `name` if the archive's plan has it.
+    """Return the name of an analysis if the archive's plan has it.
+
+    Args:
+        archive: the open archive.
+        name: name of the analysis.
 
     Raises:
         InputError: it has not.
@@ -110,7 +119,7 @@ def find(archive: Archive, name: str) -> str:
 
 
 def input_warnings(archive: Archive) -> list[str]:
-    """Return what was doubtful about the input of a run, a sentence each, and what its sets of records miss."""
+    """Return one sentence for each doubt about the input of a run, and for missing criteria of its sets of records."""
     found = archive.attributes.get(ATTRIBUTE)
     texts = [str(text) for text in found] if isinstance(found, list) else []
     for name in archive.names(RECORDS):
@@ -119,7 +128,7 @@ def input_warnings(archive: Archive) -> list[str]:
 
 
 def design_warnings(archive: Archive) -> list[str]:
-    """Return what is doubtful about the designs of a study, a sentence each that names its design."""
+    """Return one sentence for each doubt about the designs of a study, with the name of the design."""
     lines = []
     for name in archive.names(DESIGNS):
         found = archive.group_attributes(f"{DESIGNS}/{name}").get(ATTRIBUTE)
@@ -131,6 +140,10 @@ def results(archive: Archive, name: str) -> Group:
     """Return the results of an analysis, a group with the status "not run" or "damaged" where there is nothing else.
 
     Its variables are read when they are asked for, so the archive must stay open; see `Archive.view`.
+
+    Args:
+        archive: the open archive.
+        name: name of the analysis.
     """
     path = f"{ANALYSES}/{name}"
     if why := archive.lost(path):
@@ -165,7 +178,7 @@ def entry(name: str, group: Group) -> dict[str, Any]:
 
 
 def ending(group: Group) -> dict[str, str]:
-    """Return how an analysis ended: its status, and the reason of it, "" without."""
+    """Return status and reason of an analysis, the reason "" without one."""
     return {"status": str(group.attributes.get("status", "")), "reason": str(group.attributes.get("reason") or "")}
 
 

@@ -22,7 +22,7 @@ _OF_NO_NAME = ("parameters",)
 
 @dataclass(frozen=True)
 class Sweep:
-    """What a variant did at a level for each value of `vary`; values without histories are left out.
+    """The response of a variant at a level for each value of `vary`; values without histories are left out.
 
     Attributes:
         vary: what was changed.
@@ -40,7 +40,7 @@ class Sweep:
 
     @cached_property
     def measures(self) -> tuple[str, ...]:
-        """The measures to be shown, of these what any history has."""
+        """The measures that are shown and that some history has."""
         wanted = tuple(SHORT_NAMES[name] for name in self.vary.measures) or USUAL
         return tuple(
             name
@@ -50,14 +50,14 @@ class Sweep:
 
     @property
     def quantity(self) -> str:
-        """What was changed, in words: `fy of S275` of the place materials.S275.fy."""
+        """The varied quantity in words, such as `fy of S275` for materials.S275.fy."""
         *above, last = _STEP.findall(self.vary.place)
         of = next((key for key in reversed(above) if key not in _OF_NO_NAME), "")
         return f"{last} of {of}" if of else last
 
     @property
     def title(self) -> str:
-        """What was changed, variant and level."""
+        """The varied quantity, the variant and the level in words."""
         at = f" at {self.level}" if self.level else ""
         return f"{self.quantity}, {self.of}{at}"
 
@@ -73,7 +73,7 @@ class Sweep:
 
 @dataclass(frozen=True)
 class Bounded:
-    """What a variant did at a level with lower, nominal and upper properties of its dampers."""
+    """The response of a variant at a level with lower, nominal and upper properties of its dampers."""
 
     of: str
     level: str
@@ -81,7 +81,12 @@ class Bounded:
 
 
 def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
-    """Return the sweeps of a study that have histories, in the order of the file."""
+    """Return the sweeps of a study that have histories, in the order of the file.
+
+    Args:
+        study: the study.
+        sets: the histories by variant and level.
+    """
     there = {(found.variant, found.level): found for found in sets}
     levels = dict.fromkeys(found.level for found in sets)
     made = []
@@ -97,7 +102,12 @@ def sweeps(study: Study, sets: Sequence[HistorySet]) -> list[Sweep]:
 
 
 def bounded(study: Study, sets: Sequence[HistorySet]) -> list[Bounded]:
-    """Return the variants with bounds whose histories are there on both sides, level by level."""
+    """Return the variants with bounds whose histories are there on both sides, level by level.
+
+    Args:
+        study: the study.
+        sets: the histories by variant and level.
+    """
     there = {(found.variant, found.level): found for found in sets}
     made = []
     for of, variant in study.variants.items():
@@ -113,5 +123,10 @@ def bounded(study: Study, sets: Sequence[HistorySet]) -> list[Bounded]:
 
 
 def not_swept(study: Study, sets: Sequence[HistorySet]) -> list[HistorySet]:
-    """Return the sets without those of `vary`, which have tables of their own."""
+    """Return the sets without those of `vary`, which have tables of their own.
+
+    Args:
+        study: the study.
+        sets: the histories by variant and level.
+    """
     return [found for found in sets if found.variant not in study.derived or study.derived[found.variant].bound]

@@ -13,7 +13,12 @@ from edesign.report.tables.table import Table, number
 
 
 def derived_tables(study: Study, sets: Sequence[HistorySet]) -> list[Table]:
-    """Return a table of each sweep and of each variant with bounds, level by level."""
+    """Return a table of each sweep and of each variant with bounds, level by level.
+
+    Args:
+        study: the study.
+        sets: the histories by variant and level.
+    """
     tables = [sweep_table(sweep) for sweep in sweeps(study, sets)]
     return tables + [bounds_table(found) for found in bounded(study, sets)]
 

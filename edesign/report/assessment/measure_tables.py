@@ -141,7 +141,12 @@ def _of_how_many(ordered: Sequence[HistorySet], at: str) -> str:
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:
-    """Return a line for each set with histories that failed or have not run: they are in no statistic."""
+    """Return a line for each set with histories that failed or have not run: they are in no statistic.
+
+    Args:
+        sets: the histories by variant and level.
+        labelled: whether the sets are named.
+    """
     notes = []
     for found in sets:
         for names, what in ((found.failed, "failed"), (found.not_run, "not run")):

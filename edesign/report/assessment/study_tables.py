@@ -69,7 +69,7 @@ def study_tables(archive: Archive) -> list[Table]:
 
 
 def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
-    """Return how many analyses of each variant and level there are, how many completed, and what they cost.
+    """Return the number of analyses of each variant and level, how many completed, and their computing time.
 
     Of incremental studies there is a row for each variant, with the histories that ended in collapse, and those that
     were skipped after one. Failed analyses are named with their reasons below, and what is doubtful about the others.
@@ -99,7 +99,7 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
 
 
 def designs_tables(archive: Archive, study: Study | None, sets: Sequence[HistorySet]) -> list[Table]:
-    """Return the tables of each design: size of the dampers of each storey, and what they add.
+    """Return the tables of each design: size of the dampers of each storey, and the damping that they add.
 
     Args:
         archive: of a study.
@@ -117,6 +117,10 @@ def property_factors_of(study: Study, design: str) -> dict[str, float]:
     """Return the factors on the forces of the dampers of the variants that have a design: of law, variant and bound.
 
     Of a placement that of the law is left out, as its dampers may have several laws.
+
+    Args:
+        study: the study.
+        design: name of the design.
     """
     dampers, spec = study.base.dampers, study.designs[design]
     own = 1.0

@@ -59,7 +59,15 @@ def tables_of_histories(
     objectives: Objectives = (),
     study: Study | None = None,
 ) -> list[Table]:
-    """Return the tables of histories that are at hand; see `assessment_tables`."""
+    """Return the tables of histories that are at hand; see `assessment_tables`.
+
+    Args:
+        histories: results of the histories by name.
+        project: the project.
+        criteria: the criteria of the study.
+        objectives: the performance objectives of the study.
+        study: the study; None: the archive is of a project.
+    """
     sets = history_sets(histories)
     if not sets:
         return []
@@ -100,7 +108,12 @@ def read_histories(archive: Archive, groups: Mapping[str, Group] | None = None) 
 
 
 def read_judged(archive: Archive, groups: Mapping[str, Group] | None = None) -> dict[str, Group]:
-    """Return all that criteria judge, by name: histories, see `read_histories`, and states at target displacements."""
+    """Return all that criteria judge, by name: histories, see `read_histories`, and states at target displacements.
+
+    Args:
+        archive: the open archive.
+        groups: results of analyses by name, if they are read already; None: they are read.
+    """
     groups = all_results(archive) if groups is None else groups
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     return read_histories(archive, groups) | targets

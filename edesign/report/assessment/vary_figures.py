@@ -20,7 +20,11 @@ if TYPE_CHECKING:
 
 
 def vary_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Measures against each value that a study varies: name of the file, caption, figure."""
+    """Yield the measures against each value that a study varies.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     study = archived_study(archive) if is_study_archive(archive) else None
     if study is None or not study.vary:
         return

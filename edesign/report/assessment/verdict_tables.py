@@ -28,7 +28,7 @@ TARGETS = "Of target displacements the D/C is the maximum over patterns and dire
 
 
 def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
-    """Return the verdicts on criteria, what governs them, what is to be said of them, and what they require.
+    """Return the verdicts on criteria, what governs them, remarks, and the requirements.
 
     Each fits a page; those that would be empty are left out.
     """
@@ -73,12 +73,23 @@ def ratio_text(verdict: Verdict) -> str:
 
 
 def beyond_or(ratio: float, text: str) -> str:
-    """Return the text of demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay."""
+    """Return the text of demand over capacity, or that it is far beyond; infinite ones, of failed histories, stay.
+
+    Args:
+        ratio: demand over capacity.
+        text: the ratio as text.
+    """
     return text if ratio < BEYOND or isinf(ratio) else NumberText(f"> {BEYOND}", ratio)
 
 
 def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, statistic: str = "mean") -> list[Table]:
-    """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations."""
+    """Return the performance level of each variant at each hazard level: by drift, and by plastic rotations.
+
+    Args:
+        sets: the histories by variant and level.
+        members: acceptance limits of the members, by variant.
+        statistic: the statistic over the records.
+    """
     title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
     columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
     by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
@@ -109,7 +120,13 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
 
 
 def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, project: Project) -> Table:
-    """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives."""
+    """Return a row for each objective and variant; `verdicts` are those of `judge` on the objectives.
+
+    Args:
+        verdicts: the verdicts of `judge` on the objectives.
+        objectives: the performance objectives of the study.
+        project: the project.
+    """
     columns = (
         "objective",
         "variant",
@@ -159,7 +176,12 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
 
 
 def measured(value: float | None, unit: str) -> str:
-    """Return a value of a verdict, in SI, with the unit people read; a number still."""
+    """Return a value of a verdict, in SI, with the unit people read; a number still.
+
+    Args:
+        value: in SI; None: there is none.
+        unit: its SI unit.
+    """
     if value is None:
         return "-"
     label, size = UNITS[unit]

@@ -78,7 +78,7 @@ def overstrength_table(results: BuildingResults) -> Table:
 
 
 def selection_table(results: BuildingResults) -> Table:
-    """Return what `edesign design` chose for each group of members and what holds it up; no rows without a choice."""
+    """Return the section that `edesign design` chose for each group of members, and the check that governs it."""
     table = Table("Sections chosen", ("group", "before", "chosen", "mass [t]", "its next lighter section would break"))
     table.left, table.sentences, table.formulas = 3, 4, (4,)
     if not results.has(SELECTION):

@@ -25,7 +25,7 @@ NOTHING = 1e-5
 
 @dataclass(frozen=True)
 class WrittenCheck:
-    """A check of a member and how its utilisation comes about.
+    """A check of a member with the calculation of its utilisation.
 
     Attributes:
         member, group, kind, section, material: names.
@@ -133,6 +133,10 @@ def written_data(found: WrittenCheck) -> list[dict[str, object]]:
 def member_number(results: BuildingResults, name: str) -> int:
     """Return the number of a member, from 0.
 
+    Args:
+        results: the results of the building.
+        name: name of the member.
+
     Raises:
         InputError: there is no such member.
     """
@@ -143,12 +147,21 @@ def member_number(results: BuildingResults, name: str) -> int:
 
 
 def governing(results: BuildingResults, member: int) -> int:
-    """Return the number of the check of a member that is used most, from 0."""
+    """Return the number of the check of a member that is used most, from 0.
+
+    Args:
+        results: the results of the building.
+        member: number of the member, from 0.
+    """
     return int(np.nan_to_num(results.values("members", "utilisation")[member], nan=-1.0).argmax())
 
 
 def member_tables(results: BuildingResults, name: str) -> list[Table]:
     """Return all checks of a member, and the one that governs written out.
+
+    Args:
+        results: the results of the building.
+        name: name of the member.
 
     Raises:
         InputError: there is no such member.
@@ -167,7 +180,13 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
 
 
 def effects_table(results: BuildingResults, member: int, check: int) -> Table:
-    """Return the internal forces of each action on a member at the place where a check governs."""
+    """Return the internal forces of each action on a member at the place where a check governs.
+
+    Args:
+        results: the results of the building.
+        member: number of the member, from 0.
+        check: number of the check, from 0.
+    """
     name = results.values("members", "member")[member]
     place = results.values("members", "station")[member, check]
     if not np.isfinite(place):
@@ -199,7 +218,12 @@ def _signed(sign: str, cell: str) -> str:
 
 
 def member_data(results: BuildingResults, name: str) -> dict[str, object]:
-    """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`."""
+    """Return all checks of a member for JSON, each with its calculation; errors as `member_tables`.
+
+    Args:
+        results: the results of the building.
+        name: name of the member.
+    """
     member = member_number(results, name)
     every = [written(results, member, check) for check in range(results.values("members", "check").size)]
     checks = [

@@ -28,7 +28,7 @@ _TILT = 0.45  # of y in an oblique drawing
 
 
 def spectra(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give the elastic and the design spectra with the modes of the building."""
+    """Yield the elastic and the design spectra with the modes of the building."""
     caption = (
         "Elastic spectrum and design spectra. Marks are the modes with more than 5 % of the mass in a direction, with "
         "their numbers."
@@ -37,14 +37,14 @@ def spectra(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def mode_shapes(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give the shapes of the first modes and of those with the most mass in each direction."""
+    """Yield the shapes of the first modes and of those with the most mass in each direction."""
     results = BuildingResults(archive)
     caption = "Mode shapes: the first modes, and those with the most mass along x, along y and in rotation."
     yield "building_modes", caption, _mode_shapes(results)
 
 
 def storey_curves(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give shear, drift and theta of the storeys over the height, with their limits."""
+    """Yield shear, drift and theta of the storeys over the height, with their limits."""
     caption = (
         "Storey shear, reduced interstorey drift and interstorey drift sensitivity under the seismic action along x "
         "and along y; dashed: limits."

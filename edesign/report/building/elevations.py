@@ -30,7 +30,11 @@ _LABEL = 0.6  # length of a label, inches
 
 
 def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give an elevation of each kind of plane frame: name of the file, caption, figure."""
+    """Yield an elevation of each kind of plane frame.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     results = BuildingResults(archive)
     for frame, alike in _different_frames(results):
         others = f" {', '.join(alike)}: the same members, used less." if alike else ""
@@ -42,7 +46,12 @@ def elevations(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def hinges(results: BuildingValues, members: np.ndarray) -> np.ndarray:
-    """Return the places of the pinned ends of beams, (n, 3) m."""
+    """Return the places of the pinned ends of beams, (n, 3) m.
+
+    Args:
+        results: members and nodes of the building.
+        members: numbers of the members, or which they are, (n,).
+    """
     start, end = (results.values("members", name)[members] for name in ("start", "end"))
     stiffness = results.values("members", "ends")[members]
     bends = results.values("members", "kind")[members] == "beam"
@@ -143,7 +152,15 @@ def _supports(axes: Axes, results: BuildingResults, chosen: np.ndarray, along: i
 
 
 def strokes(axes: Axes, starts: np.ndarray, ends: np.ndarray, colour: str, width: float) -> None:
-    """Draw lines from (n, 2) to (n, 2) as one path, which is small and quick."""
+    """Draw lines from (n, 2) to (n, 2) as one path, which is small and quick.
+
+    Args:
+        axes: the axes to draw on.
+        starts: first points of the lines, (n, 2).
+        ends: second points of the lines, (n, 2).
+        colour: colour of the lines.
+        width: width of the line, points.
+    """
     path = np.stack([starts, ends, np.full_like(starts, np.nan)], axis=1).reshape(-1, 2)
     axes.plot(path[:, 0], path[:, 1], color=colour, linewidth=width, solid_capstyle="round")
 

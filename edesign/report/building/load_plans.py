@@ -30,12 +30,15 @@ Panel = tuple[int, int]
 
 
 def load_plans(building: Building, frame: SpaceFrame, heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give a plan of the loads of each floor that differs from the others: name of the file, caption, figure.
+    """Yield a plan of the loads of each floor that differs from the others.
 
     Args:
         building: its grid and loads.
         frame: its load cases and masses.
         heading: lines above each drawing; (): none.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     groups: dict[str, list[int]] = {}
     for floor in range(1, building.n_storeys + 1):

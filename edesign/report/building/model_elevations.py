@@ -29,12 +29,15 @@ PINNED_END, SPRUNG_END = "end without moment", "end with a rotational stiffness"
 
 
 def model_elevations(building: Building, frame: SpaceFrame, heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give an elevation of each plane frame that differs from the others: name of the file, caption, figure.
+    """Yield an elevation of each plane frame that differs from the others.
 
     Args:
         building: its grid and supports.
         frame: its members.
         heading: lines above each drawing; (): none.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     for along in DIRECTIONS:
         groups: dict[tuple[object, ...], list[int]] = {}

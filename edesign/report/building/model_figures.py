@@ -16,11 +16,14 @@ from edesign.space.structure.geometry import space_frame
 
 
 def building_model_figures(building: Building, heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give the drawings of a building's model: name of the file, caption, figure.
+    """Yield the drawings of a building's model.
 
     Args:
         building: the validated building.
         heading: lines above each drawing but the plans; (): none.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     frame = space_frame(building)
     yield from model_elevations(building, frame, heading)
@@ -29,6 +32,6 @@ def building_model_figures(building: Building, heading: Sequence[str] = ()) -> I
 
 
 def archived_building_model(archive: Archive) -> Iterator[Named]:
-    """Give the drawings of the model of a building whose design an archive has; only plans if its text is not there."""
+    """Yield the drawings of the model of an archived building; only plans if its text is not in the archive."""
     building = archived_building(archive)
     yield from plans(archive) if building is None else building_model_figures(building)

@@ -9,7 +9,7 @@ from edesign.space.structure.masses import floor_masses
 
 
 class ModelValues:
-    """What an archive would hold of the members, nodes and floors of a building.
+    """Values of members, nodes and floors of a building that was not analysed, named as in an archive.
 
     Args:
         frame: the building as a space frame.
@@ -37,5 +37,10 @@ class ModelValues:
         }
 
     def values(self, name: str, variable: str) -> np.ndarray:
-        """Return the values of a variable of a group, named as in an archive."""
+        """Return the values of a variable of a group, named as in an archive.
+
+        Args:
+            name: name of the group.
+            variable: name of the variable.
+        """
         return self._groups[name][variable]

@@ -29,12 +29,20 @@ _NODE = re.compile(r"([A-Z]+)([0-9]+)\.[0-9]+")
 
 
 def plans(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give the plans of the storeys that differ: name of the file, caption, figure."""
+    """Yield the plans of the storeys that differ.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     return plans_of(BuildingResults(archive))
 
 
 def plans_of(results: BuildingValues) -> Iterator[tuple[str, str, Figure]]:
-    """Give the plans of the storeys of a building that differ: name of the file, caption, figure."""
+    """Yield the plans of the storeys of a building that differ.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     different = _different_storeys(results)
     drawn = _other_outlines_first(results, different)[:PANELS]
     left_out = f" {len(different) - len(drawn)} more plans are not drawn." if len(different) > len(drawn) else ""

@@ -27,10 +27,15 @@ UNITS = {
 
 
 class BuildingValues(Protocol):
-    """What drawings of a building are made from, whether it was analysed or not."""
+    """Values of a building for its drawings, from an archive or from the model alone."""
 
     def values(self, name: str, variable: str) -> np.ndarray:
-        """Return the values of a variable or coordinate of a group."""
+        """Return the values of a variable or coordinate of a group.
+
+        Args:
+            name: name of the group.
+            variable: name of the variable.
+        """
 
 
 class BuildingResults:
@@ -45,7 +50,7 @@ class BuildingResults:
         self._groups: dict[str, Group] = {}
 
     def has(self, name: str) -> bool:
-        """Whether there is a group that can be read."""
+        """Return whether a readable group is there."""
         return self.archive.has(_place(name))
 
     def group(self, name: str = "") -> Group:
@@ -61,6 +66,10 @@ class BuildingResults:
     def values(self, name: str, variable: str) -> np.ndarray:
         """Return the values of a variable or coordinate of a group.
 
+        Args:
+            name: name of the group.
+            variable: name of the variable.
+
         Raises:
             ArchiveError: there is none.
         """
@@ -73,6 +82,10 @@ class BuildingResults:
     def number(self, attribute: str, name: str = "") -> float:
         """Return a number among the attributes of a group.
 
+        Args:
+            attribute: name of the attribute.
+            name: name of the group.
+
         Raises:
             ArchiveError: there is none.
         """
@@ -82,7 +95,12 @@ class BuildingResults:
             raise self._incomplete(name, attribute) from error
 
     def text(self, attribute: str, name: str = "") -> str:
-        """Return a text among the attributes of a group, "" if there is none."""
+        """Return a text among the attributes of a group, "" if there is none.
+
+        Args:
+            attribute: name of the attribute.
+            name: name of the group.
+        """
         return str(self.group(name).attributes.get(attribute, ""))
 
     def _incomplete(self, name: str, what: str) -> ArchiveError:

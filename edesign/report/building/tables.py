@@ -50,7 +50,13 @@ def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
 
 
 def or_missing(make: Make, results: BuildingResults, missing: Table) -> list[Table]:
-    """Return tables, or none where a group that they need cannot be read, which is noted in `missing`."""
+    """Return tables, or none where a group that they need cannot be read, which is noted in `missing`.
+
+    Args:
+        make: makes the tables.
+        results: the results of the building.
+        missing: the table whose notes name what cannot be read.
+    """
     try:
         return make(results)
     except ArchiveError as error:
@@ -159,7 +165,12 @@ def base_shear_table(results: BuildingResults) -> Table:
 
 
 def storeys_table(results: BuildingResults, axis: str) -> Table:
-    """Return shear, gravity, drifts and theta of the storeys under the action along an axis, from the roof down."""
+    """Return shear, gravity, drifts and theta of the storeys under the action along an axis, from the roof down.
+
+    Args:
+        results: the results of the building.
+        axis: direction of the seismic action, x or y.
+    """
     name = f"storeys_{axis}"
     columns = (
         ("V [kN]", "shear", 4, 1e3),
@@ -198,7 +209,12 @@ def criteria_table(results: BuildingResults) -> Table:
 
 
 def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> Table:
-    """Return the governing check of each group of members; `say` gives its name, in words where there is room."""
+    """Return the governing check of each group of members.
+
+    Args:
+        results: the results of the building.
+        say: gives the name of a group of members.
+    """
     table = Table(
         "Members: the governing check of each group",
         ("group", "section", "members", "use", "check", "member", "combination"),
@@ -248,7 +264,7 @@ def _numbers(places: list[int]) -> str:
 
 
 def verdict_table(results: BuildingResults) -> Table:
-    """Return what is not met, and what an engineer should know; no columns."""
+    """Return the checks that are not met and remarks for the engineer as a table without columns."""
     verdict = [f"not met: {text}" for text in failures(results)]
     if results.number("passed"):
         verdict = ["all checks and rules are met"]
@@ -256,13 +272,13 @@ def verdict_table(results: BuildingResults) -> Table:
 
 
 def remarks(results: BuildingResults) -> list[str]:
-    """Return what an engineer should know, a sentence each."""
+    """Return one sentence for each remark for the engineer."""
     notes = results.group().attributes.get("notes")
     return [str(note) for note in notes] if isinstance(notes, list) else []
 
 
 def failures(results: BuildingResults) -> list[str]:
-    """Return what is not met: checks of groups, then rules."""
+    """Return the checks and rules that are not met, checks of groups first."""
     over = [worst for worst in worst_of_groups(results) if worst.utilisation > 1.0]
     columns = ("text", "detail", "value", "required", "passed", "clause")
     rules = zip(*(results.values("criteria", name) for name in columns), strict=True)

@@ -24,7 +24,11 @@ _DASHES = {0.16: (4, 2), 0.50: (), 0.84: (1.5, 1.5)}
 
 
 def incremental_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Curves and fragilities of each incremental study of an archive: name of the file, caption, figure."""
+    """Yield the curves and fragilities of each incremental study of an archive.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for one in read_incremental(archive):
         yield from results_figures(one)
 

@@ -26,7 +26,7 @@ LABELS = {"spectral_acceleration": "spectral acceleration", "pga": "peak ground 
 
 @dataclass(frozen=True)
 class LifeCycle:
-    """How often the limits of a variant are passed, and what that costs.
+    """The rates at which a variant exceeds its limits, and the expected losses.
 
     Attributes:
         variant: of the frame.
@@ -78,15 +78,15 @@ class IncrementalResults:
 
     @property
     def measures(self) -> tuple[str, ...]:
-        """Names of the measures of which there are curves: the drift, and those that are limited."""
+        """The names of the measures with curves: the drift, and those that are limited."""
         return tuple(dict.fromkeys((DRIFT, *(measure for measure, _ in self.limits.values()))))
 
     def stripes_of(self, measure: str) -> list[Stripes]:
-        """Stripes of a measure, of all variants that have it."""
+        """Return the stripes of a measure, of all variants that have it."""
         return [found[measure] for found in self.stripes.values() if measure in found]
 
     def limits_of(self, measure: str) -> dict[str, float]:
-        """Values of the limits of a measure in SI by name; collapse is one of the drift."""
+        """Return the limits of a measure in SI by name; collapse is one of the drift."""
         return {name: value for name, (of, value) in self.limits.items() if of == measure}
 
 

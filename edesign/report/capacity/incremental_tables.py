@@ -40,7 +40,7 @@ def results_tables(results: IncrementalResults) -> list[Table]:
 
 
 def exceedance_table(results: IncrementalResults) -> Table:
-    """Return how often each limit is passed, a year and in the years that the study looks at."""
+    """Return the rate at which each limit is exceeded, and its probability in the years of the study."""
     years = results.life_cycle[0].years
     columns = ["variant", "limit", "rate [1/year]", "return period [years]", f"P in {number(years, 3)} years [%]"]
     table = Table(f"{results.name}: exceedance of limits", columns, left=2)

@@ -76,7 +76,7 @@ class Curve:
 
     @property
     def loading(self) -> str:
-        """The label without the direction, of which pushes both ways have one color."""
+        """The label without the direction; pushes to both sides share its color."""
         return self.label.removesuffix(f".{self.direction}")
 
     @property
@@ -86,7 +86,11 @@ class Curve:
 
 
 def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Capacity curves of all variants, and N2 of each variant: name of the file, caption, figure."""
+    """Yield the capacity curves of all variants, and the N2 figure of each variant.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     curves: list[Curve] = []
     targets: list[Curve] = []
     for name in archive.names(ANALYSES):
@@ -117,7 +121,11 @@ def pushover_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def hinge_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Plastic rotations of the frame at its target displacements, by method and level: name, caption, figure."""
+    """Yield the plastic rotations of the frame at its target displacements, by method and level.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     project = archived_project(archive)
     panels: dict[tuple[str, str], list[Hinges]] = {}
     for name in archive.names(ANALYSES):

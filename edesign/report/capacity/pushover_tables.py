@@ -75,7 +75,7 @@ def events_table(groups: Mapping[str, Group]) -> Table:
 
 
 def target_tables(project: Project | None, groups: Mapping[str, Group], study: Study | None = None) -> list[Table]:
-    """Return what the target displacements of each method follow from, and the response at them.
+    """Return the values behind the target displacements of each method, and the response at them.
 
     Args:
         project: of the frame; None: performance levels are left out.

@@ -54,7 +54,7 @@ _SUMMARIES: dict[FileKind, Callable[[Path], Summary]] = {
 
 
 def summary_of(path: Path, kind: FileKind | None) -> Summary | None:
-    """Return what is in a file, text by label; `warnings` has what may not be meant, a line each.
+    """Return a description of a file, text by label; `warnings` has one line for each doubt.
 
     Args:
         path: of the file.

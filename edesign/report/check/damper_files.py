@@ -29,7 +29,7 @@ _REVERSED = 0.1
 
 
 def law_summary(path: Path) -> dict[str, str]:
-    """Return what a law file describes.
+    """Return a description of a law file.
 
     Raises:
         InputError: it is wrong.
@@ -66,7 +66,7 @@ def law_summary(path: Path) -> dict[str, str]:
 
 
 def tests_summary(path: Path) -> dict[str, str]:
-    """Return what a campaign or programme of damper tests has; the tests of a programme have a `type`.
+    """Return a description of a campaign or programme of damper tests; tests of a programme have a `type`.
 
     Raises:
         InputError: it, or a file of a test, is wrong.
@@ -131,7 +131,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
 
 
 def property_campaign_summary(path: Path) -> dict[str, str]:
-    """Return what a campaign of a property table has.
+    """Return a description of the campaign of a property table.
 
     Raises:
         InputError: it is wrong.
@@ -174,7 +174,7 @@ def _test_doubts(test: DamperTest, specimen: Specimen) -> list[str]:
 
 
 def force_doubts(test: DamperTest) -> list[str]:
-    """Return what is unlikely about the force of a test.
+    """Return the doubts about the force of a test.
 
     Args:
         test: with or without a force.
@@ -218,5 +218,5 @@ def _law(choice: LawChoice | None) -> str:
 
 
 def warnings_of(warnings: Sequence[str]) -> dict[str, str]:
-    """Return warnings as an entry of a summary, a line each; none as nothing."""
+    """Return warnings as an entry of a summary, one line each; {} without warnings."""
     return {"warnings": "\n".join(warnings)} if warnings else {}

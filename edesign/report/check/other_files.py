@@ -131,7 +131,7 @@ def national_summary(path: Path) -> dict[str, str]:
 
 
 def archive_summary(path: Path) -> dict[str, str]:
-    """Return what an archive is of, and how far it is.
+    """Return the kind and progress of an archive.
 
     Raises:
         ArchiveError: it cannot be read.

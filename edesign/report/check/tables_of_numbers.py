@@ -21,7 +21,7 @@ _TEST = 2  # and of a test: time, and displacement or force
 
 
 def table_summary(path: Path) -> dict[str, str]:
-    """Return what a table of numbers is by its headers: a damper test, properties, or samples of a record.
+    """Return the kind of a table of numbers by its headers: a damper test, properties, or samples of a record.
 
     Raises:
         InputError: it is wrong.

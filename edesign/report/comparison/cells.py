@@ -11,7 +11,7 @@ _ROUNDING = 1e-9  # of a difference that is to be equal to its bar
 
 @dataclass(frozen=True)
 class ComparedCell:
-    """One printed value and what the archive has in its place, both in `unit`.
+    """A printed value and the value of the archive in its place, both in `unit`.
 
     Attributes:
         quantity: label of the row.
@@ -44,7 +44,7 @@ class ComparedCell:
 
     @property
     def difference(self) -> float | None:
-        """(found - reference) / |reference|; None if nothing was found or the reference is 0."""
+        """The relative difference (found - reference) / |reference|; None without a value or if the reference is 0."""
         if self.found is None or self.reference == 0.0:
             return None
         return (self.found - self.reference) / abs(self.reference)
@@ -113,15 +113,15 @@ class Comparison:
 
     @property
     def cells(self) -> tuple[ComparedCell, ...]:
-        """Those of all tables."""
+        """The cells of all tables."""
         return tuple(cell for table in self.tables for cell in table.cells)
 
     @property
     def absent(self) -> tuple[ComparedCell, ...]:
-        """Printed values in whose place the archive has nothing."""
+        """The printed values for which the archive has no value."""
         return tuple(cell for cell in self.cells if cell.found is None)
 
     @property
     def outside(self) -> tuple[ComparedCell, ...]:
-        """Cells that are not within their bars."""
+        """The cells that are outside their bars."""
         return tuple(cell for cell in self.cells if cell.inside is False)

@@ -22,6 +22,10 @@ _STATISTICS = {**STATISTICS, "minimum": lambda found: found.minimum}
 def compare(archive: Archive, reference: Reference) -> Comparison:
     """Compare an archive, complete or partial, with reference values.
 
+    Args:
+        archive: the open archive.
+        reference: the reference file.
+
     Raises:
         ArchiveError: the archive is damaged.
         InputError: the reference asks for a variable that its group does not have, or in a unit of another dimension.
@@ -42,7 +46,12 @@ def compare(archive: Archive, reference: Reference) -> Comparison:
 
 
 def compare_responses(table: ResponseTable, histories: Sequence[ComparedHistory]) -> ComparedTable:
-    """Compare one table of statistics with the histories of an archive."""
+    """Compare one table of statistics with the histories of an archive.
+
+    Args:
+        table: the table of the reference.
+        histories: the histories of the archive.
+    """
     cells: list[ComparedCell] = []
     changes: list[ComparedChange] = []
     notes: list[str] = []

@@ -60,6 +60,10 @@ def comparison_data(comparison: Comparison) -> dict[str, Any]:
 def write_comparison(comparison: Comparison, path: Path) -> None:
     """Write a line for each cell, with all digits; names of missing histories are separated by spaces.
 
+    Args:
+        comparison: an archive beside a reference file.
+        path: the file to be written.
+
     Raises:
         ArchiveError: the file cannot be written.
     """

@@ -22,7 +22,7 @@ from edesign.study.results.kinds import ANALYSES
 
 
 class Wanted(NamedTuple):
-    """A measure (short name), and the storeys and members that it is restricted to."""
+    """A measure (short name), with the storeys and members to which it is restricted."""
 
     measure: str
     storeys: tuple[int, ...] | None
@@ -31,7 +31,7 @@ class Wanted(NamedTuple):
 
 @dataclass(frozen=True)
 class ComparedHistory:
-    """What a comparison needs of one history.
+    """The data of one history for a comparison.
 
     Attributes:
         variant, level, record: "" where the archive says nothing.
@@ -49,7 +49,13 @@ class ComparedHistory:
     profiles: dict[str, np.ndarray] = field(default_factory=dict)
 
     def belongs(self, variant: str, level: str, records: str | None) -> bool:
-        """Whether it is one of a variant and level, and of a record or suite (None: any)."""
+        """Return whether the history is one of a variant and level, and of a record or suite.
+
+        Args:
+            variant: name of the variant.
+            level: name of the hazard level; "" without levels.
+            records: name of a record or suite; None: any.
+        """
         if self.reason in (NOT_RUN, DAMAGED):  # of which only the name is known
             return self.name.startswith(f"{variant}.{level}.")
         of_records = records is None or self.record == records or self.record.startswith(f"{records}/")
@@ -57,7 +63,7 @@ class ComparedHistory:
 
 
 def wanted(row: ResponseRow) -> Wanted:
-    """What a row of a reference asks of each history."""
+    """Return the measure that a row of a reference needs of each history."""
     return Wanted(row.measure, row.storeys, row.members)
 
 
@@ -65,6 +71,10 @@ def compared_histories(archive: Archive, measures: Collection[Wanted]) -> list[C
     """Read the measures of all histories, those that were planned and have not run included.
 
     Histories of an incremental analysis, and those at another temperature than their variant's, are left out.
+
+    Args:
+        archive: the open archive.
+        measures: the measures that are compared.
 
     Raises:
         ArchiveError: the archive is damaged.

@@ -53,12 +53,22 @@ def found(cell: ComparedCell) -> str:
 
 
 def per_cent(ratio: float | None, digits: int = 1) -> str:
-    """Return a difference in per cent with its sign, "-" for None."""
+    """Return a difference in per cent with its sign, "-" for None.
+
+    Args:
+        ratio: the ratio; None: there is none.
+        digits: number of digits.
+    """
     return "-" if ratio is None else f"{100.0 * ratio:+.{digits}f}"
 
 
 def groups(table: ComparedTable, by: Sequence[str]) -> list[list[ComparedCell]]:
-    """Return the cells of a table in groups that agree in the attributes `by`, in their order."""
+    """Return the cells of a table in groups that agree in the attributes `by`, in their order.
+
+    Args:
+        table: the compared table.
+        by: names of the attributes in which the cells of a group agree.
+    """
     made: dict[tuple[str, ...], list[ComparedCell]] = {}
     for cell in table.cells:
         made.setdefault(tuple(getattr(cell, name) for name in by), []).append(cell)
@@ -66,7 +76,12 @@ def groups(table: ComparedTable, by: Sequence[str]) -> list[list[ComparedCell]]:
 
 
 def with_unit(label: str, unit: str) -> str:
-    """Return a label with its unit in brackets."""
+    """Return a label with its unit in brackets.
+
+    Args:
+        label: the label.
+        unit: the unit.
+    """
     return label if unit == "1" else f"{label} [{unit}]"
 
 
@@ -105,7 +120,7 @@ def _response_block(table: ComparedTable, comparison: Comparison, cells: list[Co
 
 
 def made_of(cell: ComparedCell) -> str:
-    """Return of how many histories a value is made."""
+    """Return the number of histories behind a value, in words."""
     histories = "history" if cell.of == 1 else "histories"
     if not cell.of:
         return ""
@@ -113,13 +128,18 @@ def made_of(cell: ComparedCell) -> str:
 
 
 def usual_statistic(cells: Iterable[ComparedCell]) -> str:
-    """The statistic of most cells."""
+    """Return the statistic of most cells."""
     names = [cell.statistic for cell in cells]
     return max(dict.fromkeys(names), key=names.count)
 
 
 def statistic_note(cell: ComparedCell, usual: str) -> str:
-    """Return a note on a statistic that is not the usual one of the table."""
+    """Return a note on a statistic that is not the usual one of the table.
+
+    Args:
+        cell: the printed value and the one found.
+        usual: the statistic of most cells.
+    """
     return "" if cell.statistic == usual else f"{WORDS[cell.statistic]} of the histories"
 
 
@@ -130,7 +150,12 @@ def _bar(cell: ComparedCell) -> list[str]:
 
 
 def missing_notes(cells: Iterable[ComparedCell], comparison: Comparison) -> list[str]:
-    """Name the histories that have no value with the reason, and say what is not there at all."""
+    """Return notes on the histories without a value, each with the reason, and on absent values.
+
+    Args:
+        cells: the cells of the table.
+        comparison: an archive beside a reference file.
+    """
     without: dict[str, dict[str, None]] = {}
     others: dict[str, None] = {}
     for cell in cells:
@@ -176,7 +201,7 @@ def _variable_block(table: ComparedTable, cells: list[ComparedCell], bars: bool)
 
 
 def common_note(cells: Sequence[ComparedCell]) -> list[str]:
-    """The note of all cells, if they have one and the same."""
+    """Return the note of all cells, if they share one; else []."""
     notes = {cell.note for cell in cells}
     return [note for note in notes if note and len(notes) == 1]
 

@@ -17,6 +17,12 @@ from edesign.report.comparison.cells import ComparedCell, ComparedTable
 def compare_variables(archive: Archive, reference: Reference, index: int, table: VariableTable) -> ComparedTable:
     """Compare one table of variables, number `index` of the reference.
 
+    Args:
+        archive: the open archive.
+        reference: the reference file.
+        index: number of the table in the reference, from 0.
+        table: the table of the reference.
+
     Raises:
         ArchiveError: the archive is damaged.
         InputError: the group has no such variable, or it has another dimension or unit.

@@ -48,7 +48,13 @@ def variant_tables(archive: Archive, reference: Reference, place: str) -> list[T
 
 
 def renamed(reference: Reference, place: str, name: str) -> Reference:
-    """The responses of a reference with one variant under another name, and without the others."""
+    """Return the responses of a reference with one variant under another name, and without the others.
+
+    Args:
+        reference: the reference file.
+        place: name of the variant in the reference.
+        name: the new name of the variant.
+    """
     tables = []
     for table in _responses(reference):
         rows = [

@@ -63,7 +63,13 @@ def parameter_table(fit: Fit) -> Table:
 
 
 def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[str, float]) -> Table:
-    """Return the errors of every test in per cent."""
+    """Return the errors of every test in per cent.
+
+    Args:
+        fit: the fit of a law.
+        held_out: errors of tests that a fit left out; None: none was made.
+        validated: errors of tests for validation, by name.
+    """
     what = "test" if fit.against == "forces" else "property"
     columns = [what, "NRMS [%]", "rms error / peak [%]", "R2", *(["held out: NRMS [%]"] if held_out else [])]
     table = Table(f"{fit.law.name}: errors", columns)
@@ -113,7 +119,13 @@ def comparison_table(comparison: Comparison) -> Table:
 def tables_of(
     fits: Sequence[Fit], comparison: Comparison | None, validated: Sequence[Mapping[str, float]]
 ) -> list[Table]:
-    """Return all tables of a run."""
+    """Return all tables of a run.
+
+    Args:
+        fits: the fits of all laws.
+        comparison: the comparison of several laws; None: there is one law.
+        validated: errors of tests for validation by name, of each fit.
+    """
     out = {item.fit.law.name: item.held_out for item in comparison.laws} if comparison else {}
     tables = []
     for fit, errors in zip(fits, validated, strict=True):

@@ -9,14 +9,14 @@ from edesign.report.tables.table import Table, formatted
 
 
 def laws_table() -> Table:
-    """All laws: name, title, names of the parameters."""
+    """Return a table of all laws: name, title, names of the parameters."""
     rows = [[law.name, law.title, ", ".join(_names(law))] for law in LAWS.values()]
     note = "`edesign laws NAME` tells units, bounds, defaults, equation and source."
     return Table(f"{len(rows)} damper laws", ["law", "what", "parameters"], rows, [note], left=3)
 
 
 def law_table(law: Law) -> Table:
-    """Parameters of a law with unit, bounds, default and meaning; equation and source below."""
+    """Return the parameters of a law with unit, bounds, default and meaning; equation and source stand below."""
     rows = [
         [
             parameter.name,

@@ -60,6 +60,10 @@ def measured_figure(test: DamperTest, specimen: Specimen) -> Figure:
 
     The last full cycle of the longest block of one amplitude is drawn heavier; not of fewer than three, which agree by
     chance in a random history.
+
+    Args:
+        test: the damper test.
+        specimen: the specimen with its layers.
     """
     figure, axes = new_figure(2, 2, 7.6, 3.6)
     force = test.measured_force()

@@ -39,7 +39,12 @@ def cycles_table(title: str, each: CycleProperties) -> Table:
 
 
 def properties_data(found: Mapping[str, Properties], cycles: Mapping[str, CycleProperties]) -> dict[str, Any]:
-    """Return properties and those of each cycle as JSON data, SI units."""
+    """Return properties and those of each cycle as JSON data, SI units.
+
+    Args:
+        found: mean properties, by name of the test.
+        cycles: properties of each cycle, by name of the test.
+    """
     tests: dict[str, Any] = {name: {"mean": finite(asdict(row))} for name, row in found.items()}
     for name, each in cycles.items():
         tests.setdefault(name, {})["each_cycle"] = finite({key: column.tolist() for key, column in vars(each).items()})

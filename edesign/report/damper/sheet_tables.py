@@ -45,13 +45,18 @@ NOTES = [
 
 
 def name_of(run: Run, runs: Sequence[Run]) -> str:
-    """Name of the test; with the number of the run where the test has several."""
+    """Return the name of a test, with the number of the run where the test has several.
+
+    Args:
+        run: the run of a test.
+        runs: the runs of the tests.
+    """
     several = sum(other.test == run.test for other in runs) > 1
     return f"{run.test}, run {run.block}" if several else run.test
 
 
 def values_of(run: Run) -> dict[str, np.ndarray]:
-    """Columns of `COLUMNS` of each cycle of a run, (n,) in SI."""
+    """Return the columns of `COLUMNS` of each cycle of a run, (n,) in SI."""
     loops = run.loops
     values = (
         *(loops.highest, loops.lowest, loops.largest, loops.smallest),
@@ -63,7 +68,7 @@ def values_of(run: Run) -> dict[str, np.ndarray]:
 
 
 def tests_table(runs: Sequence[Run]) -> Table:
-    """Return the properties of each run in its third cycle, at which devices are told, and the mean of all."""
+    """Return the properties of each run in its third cycle, by which devices are accepted, and their mean."""
     shown = list(COLUMNS)[4:10]
     heads = [COLUMNS[name][0] for name in shown]
     table = Table("Tests: third cycle, and mean of all", ("test", "cycle", "T [degC]", "f [Hz]", "x0 [mm]", *heads))
@@ -79,7 +84,12 @@ def tests_table(runs: Sequence[Run]) -> Table:
 
 
 def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
-    """Return the sheet of a run: all properties of each cycle."""
+    """Return the sheet of a run: all properties of each cycle.
+
+    Args:
+        run: the run of a test.
+        runs: the runs of the tests.
+    """
     values = values_of(run)
     shown = [name for name in COLUMNS if name != "equivalent_stiffness_kN_per_mm"]
     heads = [COLUMNS[name][0] for name in shown]
@@ -98,7 +108,12 @@ def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
 
 
 def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
-    """Return the verdict of each criterion over all runs: the worst of them with its test and cycle."""
+    """Return the verdict of each criterion over all runs: the worst of them with its test and cycle.
+
+    Args:
+        judged: the judged runs.
+        runs: the runs of the tests.
+    """
     table = Table(
         "Acceptance",
         ("standard", "clause", "quantity", "compared", "limit [%]", "worst [%]", "test", "cycle", "verdict"),
@@ -156,7 +171,12 @@ def worst_of(group: Sequence[Judged]) -> Judged:
 
 
 def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
-    """The verdict in a sentence or two."""
+    """Return the verdict in a sentence or two.
+
+    Args:
+        judged: the judged runs.
+        runs: the runs of the tests.
+    """
     groups = by_criterion(judged)
     failed = [worst_of(group) for group in groups if any(one.met is False for one in group)]
     open_ones = sum(all(one.met is None for one in group) for group in groups)
@@ -183,7 +203,7 @@ def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
 
 
 def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:
-    """Headers and rows of the sheet as CSV: a row of each cycle of each run."""
+    """Return headers and rows of the sheet as CSV, one row for each cycle of each run."""
 
     def rows() -> Iterator[list[Any]]:
         for run in runs:
@@ -197,7 +217,13 @@ def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:
 
 
 def sheet_json(runs: Sequence[Run], judged: Sequence[Judged], notes: Sequence[str]) -> dict[str, Any]:
-    """The sheet as JSON data in SI units; numbers that are not finite as null."""
+    """Return the sheet as JSON data in SI units; numbers that are not finite are null.
+
+    Args:
+        runs: the runs of the tests.
+        judged: the judged runs.
+        notes: what the reader of the files said.
+    """
     return {
         "units": {"displacement": "m", "force": "N", "stiffness": "N/m", "damping": "N*s/m", "energy": "J"},
         "runs": [

@@ -26,7 +26,7 @@ _VALUES = {  # header, name, unit shown in SI
 
 
 def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
-    """Return what is needed to order the dampers: estimated, and of the histories of the variants that have them.
+    """Return the data to order the dampers: the estimate, and the demand in histories of the variants that have them.
 
     Args:
         group: of a design of viscous or hysteretic dampers.

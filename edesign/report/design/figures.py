@@ -40,7 +40,11 @@ MARKERS = ("o", "s", "^", "D", "v")
 
 
 def design_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """The rounds of each design, and its dampers over the height: name of the file, caption, figure."""
+    """Yield the rounds of each design, and its dampers over the height.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for name in archive.names(DESIGNS):
         group = archive.group(f"{DESIGNS}/{name}")
         if group.attributes.get("method") == "placement":
@@ -114,7 +118,7 @@ def heights_figure(group: Group) -> Figure:
 
 @styled
 def rounds_figure(group: Group) -> Figure:
-    """Draw what each round of a design aimed at, what it used, and how the histories judged it.
+    """Draw the target of each round of a design, its size, and the verdicts on its histories.
 
     Args:
         group: of a design, with variables over (round,), (round, storey) and (round, criterion).
@@ -139,7 +143,7 @@ def rounds_figure(group: Group) -> Figure:
 
 @styled
 def iterations_figure(group: Group) -> Figure:
-    """Draw the frequency that went into each iteration and came out of it, and the damping that it gave.
+    """Draw the frequency before and after each iteration, and the damping that the dampers add.
 
     Args:
         group: of a design, with iteration_frequency, iteration_next_frequency (Hz) and iteration_damping; where the

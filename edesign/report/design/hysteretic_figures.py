@@ -18,7 +18,15 @@ if TYPE_CHECKING:
 
 
 def hysteretic_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
-    """The dampers of a design over the height, and what others would do: name of the file, caption, figure."""
+    """Yield the dampers of a design over the height, and the effect of other yield forces.
+
+    Args:
+        name: name of the design.
+        group: of the design.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     if "device_yield_force" not in group.variables:
         return
     share, damping = (100.0 * float(str(group.attributes[key])) for key in ("share", "damping"))
@@ -90,7 +98,7 @@ def shares_figure(group: Group) -> Figure:
 
 @styled
 def optimum_figure(group: Group) -> Figure:
-    """Draw what is made least, and each criterion, over the share of the storey shears.
+    """Draw the objective and each criterion over the share of the storey shears.
 
     Args:
         group: of a design, with round_share, round_objective over (round,), and verdicts.

@@ -22,12 +22,15 @@ _MARKERS = ("s", "o", "D", "^", "v", "P", "X", "h")
 
 
 def placement_figures(name: str, group: Group, frame: Frame | None) -> Iterator[tuple[str, str, Figure]]:
-    """The chosen layout, and the layouts analysed: name of the file, caption, figure.
+    """Yield the chosen layout, and the layouts analysed.
 
     Args:
         name: of the design.
         group: of the design.
         frame: of the project; None: it cannot be read, and there is no elevation.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     if "placement" not in group.variables:
         return

@@ -29,7 +29,7 @@ def placement_tables(group: Group, sets: Sequence[HistorySet], factors: Mapping[
 
 
 def front(group: Group) -> list[int]:
-    """Return the analysed layouts than which none is both as cheap and better, by cost; counted from 0."""
+    """Return the layouts on the Pareto front of cost and worst ratio, ascending by cost; they count from 0."""
     costs, demands = group.variables["layout_cost"].values, group.variables["layout_demand"].values
     found: list[int] = []
     for i in np.lexsort((demands, costs)).tolist():

@@ -233,7 +233,7 @@ def round_damping(group: Group) -> np.ndarray:
 
 
 def changed_header(group: Group) -> tuple[str, float]:
-    """Return what the rounds of a design change as a header with its unit, and that unit."""
+    """Return the quantity that the rounds of a design change as a header with its unit, and that unit."""
     about = group.attributes
     if about.get("method") == "simplified" and about.get("changed") == "target":
         return "beta", 1.0

@@ -18,7 +18,15 @@ if TYPE_CHECKING:
 
 
 def viscous_figures(name: str, group: Group) -> Iterator[tuple[str, str, Figure]]:
-    """The dampers of a design over the height, and its iterations: name of the file, caption, figure."""
+    """Yield the dampers of a design over the height, and its iterations.
+
+    Args:
+        name: name of the design.
+        group: of the design.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     if "device_coefficient" not in group.variables:
         return
     damping = 100.0 * float(str(group.attributes["damping"]))
@@ -53,7 +61,7 @@ def viscous_heights_figure(group: Group) -> Figure:
 
 @styled
 def viscous_iterations_figure(group: Group) -> Figure:
-    """Draw the amplitude that came out of each iteration, and the sum of its coefficients.
+    """Draw the amplitude after each iteration, and the sum of its coefficients.
 
     Args:
         group: of a design, with iteration_roof_displacement (m) and iteration_coefficient over (iteration, storey).

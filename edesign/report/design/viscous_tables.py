@@ -34,7 +34,7 @@ def viscous_storeys_table(group: Group) -> Table:
 
 
 def viscous_damping_table(group: Group) -> Table:
-    """Return periods and added damping of each mode, and what other ways say of the first."""
+    """Return periods and added damping of each mode, and the damping of the first by other formulas."""
     table = Table("", ("mode", "T bare [s]", "T [s]", "complex eigenvalues [%]"), left=0)
     if "damping_complex" not in group.variables:
         return table
@@ -58,5 +58,5 @@ def viscous_round_sizes(group: Group) -> tuple[np.ndarray, str]:
 
 
 def kilonewtons(unit: str) -> str:
-    """A unit of a coefficient in kN: N*(s/m)^0.35 becomes kN*(s/m)^0.35."""
+    """Return the unit of a coefficient in kN: N*(s/m)^0.35 becomes kN*(s/m)^0.35."""
     return f"k{unit}"

@@ -11,7 +11,12 @@ LONGEST = 64  # characters of a part of a file name; file systems take 255 bytes
 
 
 def plain(value: float, digits: int = 3) -> str:
-    """A number with so many significant digits, and all that stand before the point: 0.0123, 1.20, 1098."""
+    """Return a number with some significant digits, and all that stand before the point: 0.0123, 1.20, 1098.
+
+    Args:
+        value: the number.
+        digits: number of digits.
+    """
     rounded = abs(float(f"{value:.{digits}g}"))
     places = 0
     while 0.0 < rounded * 10.0**places < 10.0 ** (digits - 1) and places < digits + 1:
@@ -20,19 +25,24 @@ def plain(value: float, digits: int = 3) -> str:
 
 
 def record_label(reference: str) -> str:
-    """A record in words: table_5_6/ImperialValley1979_H-EMO000 is Imperial Valley 1979 H-EMO000."""
+    """Return a record in words: table_5_6/ImperialValley1979_H-EMO000 is Imperial Valley 1979 H-EMO000."""
     name = reference.rpartition("/")[2].replace("_", " ")
     return re.sub(r"(?<=[a-z])(?=[A-Z]|[0-9]{4})", " ", name)
 
 
 def some_names(names: Collection[str], most: int = 2) -> str:
-    """Return the first names, and how many more there are."""
+    """Return the first names, and how many more there are.
+
+    Args:
+        names: the names.
+        most: largest number of names.
+    """
     more = len(names) - most
     return ", ".join(list(names)[:most]) + (f" and {more} more" if more > 0 else "")
 
 
 def file_name(*parts: str) -> str:
-    """A name of a file of words, those that are empty left out; also good as an anchor of a page.
+    """Return the name of a file made of words without empty ones; it is also an anchor of a page.
 
     Signs other than letters and digits of ASCII become hyphens; words that lose letters by that, or are too long, get
     a mark of their own, so that they do not become alike.

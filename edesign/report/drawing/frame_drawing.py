@@ -41,7 +41,12 @@ def member_lines(frame: Frame) -> dict[str, Line]:
 
 
 def damper_drawing(frame: Frame, name: str) -> DamperDrawing | None:
-    """How the damper of a name such as V_1_3 or N_A0_B1 is drawn; None if the frame has no such place."""
+    """Return the lines of a damper by its name, such as V_1_3 or N_A0_B1; None if the frame has no such place.
+
+    Args:
+        frame: the frame of the project.
+        name: name of the damper.
+    """
     kind, first, second, *_ = [*name.split("_"), "", ""]
     if kind == "N":
         if first not in frame.nodes or second not in frame.nodes:
@@ -113,7 +118,15 @@ def _draw_isolation(axes: Axes, frame: Frame, dampers: Sequence[str], below: flo
 
 
 def draw_dampers(axes: Axes, frame: Frame, dampers: Sequence[str], color: str = DAMPER, marker: str = "s") -> None:
-    """Draw dampers by their names with their braces; those of places that the frame does not have are left out."""
+    """Draw dampers by their names with their braces; those of places that the frame does not have are left out.
+
+    Args:
+        axes: the axes to draw on.
+        frame: the frame of the project.
+        dampers: names of the dampers.
+        color: colour of the lines.
+        marker: matplotlib's marker of the dampers.
+    """
     for name in dampers:
         drawing = damper_drawing(frame, name)
         if drawing is None:

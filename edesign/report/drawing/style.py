@@ -52,7 +52,7 @@ _STYLE: Any = {
 
 @contextmanager
 def in_style_of_figures() -> Iterator[None]:
-    """Have matplotlib draw in the style of this file meanwhile."""
+    """Let matplotlib draw in the style of this file until the end of the context."""
     import matplotlib
 
     with matplotlib.rc_context(_STYLE):
@@ -110,6 +110,10 @@ def new_figure(rows: int, columns: int, width: float, height: float) -> tuple[Fi
 def save(figure: Figure, path: Path) -> None:
     """Write a figure; the suffix says the format.
 
+    Args:
+        figure: the figure.
+        path: the file to be written.
+
     Raises:
         ArchiveError: it cannot be written.
     """
@@ -163,7 +167,12 @@ def legend_label(text: str) -> str:
 
 
 def legend_above(axis: Axes, columns: int = 2) -> None:
-    """Put the legend of an axis above it, from the left."""
+    """Put the legend of an axis above it, from the left.
+
+    Args:
+        axis: the axes to draw on.
+        columns: number of columns.
+    """
     axis.legend(loc="lower left", bbox_to_anchor=(-0.02, 1.0), ncols=columns, borderaxespad=0.2)
 
 
@@ -205,7 +214,14 @@ def grid_figure(count: int, columns: int, width: float, height: float) -> tuple[
 
 
 def label_outer(cells: list[Axes], columns: int, abscissa: str, ordinate: str) -> None:
-    """Label the axes of panels with common scales: ordinates at the left, abscissas where nothing stands below."""
+    """Label the axes of panels with common scales: ordinates at the left, abscissas where nothing stands below.
+
+    Args:
+        cells: the axes in reading order.
+        columns: number of columns.
+        abscissa: label of the abscissas.
+        ordinate: label of the ordinates.
+    """
     across = min(columns, len(cells))
     for place, axis in enumerate(cells):
         if place % across == 0:
@@ -226,7 +242,7 @@ def align_ordinates(column: Iterable[Axes]) -> None:
 
 
 def some_of(numbers: Sequence[int] | np.ndarray) -> Sequence[int] | np.ndarray:
-    """Numbers of storeys, modes or rounds that stand at an axis: all of a few, of many about eight."""
+    """Return the numbers of storeys, modes or rounds that an axis shows: all of a few, about eight of many."""
     return numbers if len(numbers) <= MOST_TICKS else numbers[:: len(numbers) // 8]
 
 

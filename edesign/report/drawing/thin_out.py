@@ -8,7 +8,12 @@ import numpy as np
 
 
 def thin_out(points: np.ndarray, tolerance: float) -> np.ndarray:
-    """Return the points of a polyline that are needed to draw it within a tolerance; see `thin_out_all`."""
+    """Return the points of a polyline that are needed to draw it within a tolerance; see `thin_out_all`.
+
+    Args:
+        points: the polyline, (n, 2).
+        tolerance: largest distance of a point that is left out, in the unit of the points.
+    """
     return thin_out_all([points], tolerance)[0]
 
 

@@ -40,12 +40,12 @@ class ExportColumn:
 
     @property
     def header(self) -> str:
-        """The name with the unit: `drift [%]`."""
+        """The name with the unit, such as `drift [%]`."""
         return f"{self.name} [{self.unit}]" if self.unit not in ("", "1") else self.name
 
     @property
     def numeric(self) -> bool:
-        """Whether it has numbers, and nothing else."""
+        """Whether the column has numbers only."""
         return any(_is_number(value) for value in self.values) and not any(isinstance(v, str) for v in self.values)
 
 
@@ -103,7 +103,7 @@ def export_table(name: str, table: Table, title: str = "") -> ExportTable:
 
 
 def as_one(common: str, tables: Sequence[tuple[str, Table]]) -> Table:
-    """Return tables that several analyses or members have one each of as one, whose first column says whose a row is.
+    """Return one table for those that several analyses or members have, with the name of each in the first column.
 
     Args:
         common: title of all.

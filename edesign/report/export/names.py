@@ -11,7 +11,12 @@ LONGEST_FILE = 200  # of one that is made of names of the archive; names of file
 
 
 def slug(text: str, longest: int = LONGEST) -> str:
-    """Return a text as a name of small letters, digits and underscores, of at most so many letters."""
+    """Return a text as a name of small letters, digits and underscores, of at most so many letters.
+
+    Args:
+        text: the text.
+        longest: largest number of letters.
+    """
     words = re.findall(r"[a-z0-9]+", text.casefold())
     name = ""
     for word in words:

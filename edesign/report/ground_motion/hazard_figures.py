@@ -20,7 +20,11 @@ LAST_DRAWN = 4.0
 
 
 def hazard_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Elastic spectra of the levels, design spectra dashed: name of the file, caption, figure; none without levels."""
+    """Yield the elastic spectra of the levels with dashed design spectra; none without levels.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     names = archive.names(HAZARD_LEVELS)
     if not names:
         return

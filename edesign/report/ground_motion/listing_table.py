@@ -31,7 +31,13 @@ def places_table(places: Sequence[PlaceOfRecords]) -> Table:
 
 
 def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusal]) -> list[Table]:
-    """Return the recordings of a place with their measures, and what is left out."""
+    """Return the recordings of a place with their measures, and what is left out.
+
+    Args:
+        where: the place that was searched.
+        found: the recordings with their measures.
+        refused: the files that are no records, with the reason of each.
+    """
     columns = ("record", "format", "dt [s]", "t [s]", "PGA [g]", "PGV [m/s]", "Arias [m/s]", "D5-95 [s]")
     table = Table(f"{len(found)} horizontal components in {where}", columns, left=2)
     for one in found:
@@ -61,7 +67,12 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
 
 
 def listing_data(found: Sequence[Listed], refused: Sequence[Refusal]) -> dict[str, Any]:
-    """Return the recordings as plain data in SI units."""
+    """Return the recordings as plain data in SI units.
+
+    Args:
+        found: the recordings with their measures.
+        refused: the files that are no records, with the reason of each.
+    """
     return {
         "records": [
             {
@@ -88,6 +99,10 @@ def places_data(places: Sequence[PlaceOfRecords]) -> list[dict[str, Any]]:
 
 def write_listing(found: Sequence[Listed], path: Path) -> None:
     """Write the recordings as CSV, all digits, in SI units; PGA in m/s2.
+
+    Args:
+        found: the recordings with their measures.
+        path: the file to be written.
 
     Raises:
         ArchiveError: it cannot be written.

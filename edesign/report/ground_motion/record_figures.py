@@ -20,7 +20,11 @@ if TYPE_CHECKING:
 
 
 def record_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Spectra of each suite, and histories of each fitted record: name of the file, caption, figure."""
+    """Yield the spectra of each suite, and the histories of each fitted record.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for name in archive.names(RECORDS):
         place = f"{RECORDS}/{name}"
         if not archive.group_attributes(place).get("suite"):

@@ -93,7 +93,12 @@ def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str
 
 
 def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
-    """Return the candidates of a choice that were left out, and why."""
+    """Return the candidates of a choice that were left out, and why.
+
+    Args:
+        name: name of the record of the project.
+        refused: the candidates with the reason of each.
+    """
     table = Table(f"{name}: candidates left out", ("candidate", "why"), left=2, sentences=1)
     table.each = ("Candidates left out", name)
     table.rows = [[item["name"], item["reason"]] for item in refused]
@@ -129,7 +134,12 @@ def changes_table(groups: Mapping[str, Group]) -> Table:
 
 
 def pair_table(name: str, about: Mapping[str, Any]) -> Table:
-    """Return how a pair of components was scaled, and how near their combined spectrum is to the target."""
+    """Return how a pair of components was scaled, and how near their combined spectrum is to the target.
+
+    Args:
+        name: name of the pair.
+        about: attributes of the archived pair.
+    """
     columns = ("pair", "spectrum", "factor", "misfit rms [%]", "largest [%]", "at T [s]")
     table = Table(f"{name}: both components by one factor", columns, left=2)
     table.each = ("Both components by one factor", name)
@@ -184,7 +194,12 @@ def misfit_table(groups: Mapping[str, Group]) -> Table:
 
 
 def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
-    """Return the criteria of the code one by one."""
+    """Return the criteria of the code one by one.
+
+    Args:
+        name: name of the suite.
+        about: attributes of the archived suite.
+    """
     table = Table(
         f"{name}: {about.get('criteria_of', SET_RULES.code)}",
         ("clause", "criterion", "required", "found", "verdict"),

@@ -51,7 +51,12 @@ def spectrum_columns(
 
 
 def spectrum_table(title: str, columns: list[Column]) -> Table:
-    """Return the columns as a table for people."""
+    """Return the columns as a table for people.
+
+    Args:
+        title: title of the table.
+        columns: as `spectrum_columns` gives them.
+    """
     rows = [[formatted(value, ".4g") for value in row] for row in zip(*(values for _, values in columns), strict=True)]
     return Table(title, [header for header, _ in columns], rows, left=0)
 
@@ -64,6 +69,10 @@ def record_notes(recordings: Mapping[str, Found]) -> list[str]:
 
 def write_columns(columns: list[Column], path: Path) -> None:
     """Write the columns as CSV, all digits.
+
+    Args:
+        columns: as `spectrum_columns` gives them.
+        path: the file to be written.
 
     Raises:
         ArchiveError: it cannot be written.

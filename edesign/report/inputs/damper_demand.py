@@ -32,12 +32,12 @@ class Demand:
 
     @property
     def governing(self) -> float:
-        """The one that counts: the mean of at least seven histories, else the maximum."""
+        """The governing value: the mean of at least seven histories, else the maximum."""
         return self.mean if self.count >= ENOUGH else self.maximum
 
 
 def demand(histories: Sequence[Group], devices: Sequence[Device], quantity: str) -> Demand | None:
-    """Return the demand on dampers that are alike: of each history the one that has most; None where no history knows.
+    """Return the largest demand on equal dampers in each history; None where no history has a value.
 
     Args:
         histories: completed, with the extremes of their dampers.

@@ -54,7 +54,7 @@ class _Alike:
 def schedule_tables(
     frames: VariantFrames, study: Study | None, sets: Sequence[HistorySet], whole: Callable[[str], Group]
 ) -> list[Table]:
-    """Return for each variant with dampers what they are, and what the histories ask of one of them.
+    """Return the dampers of each variant with their properties, and the demand on one of them in histories.
 
     Bounds of a variant, and other temperatures, ask of its own dampers; variants that `vary` makes are left out.
 

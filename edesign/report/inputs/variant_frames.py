@@ -29,7 +29,7 @@ class VariantFrames:
 
     @cached_property
     def variants(self) -> tuple[str, ...]:
-        """Names of the variants that can be built; of a project one, with its dampers, whose name is ""."""
+        """The names of the variants that can be built; a project has one, with its dampers, whose name is ""."""
         if self._study is None:
             return ("",)
         made = self._designed
@@ -38,13 +38,22 @@ class VariantFrames:
         )
 
     def project(self, variant: str, temperature_C: float | None = None) -> Project:
-        """Return what a variant is as a project, its dampers at a temperature, degC; None: its own."""
+        """Return the project of a variant with its dampers at a temperature.
+
+        Args:
+            variant: name of the variant.
+            temperature_C: degC; None: that of the dampers themselves.
+        """
         if self._study is None:
             return self._project
         return variant_project(self._study, variant, self._designed, temperature_C)
 
     def frame(self, variant: str, temperature_C: float | None = None) -> FrameModel:
-        """Return the frame of a variant with its dampers at a temperature, degC; None: its own.
+        """Return the frame of a variant with its dampers at a temperature.
+
+        Args:
+            variant: name of the variant.
+            temperature_C: degC; None: that of the dampers themselves.
 
         Raises:
             InputError: it cannot be built, as a file that it needs is not at hand.

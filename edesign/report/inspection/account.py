@@ -43,7 +43,7 @@ class Column:
 
 @dataclass(frozen=True)
 class Sampling:
-    """How samples follow each other.
+    """The time steps from sample to sample.
 
     Attributes:
         step: median of the steps, s.
@@ -61,7 +61,12 @@ class Sampling:
 
     @classmethod
     def of(cls, time: np.ndarray, lines: Lines) -> Sampling:
-        """Look at times (n,) s of rows at lines (n,)."""
+        """Return the sampling of rows by their times.
+
+        Args:
+            time: times of the rows, (n,) s.
+            lines: numbers of their lines in the file, (n,).
+        """
         steps = np.diff(time)
         step = float(np.median(steps))
         even = bool(np.max(np.abs(steps - step)) <= max(_EVEN * step, 1.01 * _resolution(time)))
@@ -71,7 +76,7 @@ class Sampling:
 
     @property
     def words(self) -> str:
-        """The sampling for people."""
+        """The sampling in words."""
         parts = [f"{self.step:.6g} s, {'even' if self.even else 'uneven'}, {self.duration:.6g} s long"]
         for what, lines in (("gaps before", self.gaps), ("time does not ascend in", self.backward)):
             if lines:
@@ -82,7 +87,7 @@ class Sampling:
 
 @dataclass(frozen=True)
 class Account:
-    """What was found in a table.
+    """The result of the inspection of a table.
 
     Attributes:
         path: the file.
@@ -140,14 +145,19 @@ class Account:
 
 
 def ends(rows: np.ndarray, lines: Lines) -> tuple[tuple[tuple[int, tuple[float, ...]], ...], ...]:
-    """Return the first and the last rows of (n, columns) with their lines (n,)."""
+    """Return the first and the last rows of (n, columns) with their lines (n,).
+
+    Args:
+        rows: numbers of the table, (n, columns).
+        lines: numbers of the lines in the file, (n,).
+    """
     shown = range(len(rows)) if len(rows) <= 2 * _SHOWN else (*range(_SHOWN), *range(len(rows) - _SHOWN, len(rows)))
     numbered = [(int(lines[i]), tuple(map(float, rows[i]))) for i in shown]
     return tuple(numbered[:_SHOWN]), tuple(numbered[-_SHOWN:])
 
 
 def table_keys(form: Form) -> str:
-    """Return the value of the key `table` that says how a table stands; empty: it is plain."""
+    """Return the value of the key `table` that states the form of a table; empty for a plain one."""
     said = {
         "encoding": form.encoding if form.encoding != "utf-8" else "",
         "skip": str(form.header_line - 1) if form.header_line and form.header_line > 1 else "",

@@ -15,7 +15,7 @@ from edesign.tables.table import Table, read_table
 
 
 def damper_test_account(path: Path) -> Account | None:
-    """Look at a table as at a test of a damper; None: no header names a displacement or a force.
+    """Inspect a table as a test of a damper; None: no header names a displacement or a force.
 
     Raises:
         InputError: the table is one of a test, and cannot be read.

@@ -22,7 +22,7 @@ _PROOF = 5  # rows whose first numbers rise evenly: times
 
 
 def record_account(path: Path) -> Account:
-    """Look at a table as at a record.
+    """Inspect a table as a ground motion record.
 
     Raises:
         InputError: it is no table of numbers, or may be read in two ways.

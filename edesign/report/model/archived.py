@@ -14,7 +14,7 @@ from edesign.report.model.study import study_figures
 
 
 def model_figures(archive: Archive) -> Iterator[Named]:
-    """Give the drawings of the model whose analyses an archive has; none of other archives."""
+    """Yield the drawings of the model whose analyses an archive has; none of other archives."""
     if is_building_archive(archive) or is_substructure_archive(archive):
         return
     project = archived_project(archive)
@@ -23,7 +23,7 @@ def model_figures(archive: Archive) -> Iterator[Named]:
 
 
 def model_drawings(archive: Archive, project: Project, study: Study | None) -> Iterator[Named]:
-    """Give the drawings of a project or study with the dampers that its designs have found.
+    """Yield the drawings of a project or study with the dampers that its designs have found.
 
     Args:
         archive: the archive with the designs.

@@ -26,7 +26,12 @@ class Spot:
 
 @lru_cache(maxsize=4096)
 def text_size(words: str, size: float) -> tuple[float, float]:
-    """Width and height of a line of text of a size in points, inches."""
+    """Return width and height of a line of text, inches.
+
+    Args:
+        words: the text.
+        size: of the type, points.
+    """
     from matplotlib.backend_bases import RendererBase
     from matplotlib.font_manager import FontProperties
 
@@ -37,7 +42,13 @@ def text_size(words: str, size: float) -> tuple[float, float]:
 
 
 def wrapped(words: str, room: float, size: float) -> list[str]:
-    """A text in lines that are not wider than a room in inches."""
+    """Return a text in lines that are not wider than a room.
+
+    Args:
+        words: the text.
+        room: width, inches.
+        size: of the type, points.
+    """
     wide = text_size(words, size)[0]
     if wide <= room:
         return [words]
@@ -49,7 +60,13 @@ def wrapped(words: str, room: float, size: float) -> list[str]:
 
 
 def corners_of(spot: Spot, wide: float, high: float) -> np.ndarray:
-    """Corners of a rectangle with its anchor at a spot, (4, 2) inches, counter-clockwise."""
+    """Return the corners of a rectangle with its anchor at a spot, (4, 2) inches, counter-clockwise.
+
+    Args:
+        spot: the anchor, and which part of the rectangle it is.
+        wide: width, inches.
+        high: height, inches.
+    """
     left = {"left": 0.0, "center": -0.5, "right": -1.0}[spot.ha] * wide
     low = {"bottom": 0.0, "center": -0.5, "top": -1.0}[spot.va] * high
     box = np.array([(left, low), (left + wide, low), (left + wide, low + high), (left, low + high)])
@@ -75,7 +92,7 @@ class Boxes:
             self._cells.setdefault(cell, []).append((bounds, box))
 
     def meet(self, box: np.ndarray) -> bool:
-        """Whether a rectangle has an area in common with one of these."""
+        """Return whether a rectangle overlaps one of these."""
         bounds = left, low, right, high = _bounds(box)
         return any(
             right > u0 and left < u1 and high > v0 and low < v1 and _overlap(box, other)

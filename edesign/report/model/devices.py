@@ -33,7 +33,7 @@ KINDS = {
 
 @dataclass
 class Drawn:
-    """What is said of dampers beside their drawing.
+    """Legend and remarks on dampers that were drawn.
 
     Attributes:
         entries: of the legend.
@@ -85,7 +85,13 @@ def draw_devices(
 
 
 def draw_sizes(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
-    """Write the sizes that change over the height beside their storeys; return those for which there is no room."""
+    """Write the sizes that change over the height beside their storeys; return those for which there is no room.
+
+    Args:
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project.
+    """
     left_out, frame = [], project.frame
     rows: dict[int, list[tuple[str, str]]] = {}
     colors = law_colors(project)

@@ -34,11 +34,14 @@ def draw_model(file: FileModel, path: Path) -> list[Path]:
 
 
 def drawings_of(file: FileModel, heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give the drawings of a file's model: name, caption, figure.
+    """Yield the drawings of a file's model.
 
     Args:
         file: as `draw_model`.
         heading: lines above each drawing; (): none.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     if isinstance(file, Study):
         yield from study_figures(file, {}, heading)

@@ -56,7 +56,12 @@ class Grid:
         return cls(tuple(names), tuple(xs), tuple(ys), across, up)
 
     def at(self, x: float, y: float) -> Point:
-        """Return the place of a point in metres."""
+        """Return the place on the sheet of a point of the frame.
+
+        Args:
+            x: m.
+            y: m.
+        """
         return self.across * x, self.up * y
 
     @property
@@ -72,7 +77,7 @@ class Grid:
 
 @dataclass(frozen=True)
 class Elevation(Grid):
-    """Where metres of a plane frame are on a sheet.
+    """The place of a plane frame on a sheet, in metres of the frame.
 
     Attributes:
         frame: what is drawn.
@@ -93,12 +98,12 @@ class Elevation(Grid):
 
     @property
     def width(self) -> float:
-        """Of the frame without its leaning column, inches."""
+        """Width of the frame without its leaning column on the sheet, inches."""
         return self.across * self.frame.x[-1]
 
     @property
     def leaning_x(self) -> float:
-        """Of the leaning column, inches."""
+        """Abscissa of the leaning column on the sheet, inches."""
         return self.width + LEANING * self.across * self.frame.bay_widths[-1]
 
     def storey(self, number: int) -> float:
@@ -107,7 +112,13 @@ class Elevation(Grid):
 
 
 def draw_axes(sheet: Sheet, grid: Grid, dimensions: bool = True) -> None:
-    """Draw axes with their names, levels, and if wanted the spans and storey heights, m."""
+    """Draw axes with their names, levels, and if wanted the spans and storey heights, m.
+
+    Args:
+        sheet: the sheet to draw on.
+        grid: axes and levels on the sheet.
+        dimensions: whether spans and storey heights are written, m.
+    """
     below = -(NAMES if dimensions else DIMENSIONS)
     xs = [grid.across * x for x in grid.xs]
     draw_axis_names(sheet, grid.names, [(x, below) for x in xs], [(x, -0.27) for x in xs])

@@ -26,12 +26,15 @@ WIDTH = 6.6  # of the legend, inches
 
 
 def project_figures(project: Project, heading: Sequence[str] = (), of: str = "") -> Iterator[Named]:
-    """Give the drawings of a project's model: name of the file, caption, figure.
+    """Yield the drawings of a project's model.
 
     Args:
         project: the validated project.
         heading: lines above each drawing; (): none.
         of: what the model is of where there are several: `variant damped`.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     yield geometry(project, heading, of)
     if has_loads(project):
@@ -61,12 +64,12 @@ def _under(heading: Sequence[str], caption: str) -> tuple[str, ...]:
 
 
 def has_dampers(project: Project) -> bool:
-    """Whether dampers, isolators or tuned masses stand in a project's frame."""
+    """Return whether dampers, isolators or tuned masses stand in a project's frame."""
     return project.dampers is not None and not project.dampers.none
 
 
 def has_loads(project: Project) -> bool:
-    """Whether a project has loads or masses to draw."""
+    """Return whether a project has loads or masses to draw."""
     loads = project.loads
     return bool(
         loads.are_vertical or loads.columns or project.masses or project.frame.leaning_column or project.isolation
@@ -99,7 +102,12 @@ def geometry_figure(project: Project, heading: Sequence[str] = (), tested: Colle
 
 
 def loads_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
-    """Draw the loads on members and nodes by load case, the masses of the nodes, and sums by floor."""
+    """Draw the loads on members and nodes by load case, the masses of the nodes, and sums by floor.
+
+    Args:
+        project: the project.
+        heading: title and further lines above the drawing.
+    """
 
     def draw(sheet: Sheet) -> None:
         place = Elevation.of_frame(project.frame)

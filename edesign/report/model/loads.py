@@ -44,7 +44,7 @@ class Loaded:
 
 
 def loads_of(project: Project) -> Loaded:
-    """Return what acts on each member and node, loads at one place added up."""
+    """Return the loads on each member and node, those at one place added up."""
     frame, loads, found = project.frame, project.loads, Loaded()
     sums: dict[tuple[int, int], list[float]] = defaultdict(lambda: [0.0, 0.0])
     strips: list[tuple[BeamLoad | FloorLoad, float]] = [(load, 1.0) for load in loads.beams]
@@ -74,7 +74,13 @@ def loads_of(project: Project) -> Loaded:
 
 
 def draw_loads(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
-    """Draw the loads of a project; return values for which there is no room, in words."""
+    """Draw the loads of a project; return values for which there is no room, in words.
+
+    Args:
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project.
+    """
     found = loads_of(project)
     labels = [  # all signs are drawn before the first label looks for its place
         *_uniform(sheet, place, found),
@@ -231,7 +237,7 @@ def _base(sheet: Sheet, place: Elevation, project: Project) -> Iterator[_Label]:
 
 
 def load_entries(project: Project) -> list[Entry]:
-    """Return what the signs and numbers of a drawing of loads mean, as far as they occur."""
+    """Return the lines of the legend on the signs and numbers of the loads that occur."""
     found, loads, masses = loads_of(project), project.loads, project.masses
     gravity = loads.gravity
     entries = []

@@ -21,6 +21,11 @@ MASS = "#d9822b"
 def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
     """Draw the masses of the nodes and write sums by floor: mass, gravity combination, what leans on the frame.
 
+    Args:
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project.
+
     Returns:
         The floors for which there is no room, in words.
     """

@@ -78,7 +78,13 @@ def _leaning(sheet: Sheet, place: Elevation, color: str) -> None:
 
 
 def draw_sections(sheet: Sheet, project: Project, place: Elevation) -> list[str]:
-    """Write the section of each run of equal members beside it; return those for which there is no room, in words."""
+    """Write the section of each run of equal members beside it; return those for which there is no room, in words.
+
+    Args:
+        sheet: the sheet to draw on.
+        project: the project.
+        place: where metres of the frame are on the sheet.
+    """
     writer = _Sections(sheet, place, several_steels(member_steels(project.frame)))
     return [*writer.beams(), *writer.columns(), *writer.braces()]
 
@@ -168,7 +174,12 @@ def _numbers(what: str, found: Sequence[int]) -> str:
 
 
 def stroke(width: float, style: object) -> Callable[[Sheet, float, float], None]:
-    """Return the sign of a line in the legend."""
+    """Return the sign of a line in the legend.
+
+    Args:
+        width: width of the line, points.
+        style: the line style of matplotlib.
+    """
     return lambda sheet, x, y: sheet.line((x, y), (x + 0.28, y), width=width, ls=style)
 
 

@@ -57,7 +57,14 @@ class Sheet:
     # --- lines and shapes
 
     def lines(self, parts: Iterable[Sequence[Point]], color: str = INK, width: float = 0.8, **style: Any) -> None:
-        """Draw lines through points as one path."""
+        """Draw lines through points as one path.
+
+        Args:
+            parts: points of each line, inches.
+            color: colour of the lines.
+            width: width of the line, points.
+            **style: properties of matplotlib beside those.
+        """
         from matplotlib.lines import Line2D
 
         gap = np.full((1, 2), np.nan)
@@ -70,13 +77,28 @@ class Sheet:
         self._reach(path[np.isfinite(path[:, 0])])
 
     def line(self, *points: Point, color: str = INK, width: float = 0.8, **style: Any) -> None:
-        """Draw one line through points."""
+        """Draw one line through points.
+
+        Args:
+            *points: points of the line, inches.
+            color: colour of the lines.
+            width: width of the line, points.
+            **style: properties of matplotlib beside those.
+        """
         self.lines([points], color, width, **style)
 
     def shape(
         self, points: Sequence[Point], face: str = "white", edge: str = INK, width: float = 0.6, zorder: float = 2.0
     ) -> None:
-        """Draw a closed shape."""
+        """Draw a closed shape.
+
+        Args:
+            points: corners, inches.
+            face: colour of the face.
+            edge: colour of the edge.
+            width: width of the line, points.
+            zorder: matplotlib's order of drawing.
+        """
         self.shapes([points], face, edge, width, zorder)
 
     def shapes(
@@ -87,7 +109,15 @@ class Sheet:
         width: float = 0.6,
         zorder: float = 2.0,
     ) -> None:
-        """Draw closed shapes of one look as one path."""
+        """Draw closed shapes of one look as one path.
+
+        Args:
+            several: corners of each shape, inches.
+            face: colour of the face.
+            edge: colour of the edge.
+            width: width of the line, points.
+            zorder: matplotlib's order of drawing.
+        """
         from matplotlib.patches import PathPatch
         from matplotlib.path import Path
 
@@ -98,7 +128,15 @@ class Sheet:
             self._reach(np.concatenate(corners))
 
     def dots(self, at: Sequence[Point], size: float, face: str = "white", edge: str = INK, **style: Any) -> None:
-        """Draw circles, or other signs by `marker`, of a size in points."""
+        """Draw circles, or other signs by `marker`, of a size in points.
+
+        Args:
+            at: the places, inches.
+            size: diameter, points.
+            face: colour of the face.
+            edge: colour of the edge.
+            **style: properties of matplotlib beside those.
+        """
         from matplotlib.lines import Line2D
 
         if not len(at):
@@ -110,13 +148,28 @@ class Sheet:
         self._reach(np.concatenate((places - reach, places + reach)))
 
     def block(self, x: float, y: float, wide: float, high: float) -> None:
-        """Keep texts that have a choice away from a rectangle about a point."""
+        """Keep texts that have a choice away from a rectangle about a point.
+
+        Args:
+            x: abscissa, inches.
+            y: ordinate, inches.
+            wide: width, inches.
+            high: height, inches.
+        """
         self._signs.add(corners_of(Spot(x, y), wide, high))
 
     # --- texts
 
     def text(self, spot: Spot, words: str, size: float = TEXT, color: str = INK, **style: Any) -> None:
-        """Write a text where it is wanted, whatever stands there."""
+        """Write a text where it is wanted, whatever stands there.
+
+        Args:
+            spot: the anchor, and how the text is turned.
+            words: the text.
+            size: of the type, points.
+            color: colour of the lines.
+            **style: properties of matplotlib beside those.
+        """
         box = self._box(spot, words, size)
         self._texts.add(box)
         self._write(spot, words, size, color, box, style)
@@ -130,6 +183,13 @@ class Sheet:
         **style: Any,
     ) -> bool:
         """Write a text at the first spot where no other one stands, if need be small or over a sign.
+
+        Args:
+            spots: possible places of the text, the best first.
+            words: the text.
+            sizes: sizes of the type that may be taken, points.
+            color: colour of the lines.
+            **style: properties of matplotlib beside those.
 
         Returns:
             Whether there was room.
@@ -146,7 +206,13 @@ class Sheet:
         return False
 
     def fits(self, words: str, length: float, size: float = TEXT) -> bool:
-        """Whether a text is shorter than a length in inches."""
+        """Return whether a text is shorter than a length.
+
+        Args:
+            words: the text.
+            length: inches.
+            size: of the type, points.
+        """
         return text_size(words, size)[0] < length - 2.0 * GAP
 
     def _write(self, spot: Spot, words: str, size: float, color: str, box: np.ndarray, style: dict[str, Any]) -> None:
@@ -219,7 +285,7 @@ class Sheet:
 
     @property
     def right(self) -> float:
-        """How far to the right the drawing reaches, inches."""
+        """The abscissa of the right edge of the drawing, inches."""
         return float(self._high[0])
 
     def _reach(self, points: np.ndarray) -> None:
@@ -229,7 +295,7 @@ class Sheet:
 
 
 def unwritten(texts: Sequence[str]) -> list[Entry]:
-    """Return what did not fit into a drawing as a line of its legend; none if all did."""
+    """Return a line of the legend with texts that did not fit into a drawing; none if all did."""
     more = len(texts) - MOST_UNWRITTEN
     listed = "; ".join(texts[:MOST_UNWRITTEN]) + (f"; and {more} more, as the file says" if more > 0 else "")
     return [Entry(f"Not written in the drawing for want of room: {listed}.")] if texts else []

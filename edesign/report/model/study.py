@@ -51,7 +51,7 @@ class _Drawn:
 
 
 def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give the frame of a study with its loads, then each set of dampers, and the frames of variants that differ.
+    """Yield the frame of a study with its loads, then each set of dampers, and the frames of variants that differ.
 
     Args:
         study: the validated study.

@@ -32,7 +32,13 @@ _WORDS = {"fixed": "fixed support", "pinned": "pinned support", "roller": "rolle
 
 
 def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entry]:
-    """Draw what holds the feet of the columns; return its lines of the legend."""
+    """Draw the supports at the feet of the columns; return their lines of the legend.
+
+    Args:
+        sheet: the sheet to draw on.
+        place: where metres of the frame are on the sheet.
+        project: the project.
+    """
     frame = project.frame
     if project.isolation is not None:
         return list(_isolated(sheet, place, project))
@@ -58,7 +64,7 @@ def draw_supports(sheet: Sheet, place: Elevation, project: Project) -> list[Entr
 
 
 def words(support: Support) -> str:
-    """Return what a support is."""
+    """Return the kind of a support in words."""
     if isinstance(support, FootingSupport):
         return _footing(support.footing)
     if isinstance(support, SupportSprings):
@@ -72,7 +78,12 @@ def words(support: Support) -> str:
 
 
 def axes(lines: list[str] | tuple[str, ...], every: tuple[str, ...]) -> str:
-    """Return axes in words: A-C, E."""
+    """Return names of axes in words: A-C, E.
+
+    Args:
+        lines: the axes to be named.
+        every: all axes, from the left.
+    """
     places = sorted(every.index(line) for line in lines)
     runs = [[at for _, at in run] for _, run in groupby(enumerate(places), key=lambda pair: pair[1] - pair[0])]
     return ", ".join(every[run[0]] if len(run) == 1 else f"{every[run[0]]}-{every[run[-1]]}" for run in runs)
@@ -176,7 +187,14 @@ def _footing_sign(sheet: Sheet, x: float, y: float) -> None:
 
 
 def isolator_sign(sheet: Sheet, x: float, y: float, color: str) -> None:
-    """Draw an isolator between a base at a height and the ground."""
+    """Draw an isolator between a base at a height and the ground.
+
+    Args:
+        sheet: the sheet to draw on.
+        x: abscissa, inches.
+        y: lower edge of the base, inches.
+        color: colour of the lines.
+    """
     for low in (0.03, 0.09, 0.15):
         box = [(x - 0.08, y - low), (x + 0.08, y - low), (x + 0.08, y - low - 0.055), (x - 0.08, y - low - 0.055)]
         sheet.shape(box, face=color, edge="white", width=0.4)

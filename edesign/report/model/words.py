@@ -16,7 +16,12 @@ MOST = 170  # letters of parameters
 
 
 def short(value: float, digits: int = 4) -> str:
-    """Return a number with at most so many digits, without zeros at its end, and all that stand before the point."""
+    """Return a number with at most so many digits, without zeros at its end, and all that stand before the point.
+
+    Args:
+        value: the number.
+        digits: number of digits.
+    """
     return f"{value:.{digits}g}" if abs(value) < 10.0**digits else f"{value:.0f}"
 
 
@@ -29,7 +34,12 @@ def law_colors(project: Project) -> dict[str, str]:
 
 
 def law_words(name: str, law: DamperLaw) -> str:
-    """Return what a law is: its type with its parameters, the size of its prototype, temperature and factor."""
+    """Return a law in words: its type with its parameters, the size of its prototype, temperature and factor.
+
+    Args:
+        name: name of the law.
+        law: the law in the project.
+    """
     if law.file is not None:
         parts = [f"law of {Path(law.file).name}"]
     else:
@@ -62,7 +72,7 @@ def _value(value: object) -> str:
 
 
 def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:
-    """Return what a damper says of its size: number, layers or factor on the forces; "" if all is that of its law.
+    """Return the size of a damper in words: number, layers or factor on the forces; "" if it is that of its law.
 
     Args:
         project: with the law.
@@ -87,7 +97,12 @@ def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice
 
 
 def brace_words(device: DamperRun | DamperBetween, index: int = 0) -> str:
-    """Return what is in series with a damper; "" of a rigid brace."""
+    """Return the brace of a damper in words; "" for a rigid one.
+
+    Args:
+        device: the run of dampers.
+        index: of the storey in the run, from 0.
+    """
     brace = device.brace
     if isinstance(brace, BraceSection):
         return f"brace {brace.section} {brace.material}"
@@ -138,7 +153,12 @@ def several_steels(members: Iterable[tuple[str, str]]) -> set[str]:
 
 
 def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
-    """Return a selection in words: `all bays`, `bay 1`, `bays 1, 3`."""
+    """Return a selection in words: `all bays`, `bay 1`, `bays 1, 3`.
+
+    Args:
+        what: the word for one of them, such as `bay`.
+        selection: the selection.
+    """
     text = str(selection)
     if text == "all":
         return f"all {what}s"
@@ -146,7 +166,12 @@ def chosen(what: str, selection: NumberSelection | LineSelection) -> str:
 
 
 def section_words(name: str, section: Section) -> str:
-    """Return what a section of the project's own is."""
+    """Return the dimensions of a section that the project defines, in words.
+
+    Args:
+        name: of the section.
+        section: the section.
+    """
     if isinstance(section, PlateSection):
         sizes = " × ".join(f"{1e3 * value:g}" for value in (section.height, section.width))
         return f"{name}: welded I {sizes} mm, flanges {1e3 * section.flange:g} mm, web {1e3 * section.web:g} mm"

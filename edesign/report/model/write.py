@@ -22,7 +22,7 @@ SUFFIXES = (*(f".{name}" for name in FORMATS), PAGE)
 
 
 def default_figure_path(path: Path) -> Path:
-    """Return where the drawings of a file's model go: beside it, `NAME_model.pdf`."""
+    """Return the path of the drawings of a file's model: beside it, `NAME_model.pdf`."""
     return path.with_name(f"{path.stem}_model.pdf")
 
 
@@ -43,7 +43,7 @@ def check_figure_path(path: Path) -> None:
 
 
 def origin(file: FileModel) -> str:
-    """Return what drawings are of: name and checksum of a file, and the version that drew it."""
+    """Return the source of drawings in words: name and checksum of a file, and the version that drew it."""
     return f"{file.path.name}, SHA-256 {file.checksum[:16]}, edesign {__version__}"
 
 

@@ -35,7 +35,7 @@ class Loop:
     y_label: str
 
     def at(self, pictures: np.ndarray) -> Loop:
-        """Return it at pictures that follow each other at equal distances."""
+        """Return the loop at pictures in equal distances."""
         every = int(pictures[1] - pictures[0]) if len(pictures) > 1 else 1
         points = slice(0, FINER * int(pictures[-1]) + 1, every)
         return replace(self, x=self.x[points], y=self.y[points])
@@ -77,7 +77,7 @@ class Moving:
     loops: tuple[Loop, ...]
 
     def at(self, pictures: np.ndarray) -> Moving:
-        """Return it at some pictures; the last of them knows what was largest in all."""
+        """Return the motion at some pictures, of which the last has the largest values of all samples."""
         largest = np.append(pictures[:-1], len(self.floors) - 1)
         return replace(
             self,

@@ -57,17 +57,17 @@ class Scene:
 
     @property
     def peak(self) -> int:
-        """The picture with the largest drift of a storey."""
+        """The number of the picture with the largest storey drift."""
         return int(np.argmax(np.max([np.abs(one.drift).max(axis=1) for one in self.variants], axis=0)))
 
     def thinned(self, every: int) -> Scene:
-        """Return it with one in so many pictures; what is largest until a picture is so of all samples still."""
+        """Return the scene with one in several pictures; largest values are still those of all samples."""
         variants = tuple(one.at(np.arange(0, len(self.time), every)) for one in self.variants)
         return replace(self, time=self.time[::every], ground=self.ground[::every], variants=variants)
 
 
 def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
-    """Give a scene for each hazard level of an archive whose histories keep the displacements of floors over time.
+    """Yield a scene for each hazard level of an archive whose histories keep the displacements of floors over time.
 
     The record is one of those of which most was kept, and of these the one whose peak drifts are nearest to the means
     of all records.

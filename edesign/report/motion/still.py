@@ -59,6 +59,10 @@ def node_motion(one: Moving, picture: int) -> np.ndarray:
     """Return displacements and rotations of the nodes of a variant at a picture, (nodes, 3) m, m, rad.
 
     Where only floors were kept, nodes move with them and do not turn.
+
+    Args:
+        one: the variant in motion.
+        picture: number of the picture, from 0.
     """
     if one.nodes is not None:
         return one.nodes[picture]
@@ -132,7 +136,7 @@ def _line(
 
 
 def motion_caption(scene: Scene) -> str:
-    """Return what a scene is of, how it is drawn, and its largest drifts, in sentences."""
+    """Return the record, the scale and the largest drifts of a scene in sentences."""
     many = ""
     if scene.of > 1:
         kept = f" and of the {scene.among} kept in most detail" if scene.among < scene.of else ""

@@ -17,7 +17,7 @@ LINES = {
 
 
 def cover_lines(said: object) -> tuple[tuple[str, str], ...]:
-    """Return what each line of the cover is, and its text.
+    """Return label and text of each line of the cover.
 
     Args:
         said: texts by the keys of the document, as an archive keeps them; anything else has no lines.

@@ -71,7 +71,7 @@ PAGE_SUFFIXES = (".html", ".htm")
 
 
 def default_page_path(archive: str | os.PathLike[str]) -> Path:
-    """Return where the page of an archive goes: beside it, `NAME.html`; of `NAME.h5.partial` it is the same."""
+    """Return the path of the page of an archive: beside it, `NAME.html`, also of `NAME.h5.partial`."""
     path = Path(archive)
     return path.with_name(path.name.removesuffix(".partial")).with_suffix(".html")
 
@@ -79,7 +79,7 @@ def default_page_path(archive: str | os.PathLike[str]) -> Path:
 def write_page(
     archive: str | os.PathLike[str], path: Path | None = None, tell: Callable[[str], None] = lambda line: None
 ) -> Path:
-    """Write the report of an archive as one HTML page that needs nothing beside it.
+    """Write the report of an archive as one HTML page without other files.
 
     Args:
         archive: complete or partial, of `edesign run` or `edesign match`.
@@ -104,7 +104,7 @@ def write_page(
 
 
 def write_html(page: Page, path: Path) -> Path:
-    """Write a report as one HTML page that needs nothing beside it.
+    """Write a report as one HTML page without other files.
 
     Args:
         page: of any report.

@@ -67,7 +67,7 @@ def inline_svg(figure: Figure, name: str, title: str, description: str = "") -> 
 
 
 class PageRenderer(RendererBase):
-    """Writes what matplotlib draws as elements of SVG.
+    """Writes matplotlib's drawing as elements of SVG.
 
     Args:
         width, height: of the figure, points, which are pixels here.
@@ -157,7 +157,7 @@ class PageRenderer(RendererBase):
         self._clipped(gc, text, np.array([[x, y - high], [x, y]]))
 
     def element(self) -> str:
-        """All that was drawn; long curves lose their invisible points here, all at once."""
+        """Return the element of all that was drawn; long curves lose their invisible points here, all at once."""
         thinned = thin_out_all([points for points, _ in self._long], TOLERANCE)
         data = [_line_data(points, closed) for points, (_, closed) in zip(thinned, self._long, strict=True)]
         return _LONG.sub(lambda found: data[int(found[1])], "".join(self._drawn))

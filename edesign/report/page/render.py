@@ -51,7 +51,7 @@ _SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|gamma_I|T_[BCD1]|G_eq|P_CL)(?!
 
 @dataclass(frozen=True)
 class Cover:
-    """What stands above and below the sections.
+    """The parts of a page above and below its sections.
 
     Attributes:
         title: of the project or study.
@@ -176,7 +176,7 @@ def state(cell: str) -> str:
 
 
 def alignments(table: Table) -> list[str]:
-    """Return for each column how it is set: numbers to the right, words to the left, sentences in lines."""
+    """Return the alignment of each column: numbers to the right, words to the left, sentences in lines."""
     width = max((len(row) for row in (table.columns, *table.rows)), default=0)
     found = []
     for i in range(width):

@@ -41,7 +41,7 @@ class Folded:
 
 @dataclass(frozen=True)
 class Facts:
-    """Names and what they stand for, one below the other.
+    """Names and their values, one below the other.
 
     Attributes:
         rows: name and text.
@@ -54,7 +54,7 @@ class Facts:
 
 @dataclass(frozen=True)
 class Warnings:
-    """What a reader must not miss, such as analyses that failed."""
+    """Warnings that a reader must see, such as analyses that failed."""
 
     title: str
     items: tuple[str, ...]

@@ -38,7 +38,7 @@ ALONG_TIME = ("time", "motion_time", "matched_time", "step")
 
 
 class Source:
-    """What sections are made from.
+    """The archive and the settings that sections are made from.
 
     Args:
         archive: open, complete or partial.
@@ -71,7 +71,7 @@ class Source:
 
     @cached_property
     def sets(self) -> tuple[HistorySet, ...]:
-        """The histories by variant and level; where some are missing, with these."""
+        """The histories by variant and level, missing ones included."""
         if self.archive.complete and not self.archive.damage:
             return history_sets(self.groups)
         there = read_histories(self.archive)
@@ -133,7 +133,7 @@ class Source:
 
     @cached_property
     def study(self) -> Study | None:
-        """What the study file says, None without one, or if this version cannot read it."""
+        """The study of the archive, None without one, or if this version cannot read it."""
         try:
             return archived_study(self.archive)
         except EdesignError as error:
@@ -195,7 +195,7 @@ class Source:
 
     @contextmanager
     def or_left_out(self, what: str) -> Iterator[None]:
-        """Whatever goes wrong with a figure, the rest of the report is worth having."""
+        """Note a figure that fails, and go on with the rest of the report."""
         try:
             yield
         except EdesignError as error:
@@ -206,7 +206,12 @@ class Source:
 
 
 def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, list[Picture]]:
-    """Sort pictures by the hazard level that their names tell; those that tell none come under ""."""
+    """Sort pictures by the hazard level that their names tell; those that tell none come under "".
+
+    Args:
+        pictures: figures of the page.
+        levels: names of the hazard levels.
+    """
     tokens = {level: f"_{file_name(level)}_" for level in levels if level}
     found: dict[str, list[Picture]] = {}
     for picture in pictures:
@@ -216,12 +221,22 @@ def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, li
 
 
 def level_heading(level: str, levels: Collection[str]) -> Heading:
-    """Return the heading of pictures of a level; those of none are of all, unless there are histories without one."""
+    """Return the heading of pictures of a level; those of none are of all, unless there are histories without one.
+
+    Args:
+        level: name of the hazard level; "" without levels.
+        levels: names of the hazard levels.
+    """
     return Heading(level or ("Without a hazard level" if "" in levels else "All levels"))
 
 
 def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
-    """Return pictures below the names of their hazard levels, where there are several."""
+    """Return pictures below the names of their hazard levels, where there are several.
+
+    Args:
+        pictures: figures of the page.
+        levels: names of the hazard levels.
+    """
     sorted_pictures = by_level(pictures, levels)
     parts: list[Part] = []
     for level, several in sorted_pictures.items():
@@ -231,7 +246,13 @@ def headed(pictures: Iterable[Picture], levels: Collection[str]) -> list[Part]:
 
 
 def picture_of(name: str, caption: str, figure: Figure) -> Picture:
-    """Return a figure as a picture of the page, with its caption as title and description."""
+    """Return a figure as a picture of the page, with its caption as title and description.
+
+    Args:
+        name: name of the file of the figure, unique on the page.
+        caption: a title, and what else is to be said.
+        figure: the figure.
+    """
     from edesign.report.page.inline_svg import inline_svg
 
     anchor = f"figure-{name}"

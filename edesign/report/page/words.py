@@ -25,6 +25,10 @@ def analysis_words(name: str, group: Group) -> str:
     """Return the words for an analysis that a program named: variant, level and record, or what was done.
 
     A name that its author gave, without points, stays as it is.
+
+    Args:
+        name: name of the analysis.
+        group: results of the analysis.
     """
     about = group.attributes
     variant, level, record = (str(about.get(key) or "") for key in ("variant", "level", "record"))
@@ -62,7 +66,12 @@ def words_of(groups: Mapping[str, Group], records: Iterable[str]) -> dict[str, s
 
 
 def in_words(section: Section, words: Mapping[str, str]) -> Section:
-    """Return a section whose texts have words in the place of names; files to the letter and drawings stay."""
+    """Return a section whose texts have words in place of names; verbatim files and drawings stay.
+
+    Args:
+        section: the section.
+        words: the words by name.
+    """
     say = partial(_said, words)
     return replace(
         section,

@@ -12,7 +12,7 @@ LETTERS = "ABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 @dataclass(frozen=True)
 class Printed:
-    """What is printed.
+    """A page as it is printed.
 
     Attributes:
         sections: with nothing folded in them; those of which nothing is left are out.
@@ -26,7 +26,7 @@ class Printed:
 
 
 def printed(sections: Iterable[Section], appendix: bool) -> Printed:
-    """Take the folded parts out of sections.
+    """Return the sections without their folded parts, which become appendices.
 
     Args:
         sections: of the page.

@@ -74,7 +74,7 @@ def write_page_as_pdf(
 
 
 def check_pdf(path: Path) -> None:
-    """Check, before anything is computed, that a PDF can be made and written.
+    """Check that a PDF can be made and written, before anything is computed.
 
     Raises:
         InputError: the file has another ending than `.pdf`, or WeasyPrint or its libraries are missing.
@@ -94,7 +94,12 @@ def check_pdf_engine() -> None:
 
 
 def print_text(page: Page, options: PrintOptions = DEFAULTS) -> str:
-    """Return the HTML that is laid out: the page without what is folded, its tables and figures sized for the sheet."""
+    """Return the HTML that is laid out: the page without folded parts, with tables and figures sized for the sheet.
+
+    Args:
+        page: the report.
+        options: paper and appendices.
+    """
     paper, shown = options.paper, printed(page.sections, options.appendix)
     document = dict(page.cover.document)
     named = [f"{name} {document[name]}" for name in HEADED if name in document]

@@ -31,7 +31,7 @@ _BOX = re.compile(r'viewBox="[-\d.]+ [-\d.]+ ([\d.]+) ([\d.]+)"')
 
 @dataclass(frozen=True)
 class TableFit:
-    """How a table is set.
+    """The type size, orientation and columns in which a table is set.
 
     Attributes:
         size: of the type, points.
@@ -45,7 +45,12 @@ class TableFit:
 
 
 def fit_table(table: Table, paper: Paper) -> TableFit:
-    """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns."""
+    """Return the largest type in which a table fits on a sheet, upright if that can be, and its columns.
+
+    Args:
+        table: the table.
+        paper: the sheet.
+    """
     columns = _columns(table)
     needed = sum(column.fair for column in columns)
     for size in SIZES:
@@ -62,13 +67,22 @@ def begins_wide(parts: Iterable[Part], paper: Paper) -> bool:
     """Return whether parts begin, after headings, with a table on a sheet that lies on its long side.
 
     What stands above them goes on that sheet too, so that no heading is left alone.
+
+    Args:
+        parts: parts of a section.
+        paper: the sheet.
     """
     first = next((part for part in parts if not isinstance(part, Heading)), None)
     return isinstance(first, Table) and fit_table(first, paper).wide
 
 
 def picture_size(picture: Picture, paper: Paper) -> tuple[float, float]:
-    """Return width and height of a figure on paper, points: with its caption it fits on one sheet."""
+    """Return width and height of a figure on paper, points: with its caption it fits on one sheet.
+
+    Args:
+        picture: a figure of the page.
+        paper: the sheet.
+    """
     box = _BOX.search(picture.svg)
     ratio = float(box[2]) / float(box[1]) if box and float(box[1]) else 0.7
     width = min(SCALE * picture.width, paper.line, (paper.column - CAPTION) / ratio)
@@ -113,7 +127,12 @@ def _shared(columns: list[_Column], line: float) -> tuple[float, ...]:
 
 
 def text_width(text: str, bold: bool = False) -> float:
-    """Return the width of a line of text in the type of the PDF, em."""
+    """Return the width of a line of text in the type of the PDF, em.
+
+    Args:
+        text: the text.
+        bold: whether the type is bold.
+    """
     widths = _widths("DejaVuSans-Bold.ttf" if bold else "DejaVuSans.ttf")
     return sum(widths.get(ord(character), 1.0) for character in text)
 

@@ -41,7 +41,11 @@ class AxialForces:
 
 
 def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Axial forces at every level, variants side by side: name of the file, caption, figure."""
+    """Yield the axial forces at every level, variants side by side.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     gravity = gravity_forces(archive)
     for level, variants in by_level(histories(archive)).items():
@@ -60,7 +64,7 @@ def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def gravity_forces(archive: Archive) -> dict[Place, float]:
-    """Axial forces of the columns under gravity, of the archive's first gravity analysis; {} if there is none."""
+    """Return the axial forces of the columns in the archive's first gravity analysis, N; {} if there is none."""
     for name in archive.names(ANALYSES):
         if archive.group_attributes(f"{ANALYSES}/{name}").get("kind") == "gravity":
             group = archive.view(f"{ANALYSES}/{name}")

@@ -23,7 +23,11 @@ COLUMNS = 3
 
 
 def brace_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Loops of each analysis that recorded braces that buckle: name of the file, caption, figure."""
+    """Yield the loops of each analysis that recorded braces that buckle.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for name in archive.names(ANALYSES):
         about = archive.group_attributes(f"{ANALYSES}/{name}")
         if about.get("incremental") or about.get("kind") not in ("history", "pushover"):

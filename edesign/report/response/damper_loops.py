@@ -41,18 +41,18 @@ class Loops:
     color: str
 
     def of_panel(self, title: str) -> list[int]:
-        """Positions of the dampers of a panel."""
+        """Return the positions of the dampers of a panel."""
         return [i for i, name in enumerate(panel_titles(self.group)) if name == title]
 
     def along(self, name: str) -> np.ndarray:
-        """A variable over dampers; not a number where it is not known."""
+        """Return a variable over dampers; nan where it is not known."""
         variable = self.group.variables.get(name)
         count = self.group.coords["damper"].values.size
         return np.full(count, np.nan) if variable is None else np.asarray(variable.values, dtype=float)
 
 
 def damper_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Loops of every history whose dampers were kept over time (`outputs.histories: [dampers]`).
+    """Yield the loops of every history whose dampers were kept over time (`outputs.histories: [dampers]`).
 
     The same history at several temperatures is one figure: name of the file, caption, figure.
     """
@@ -129,7 +129,7 @@ def _columns(panels: int) -> int:
 
 
 def panel_titles(group: Group) -> list[str]:
-    """The panel of each damper of a history: its storey, or its name where it has none."""
+    """Return the panel of each damper of a history: its storey, or its name where it has none."""
     names = names_of(group, "damper")
     storeys = group.variables.get("damper_storey")
     if storeys is None:

@@ -38,7 +38,12 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
 
 
 def each_damper_table(name: str, group: Group) -> Table:
-    """Return the largest response of every damper of an analysis."""
+    """Return the largest response of every damper of an analysis.
+
+    Args:
+        name: name of the analysis.
+        group: results of the analysis.
+    """
     columns = [(title, unit, values) for title, key, unit in COLUMNS if (values := peak(group, key)) is not None]
     work = group.variables.get("damper_work_final")
     table = Table(
@@ -56,7 +61,12 @@ def each_damper_table(name: str, group: Group) -> Table:
 
 
 def damper_stiffness_table(name: str, group: Group) -> Table:
-    """Return stiffness and loss factor of the dampers that a modal analysis took into account."""
+    """Return stiffness and loss factor of the dampers that a modal analysis took into account.
+
+    Args:
+        name: name of the analysis.
+        group: results of the modal analysis.
+    """
     table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor", "amplitude [mm]"))
     table.each = ("Stiffness and loss factor of dampers", name)
     keys = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")

@@ -29,7 +29,11 @@ Energy = tuple[np.ndarray, Mapping[str, np.ndarray]]
 
 
 def energy_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """The energy of each motion whose energy was kept, a panel for each variant: file name, caption, figure."""
+    """Yield the energy of each motion whose energy was kept, a panel for each variant.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     own = [history for history in histories(archive) if history.temperature is None]
     for (level, record), chosen in by_motion(own).items():
         found: dict[str, Energy] = {}
@@ -44,7 +48,7 @@ def energy_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 @styled
 def energy_figure(histories: Mapping[str, Energy]) -> Figure:
-    """Draw where the input energy has gone at every time: dissipated parts and what is stored, one upon the other.
+    """Draw the input energy over time as dissipated and stored parts, one upon the other.
 
     Args:
         histories: by title of the panel: time (s), and terms of the balance (J) as in archives.
@@ -71,7 +75,12 @@ def energy_figure(histories: Mapping[str, Energy]) -> Figure:
 
 
 def share(terms: Mapping[str, np.ndarray], part: str) -> np.ndarray:
-    """A part of `PARTS` over time, J."""
+    """Return a part of `PARTS` over time, (n,) J.
+
+    Args:
+        terms: terms of the energy balance over time, (n,) J, by name.
+        part: a key of `PARTS`.
+    """
     if part != "stored":
         return terms[part]
     return np.asarray(np.sum([terms[name] for name in _STORED], axis=0))

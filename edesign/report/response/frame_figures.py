@@ -40,7 +40,7 @@ class Scale:
     names: tuple[str, ...]
 
     def rank(self, value: float) -> int:
-        """0 (not drawn) to 4."""
+        """Return the class of a value, 0 (not drawn) to 4."""
         return int(np.searchsorted(self.limits, value, side="right"))
 
 
@@ -68,9 +68,12 @@ class Hinges:
 
 
 def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Plastic rotations of every level, variants side by side: name of the file, caption, figure.
+    """Yield the plastic rotations of every level, variants side by side.
 
     The mean and the largest over the records, and the class of FEMA 356 that the mean reaches.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     project = archived_project(archive)
     study = archived_study(archive) if is_study_archive(archive) else None
@@ -103,9 +106,13 @@ def frame_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
-    """Class of `ACCEPTANCE` of the mean peak plastic rotation of member ends, with the mean peak axial force.
+    """Return the class of `ACCEPTANCE` of each member end, by its mean peak plastic rotation and axial force.
 
     Members that Table 5-6 does not know are left out; a column that it makes force-controlled must stay elastic.
+
+    Args:
+        project: the project.
+        groups: the histories of one variant and level.
     """
     members = frame_members(project)
     rotations = [plastic_rotations(group) for group in groups]
@@ -137,7 +144,7 @@ def _panel(variant: str, groups: Sequence[Group], take: Callable[[list[float]], 
 
 
 def plastic_rotations(group: Group) -> dict[End, float]:
-    """Peak plastic rotation (rad) of the ends of columns and beams of an analysis."""
+    """Return the peak plastic rotations of the ends of columns and beams of an analysis, rad."""
     found: dict[End, float] = {}
     for kind in ("column", "beam"):
         values = peak(group, f"{kind}_plastic_rotation")

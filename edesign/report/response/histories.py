@@ -40,16 +40,16 @@ class History:
 
     @property
     def temperature_label(self) -> str:
-        """The temperature of its dampers in words."""
+        """The temperature of the dampers in words."""
         return "design temperature" if self.temperature is None else f"{self.temperature:g} °C"
 
     def read(self, archive: Archive) -> Group:
-        """Its results; a variable is read when it is first asked for."""
+        """Return the results; a variable is read on its first access."""
         return archive.view(f"{ANALYSES}/{self.name}")
 
 
 def histories(archive: Archive) -> list[History]:
-    """All histories that have results, in the archive's order, without those of incremental analyses.
+    """Return all histories with results, in the archive's order, without those of incremental analyses.
 
     Where two of a variant have the same level, record and temperature, they are not of one variant: then the names of
     the analyses, without that of the record, stand for variants.
@@ -75,7 +75,7 @@ def histories(archive: Archive) -> list[History]:
 
 
 def variant_colors(archive: Archive) -> dict[str, str]:
-    """The color of each variant, in the archive's order; "" where analyses have none."""
+    """Return the color of each variant, in the archive's order; "" where analyses have none."""
     attributes = (archive.group_attributes(f"{ANALYSES}/{name}") for name in archive.names(ANALYSES))
     labels = [str(about["variant"]) for about in attributes if about.get("variant")]
     names = dict.fromkeys((*labels, *(history.variant for history in histories(archive))))
@@ -87,7 +87,7 @@ def variant_colors(archive: Archive) -> dict[str, str]:
 
 
 def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:
-    """Histories at the variants' own temperatures, by level and variant."""
+    """Return histories at the variants' own temperatures, by level and variant."""
     found: dict[str, dict[str, list[History]]] = {}
     for history in chosen:
         if history.temperature is None:
@@ -96,7 +96,7 @@ def by_level(chosen: Iterable[History]) -> dict[str, dict[str, list[History]]]:
 
 
 def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]:
-    """Histories by level and record."""
+    """Return histories by level and record."""
     found: dict[tuple[str, str], list[History]] = {}
     for history in chosen:
         found.setdefault((history.level, history.record), []).append(history)
@@ -104,7 +104,7 @@ def by_motion(chosen: Iterable[History]) -> dict[tuple[str, str], list[History]]
 
 
 def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list[History]]:
-    """Histories by variant, level and record, those at the variant's own temperature before the others."""
+    """Return histories by variant, level and record, those at the variant's own temperature first."""
     found: dict[tuple[str, str, str], list[History]] = {}
     for history in chosen:
         found.setdefault((history.variant, history.level, history.record), []).append(history)
@@ -114,13 +114,13 @@ def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list
 
 
 def missing_text(chosen: Iterable[History]) -> str:
-    """A sentence that names the histories that did not complete; "" if all did."""
+    """Return a sentence that names the histories that did not complete; "" if all did."""
     named = [f"{h.variant} {h.motion}".strip() + f" ({h.reason})" * bool(h.reason) for h in chosen if not h.completed]
     return f" Missing, as the analysis did not complete: {'; '.join(named)}." if named else ""
 
 
 def groups_alike(groups: Mapping[str, Group], told: Callable[[Group], Hashable]) -> list[dict[str, Group]]:
-    """Return groups in sets, in their order, of those of which the same is told.
+    """Return groups in sets of equal description, in their order.
 
     Args:
         groups: results by the name of the analysis.
@@ -133,14 +133,25 @@ def groups_alike(groups: Mapping[str, Group], told: Callable[[Group], Hashable])
 
 
 def names_of(group: Group, dimension: str) -> list[str]:
-    """The names along a dimension of a group; [] without it."""
+    """Return the names along a dimension of a group; [] without it.
+
+    Args:
+        group: the archived results.
+        dimension: name of the dimension.
+    """
     if dimension not in group.coords:
         return []
     return [str(value) for value in group.coords[dimension].values]
 
 
 def with_results(archive: Archive, chosen: Iterable[History], *variables: str) -> Iterator[tuple[History, Group]]:
-    """Completed histories that have some variables, read."""
+    """Yield completed histories that have some variables, with their results.
+
+    Args:
+        archive: the open archive.
+        chosen: the histories.
+        *variables: names of variables that a history must have.
+    """
     for history in chosen:
         if history.completed:
             group = history.read(archive)

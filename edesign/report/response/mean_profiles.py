@@ -27,7 +27,11 @@ Read = Mapping[str, Sequence[tuple[History, Group]]]
 
 
 def mean_profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """A figure of each hazard level with several variants: name of the file, caption, figure."""
+    """Yield the mean profiles of each hazard level with several variants.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     for level, variants in by_level(histories(archive)).items():
         read = {variant: [(h, h.read(archive)) for h in found if h.completed] for variant, found in variants.items()}

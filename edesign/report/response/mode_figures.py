@@ -39,7 +39,11 @@ class Shapes:
 
 
 def mode_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """The first modes of all variants, overlaid: name of the file, caption, figure."""
+    """Yield the first modes of all variants, overlaid.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     found: dict[str, Shapes] = {}
     for name in archive.names(ANALYSES):

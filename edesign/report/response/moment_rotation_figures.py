@@ -24,7 +24,11 @@ NONE = 1e-6  # rad, a rotation that is none
 
 
 def moment_rotation_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Loops of each recorded member in each motion, variants overlaid: name of the file, caption, figure."""
+    """Yield the loops of each recorded member in each motion, variants overlaid.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     own = [history for history in histories(archive) if history.temperature is None]
     for (level, record), chosen in by_motion(own).items():
@@ -45,7 +49,12 @@ def moment_rotation_figures(archive: Archive) -> Iterator[tuple[str, str, Figure
 
 
 def member_loops(group: Group, member: int) -> dict[str, np.ndarray]:
-    """Moment (N m) and rotations (rad) of a recorded member, each (time, end), by the names of their variables."""
+    """Return moment (N m) and rotations (rad) of a recorded member, each (time, end), by name of the variable.
+
+    Args:
+        group: of the history.
+        member: number of the member among the recorded ones, from 0.
+    """
     there = [name for name in (MOMENT, *ROTATIONS) if name in group.variables]
     found = {name: np.asarray(group.variables[name].values[:, member, :]) for name in there}
     return {name: found.get(name, np.zeros_like(found[MOMENT])) for name in (MOMENT, *ROTATIONS)}

@@ -63,7 +63,7 @@ DAMPERS, TOTAL = "storey_damper_force", "total"
 
 @dataclass(frozen=True)
 class Profiles:
-    """What one panel shows.
+    """The content of one panel.
 
     Attributes:
         title: of the panel.
@@ -78,7 +78,11 @@ class Profiles:
 
 
 def profile_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Profiles of all histories of each hazard level, by quantity: name of the file, caption, figure."""
+    """Yield the profiles of all histories of each hazard level, by quantity.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     for level, variants in by_level(histories(archive)).items():
         read = {variant: [(h, h.read(archive)) for h in found if h.completed] for variant, found in variants.items()}

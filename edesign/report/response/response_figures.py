@@ -31,7 +31,7 @@ class Row:
     factor: float
 
     def of(self, group: Group) -> np.ndarray | None:
-        """The history in the unit of the figure, None if it was not kept."""
+        """Return the history in the unit of the figure, None if it was not kept."""
         if self.variable not in group.variables:
             return None
         values = np.asarray(group.variables[self.variable].values)
@@ -58,7 +58,11 @@ class Series:
 
 
 def response_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Histories of each motion whose floors or storeys were kept: name of the file, caption, figure."""
+    """Yield the histories of each motion whose floors or storeys were kept.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     colors = variant_colors(archive)
     own = [history for history in histories(archive) if history.temperature is None]
     for (level, record), chosen in by_motion(own).items():
@@ -121,7 +125,7 @@ def _shown(series: Sequence[Series]) -> list[Row]:
 
 
 def numbers(series: Sequence[Series]) -> str:
-    """The largest values of all histories in words."""
+    """Return the largest values of all histories in words."""
     texts = []
     for one in series:
         parts = []

@@ -19,7 +19,11 @@ COLORS = (AFTER, VARIANTS[0], VARIANTS[3], VARIANTS[2])
 
 
 def temperature_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Histories that differ in temperature alone, overlaid: name of the file, caption, figure."""
+    """Yield the histories that differ in temperature alone, overlaid.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for (variant, level, record), chosen in by_temperature(histories(archive)).items():
         series = [
             Series(history.temperature_label, group, COLORS[i % len(COLORS)])

@@ -37,7 +37,12 @@ def advice_tables(advice: Advice) -> list[Table]:
 
 
 def modes_table(advice: Advice, test: TestAdvice) -> Table:
-    """Return natural modes, the specimen's share of them, and what the rig does at their frequencies."""
+    """Return natural modes, the specimen's share of them, and what the rig does at their frequencies.
+
+    Args:
+        advice: the result of the check of a file of tests.
+        test: the check of one test.
+    """
     table = Table(
         f"Modes of the structure, test {test.name}",
         ("mode", "bare [Hz]", "f [Hz]", "damping", "k_E/k", "rig [ms]", "|rig|", "critical [ms]", "factor"),
@@ -97,7 +102,12 @@ def specimen_in_words(at: Linearisation) -> str:
 
 
 def stability_table(advice: Advice, test: TestAdvice) -> Table:
-    """Return verdict and margins of each compensator."""
+    """Return verdict and margins of each compensator.
+
+    Args:
+        advice: the result of the check of a file of tests.
+        test: the check of one test.
+    """
     table = Table(
         f"Stability with rig and compensator, test {test.name}",
         ("compensator", "verdict", "gain", "residual [ms]", "margin [ms]", "factor", "modelled as"),

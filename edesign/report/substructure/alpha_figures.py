@@ -54,7 +54,11 @@ class Adaptive:
 
 
 def alpha_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test the coefficients of all its adaptive compensators: name of the file, caption, figure."""
+    """Yield for each test the coefficients of all its adaptive compensators.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         for name, what, rows, chosen in (
             ("alpha", "Adaptive coefficients", SERIES, _adaptive(results, test, live=False)),

@@ -39,6 +39,7 @@ def curve(
         y: (n,) ordinates in the unit of the axes; points that are not finite are left out.
         size: width and height of the axes, inches.
         spans: which values the axis has in width and height; None: those of the curve.
+        **style: properties of matplotlib beside those.
         style: of the line.
     """
     good = np.isfinite(x) & np.isfinite(y)
@@ -73,7 +74,7 @@ def _fewer(points: np.ndarray) -> np.ndarray:
 
 
 def window(time: np.ndarray, target: np.ndarray, error: np.ndarray) -> tuple[float, float]:
-    """Return from when to when a few cycles around the largest error are, s.
+    """Return start and end of a few cycles around the largest error, s.
 
     Args:
         time: (n,) s.
@@ -92,7 +93,12 @@ def window(time: np.ndarray, target: np.ndarray, error: np.ndarray) -> tuple[flo
 
 
 def within(time: np.ndarray, limits: tuple[float, float]) -> slice:
-    """Return the samples of a window."""
+    """Return the samples of a window as a slice.
+
+    Args:
+        time: (n,) s.
+        limits: start and end of the window, s.
+    """
     first, last = np.searchsorted(time, limits)
     return slice(int(first), int(last) + 1)
 
@@ -104,13 +110,23 @@ def largest(values: Sequence[np.ndarray]) -> float:
 
 
 def around_zero(axis: Axes, reach: float) -> None:
-    """Give the ordinate the same reach to both sides, with a line at zero."""
+    """Give the ordinate the same reach to both sides, with a line at zero.
+
+    Args:
+        axis: the axes to draw on.
+        reach: largest magnitude of the values.
+    """
     axis.axhline(0.0, color=MEAN, lw=0.4, zorder=0.9)
     axis.set_ylim(-1.1 * reach or -1.0, 1.1 * reach or 1.0)
 
 
 def legend_below(figure: Figure, lines: Sequence[tuple[str, str, str]]) -> None:
-    """Put a legend below a figure: label, colour and style of each line; long labels are cut."""
+    """Put a legend below a figure: label, colour and style of each line; long labels are cut.
+
+    Args:
+        figure: the figure.
+        lines: label, colour and style of each line.
+    """
     from matplotlib.lines import Line2D
 
     named = [label if len(label) <= LONGEST else f"{label[: LONGEST - 1]}…" for label, _, _ in lines]

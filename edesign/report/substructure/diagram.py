@@ -38,7 +38,11 @@ COMPUTER, RIG = "#eef3fa", "#fbf3e8"
 
 
 def loop_diagrams(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give the diagram of the loop: name of the file, caption, figure; none if the file cannot be read."""
+    """Yield the diagram of the loop; none if the file cannot be read.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     described = results.described
     if described.file is not None:
         given = "" if described.file.structure is not None else " Targets are given, and the force acts on nothing."

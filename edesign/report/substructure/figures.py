@@ -36,6 +36,10 @@ SUBSTRUCTURE_FIGURES = (
 
 
 def substructure_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
-    """Give all figures of an archive of virtual substructure tests: name of the file, caption, figure."""
+    """Yield all figures of an archive of virtual substructure tests.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     results = SubstructureResults(archive)
     return chain.from_iterable(figures(results) for figures in SUBSTRUCTURE_FIGURES)

@@ -34,7 +34,7 @@ TITLES = {
 
 @dataclass
 class ArchivedTests:
-    """What an archive says of its tests; no file need be at hand.
+    """The description of tests in an archive, without their files.
 
     Attributes:
         file: None: its text cannot be read.
@@ -56,7 +56,7 @@ class ArchivedTests:
         return self.tests.laboratory if self.tests is not None else None
 
     def rows(self) -> list[tuple[str, str]]:
-        """Return what was tested, line by line: title and text."""
+        """Return the description of the tests, line by line: title and text."""
         if self.file is None:
             return []
         file = self.file
@@ -69,7 +69,7 @@ class ArchivedTests:
 
 
 def archived_tests(archive: Archive) -> ArchivedTests:
-    """Return what an archive of substructure tests says of them; never raises for a text of another version."""
+    """Return the description of the tests in an archive; texts of another version raise no error."""
     texts = archived_texts(archive)
     if "rts_text" not in texts:
         return ArchivedTests(None, ["The archive does not hold the text of the file of tests."])
@@ -91,7 +91,7 @@ def archived_tests(archive: Archive) -> ArchivedTests:
 
 
 def described_tests(file: RtsFile) -> ArchivedTests:
-    """Return what a file of tests says of them, as `archived_tests` does of an archive.
+    """Return the description of a file of tests, as `archived_tests` does of an archive.
 
     Args:
         file: from `load_rts_file`.

@@ -19,7 +19,7 @@ _UNTOLD = "not told"
 
 
 def judgement_tables(found: Judgement) -> list[Table]:
-    """Return how the specimen followed, what that did to the response, and the verdict."""
+    """Return tracking, errors of the response, and verdict of a judgement."""
     tables = [_tracking(found)]
     if found.response is not None:
         tables += [_response(found.response), _criteria(found)]

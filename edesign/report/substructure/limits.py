@@ -17,7 +17,7 @@ COEFFICIENTS = ("alpha_0", "alpha_1", "alpha_2")
 
 
 def limits_table(results: SubstructureResults) -> Table:
-    """Return which limits of rig and compensators each run met; no rows if none was met."""
+    """Return the limits of rig and compensators that each run met; no rows if none was met."""
     table = Table(
         "Limits that were met",
         ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
@@ -65,7 +65,7 @@ def _series(results: SubstructureResults, test: str, name: str) -> list[list[str
 
 
 def untold_table(results: SubstructureResults) -> Table:
-    """Return which indicators could not be told of which run, and why; no rows if all could."""
+    """Return the indicators that could not be computed for a run, with the reason; no rows if all could."""
     table = Table("Indicators that could not be told", ("test", "compensator", "indicator", "why"), left=4, sentences=3)
     said = results.runs[0].group.attributes.get("untold") if results.runs else None
     for line in said if isinstance(said, list) else []:
@@ -77,7 +77,7 @@ def untold_table(results: SubstructureResults) -> Table:
 
 
 def runs_so_far_table(results: SubstructureResults) -> Table:
-    """Return how the runs ended whose indicators are not archived, as those of an interrupted archive."""
+    """Return the outcome of runs whose indicators are not archived, as in an interrupted archive."""
     table = Table("Runs so far", ("test", "compensator", "outcome", "why"), left=4, sentences=3)
     for test in results.tests:
         for name in results.compensators(test):

@@ -14,7 +14,7 @@ from edesign.substructure.stability.loop import Transfer, phase_delay
 
 @dataclass(frozen=True)
 class LinearisedTests:
-    """The tests as `edesign rts check` takes them.
+    """The linearised tests that `edesign rts check` analyses.
 
     Attributes:
         model: rig, linearised damper and structure.
@@ -28,17 +28,17 @@ class LinearisedTests:
 
     @property
     def specimen(self) -> Linearisation:
-        """At the effective amplitude."""
+        """The linearised specimen at the effective amplitude."""
         return self.model.linearisation
 
     @property
     def rig(self) -> Transfer:
-        """Displacement of the specimen over command, the specimen loading the rig."""
+        """Transfer function from the command to the displacement of the specimen, which loads the rig."""
         return self.model.rig
 
     @property
     def rig_delay(self) -> float:
-        """At the first frequency, s."""
+        """Delay of the rig at the first frequency, s."""
         return phase_delay(self.rig, self.frequencies[0])
 
 

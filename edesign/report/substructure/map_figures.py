@@ -28,7 +28,11 @@ TO_UNSTABLE = -90.0  # degrees from a contour, which has its higher side to the 
 
 
 def map_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give the stability map of the test that a delay makes unstable first: name of the file, caption, figure."""
+    """Yield the stability map of the test that a delay makes unstable first.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     laboratory = results.described.tests
     if laboratory is None:
         return
@@ -49,7 +53,7 @@ def map_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
 
 
 def draw_map(laboratory: VirtualLaboratory, best: str | None, path: Path) -> bool:
-    """Draw the map of tests that have not been run; tell whether there is one.
+    """Draw the map of tests that have not been run; return whether there is one.
 
     Args:
         laboratory: of the file.

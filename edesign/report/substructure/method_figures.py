@@ -45,7 +45,11 @@ DECADE, BELOW = 10.0, 4.0
 
 
 def method_figures(results: SubstructureResults) -> Iterator[Drawn]:
-    """Give the figures of tests by other methods: name of the file, caption, figure."""
+    """Yield the figures of tests by other methods.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         group = results.driven(test)
         kind = str(group.attributes.get("kind"))

@@ -22,11 +22,14 @@ MOST = 20
 
 
 def substructure_model_figures(file: RtsFile, heading: Sequence[str] = ()) -> Iterator[Named]:
-    """Give the loop of substructure tests and their structure: name of the file, caption, figure.
+    """Yield the loop of substructure tests and their structure.
 
     Args:
         file: from `load_rts_file`.
         heading: lines above each drawing but the loop; (): none.
+
+    Yields:
+        Name of the file, caption and figure.
     """
     caption = "The loop of the tests. Blue blocks are computed each main step, ochre ones stand in the laboratory."
     yield "model", caption, loop_diagram(described_tests(file), None)
@@ -49,7 +52,7 @@ def structure_figures(file: RtsFile, heading: Sequence[str] = ()) -> Iterator[Na
 
 
 def tested_structures(results: SubstructureResults) -> Iterator[Named]:
-    """Give the structure of archived tests; none if their file cannot be read."""
+    """Yield the structure of archived tests; none if their file cannot be read."""
     if results.described.file is not None:
         yield from structure_figures(results.described.file)
 

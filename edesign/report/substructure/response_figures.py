@@ -36,7 +36,11 @@ class Loop:
 
 
 def loop_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test the loops of the specimen beside the law: name of the file, caption, figure."""
+    """Yield for each test the loops of the specimen beside the law.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         found = [(one, loop) for one in results.shown(test) if (loop := _loop(one)) is not None]
         if not found:
@@ -87,7 +91,7 @@ def _wanted(results: SubstructureResults, test: str) -> tuple[Loop | None, str]:
 
 
 def in_window(loop: Loop) -> tuple[float, float] | None:
-    """A window around the largest force of a history of many cycles, None to see all of it."""
+    """Return a window around the largest force of a history of many cycles; None to show all of it."""
     reversals = np.count_nonzero(np.diff(np.signbit(np.diff(loop.deformation[::10]))))
     return window(loop.time, loop.deformation, loop.force) if reversals > MANY else None
 
@@ -157,7 +161,11 @@ class Response:
 
 
 def response_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test with a structure its response beside the direct analysis: name, caption, figure."""
+    """Yield for each test with a structure its response beside the direct analysis.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         rows = _responses(results, test)
         if rows:
@@ -244,7 +252,11 @@ def _peaks(rows: Sequence[Response]) -> str:
 
 
 def energy_error_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test the work that the error feeds into the structure: name of the file, caption, figure."""
+    """Yield for each test the work that the error feeds into the structure.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         found = [one for one in results.shown(test) if np.any(energy_error(one)) and not _is_bare(one)]
         if found:

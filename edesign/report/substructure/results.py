@@ -33,7 +33,7 @@ STYLES = ("-", ":", "--", "-.")
 
 
 def looks(kinds: Mapping[str, str], best: str | None) -> dict[str, tuple[str, str]]:
-    """Return colour and line of each compensator, no two alike up to a dozen.
+    """Return colour and line of each compensator, different ones up to a dozen.
 
     Args:
         kinds: of the compensators by their names.
@@ -46,7 +46,7 @@ def looks(kinds: Mapping[str, str], best: str | None) -> dict[str, tuple[str, st
 
 @dataclass(frozen=True)
 class Series:
-    """A run as it is drawn.
+    """A run with its histories and its look in figures.
 
     Attributes:
         compensator: its name.
@@ -67,7 +67,7 @@ class Series:
 
     @property
     def time(self) -> np.ndarray:
-        """(n,) s."""
+        """The instants of the histories, (n,) s."""
         return times(self.group)
 
 
@@ -94,7 +94,7 @@ class SubstructureResults:
 
     @cached_property
     def described(self) -> ArchivedTests:
-        """The file of tests, as far as it can be read."""
+        """The description of the tests, as far as their file can be read."""
         return archived_tests(self.archive)
 
     @cached_property
@@ -108,7 +108,7 @@ class SubstructureResults:
 
     @cached_property
     def tests(self) -> list[str]:
-        """Names of the tests, in the order of the file where it is known."""
+        """The names of the tests, in the order of the file where it is known."""
         there = self._names(PLACE)
         file = self.described.file
         order = [run.test for run in self.runs] + [test.name for test in (file.tests if file is not None else ())]
@@ -122,24 +122,45 @@ class SubstructureResults:
         return [name for name in order if name in there] + [name for name in there if name not in order]
 
     def driven(self, test: str) -> Group:
-        """Return what drove a test, and the direct analysis; empty if it cannot be read."""
+        """Return the motion or command of a test, and the direct analysis; empty if it cannot be read."""
         return self._group(f"{PLACE}/{test}") or Group()
 
     def run(self, test: str, compensator: str) -> Run | None:
-        """Return what was found of a run, None before the end of all."""
+        """Return the indicators of a run, None before the end of all runs.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+        """
         return next((run for run in self.runs if (run.test, run.compensator) == (test, compensator)), None)
 
     def histories(self, test: str, compensator: str) -> Group | None:
-        """Return the group of a run, None if it cannot be read."""
+        """Return the group of a run, None if it cannot be read.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+        """
         return self._group(f"{PLACE}/{test}/{compensator}")
 
     def building(self, test: str, compensator: str = "") -> Group | None:
-        """Return the building in a test, as a history; without a compensator that of the direct analysis."""
+        """Return the building in a test as a history; without a compensator, that of the direct analysis.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+        """
         place = f"{ANALYSES}/{building_name(test, compensator)}"
         return self._group(place) if self.archive.has(place) else None
 
     def series(self, test: str, compensator: str, color: str = BEST) -> Series | None:
-        """Return a run with its histories, None if it cannot be read or has none."""
+        """Return a run with its histories, None if it cannot be read or has none.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+            color: colour of the run in figures.
+        """
         group = self.histories(test, compensator)
         if group is None or not times(group).size:
             return None
@@ -160,7 +181,12 @@ class SubstructureResults:
         return min(known, key=lambda name: known[name]) if known else None
 
     def error(self, test: str, compensator: str) -> float:
-        """Return the error of the response of a run, of a given target that of tracking; infinite if not done."""
+        """Return the error of the response of a run, or of tracking a given target; infinite if it did not end.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+        """
         run = self.run(test, compensator)
         if run is not None:
             response = run.value("response_error")
@@ -182,7 +208,7 @@ class SubstructureResults:
         return [series for series in found if series is not None]
 
     def is_closed(self, test: str) -> bool:
-        """Whether a structure made the target of a test."""
+        """Return whether a structure determined the target of a test."""
         return "ground" in self.driven(test).variables
 
     @cached_property
@@ -193,7 +219,7 @@ class SubstructureResults:
 
     @cached_property
     def motion(self) -> np.ndarray | None:
-        """(n,) of the specimen in the first direct analysis, without one in the first test, m; None: unknown."""
+        """The motion of the specimen in the first direct analysis, else in the first test, (n,) m; None: unknown."""
         found = [self.driven(test).variables.get("direct_deformation") for test in self.tests]
         moved = [one.group.variables for test in self.tests for one in self.shown(test)[-1:]]
         found += [of.get("deformation") for of in moved]
@@ -201,7 +227,12 @@ class SubstructureResults:
         return next((one for one in reach if np.any(one)), None)
 
     def in_words(self, test: str, compensator: str) -> str:
-        """Return error and delay of a run in words, "" if they are not known."""
+        """Return error and delay of a run in words, "" if they are not known.
+
+        Args:
+            test: name of the test.
+            compensator: name of the compensator.
+        """
         run = self.run(test, compensator)
         if run is None:
             return ""

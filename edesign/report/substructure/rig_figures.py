@@ -32,7 +32,11 @@ FORCE = ", force"
 
 
 def rig_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give amplitude and phase of the rig over frequency: name of the file, caption, figure; none if not known."""
+    """Yield amplitude and phase of the rig over frequency; none if it is not known.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     described = results.described
     if described.transfer is None or described.file is None:
         return

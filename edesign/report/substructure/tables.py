@@ -51,7 +51,7 @@ class Run:
         return float(variable.values[self.number]) if variable is not None else _NAN
 
     def limits(self) -> list[tuple[str, float, float, float]]:
-        """Return the limits of rig and sensors that it met: name, first and last time, and duration in all, s."""
+        """Return the limits of rig and sensors that the run met: name, first and last time, and duration in all, s."""
         met = [name for name in self.text("saturated").split(", ") if name]
         if any(f"limit_{what}" not in self.group.variables for what in LIMIT_TIMES):  # of an older version
             return [(name, _NAN, _NAN, _NAN) for name in met]
@@ -79,7 +79,7 @@ def runs(archive: Archive) -> list[Run]:
 
 
 def substructure_tables(archive: Archive) -> list[Table]:
-    """Return how well each compensator followed, and what the error did to the structure.
+    """Return the tracking of each compensator, and the errors of the response.
 
     Raises:
         ArchiveError: a group is missing or damaged.
@@ -94,7 +94,7 @@ def substructure_tables(archive: Archive) -> list[Table]:
 
 
 def other_methods(archive: Archive) -> Table:
-    """Return what tests by other methods showed: pseudo-dynamic, effective force, shaking table.
+    """Return the results of tests by other methods: pseudo-dynamic, effective force, shaking table.
 
     Raises:
         ArchiveError: a group is damaged.
@@ -212,7 +212,7 @@ def _accepted(most: float) -> str:
 
 
 def rig_limits(found: list[Run]) -> Table:
-    """Return which limits of rig and sensors each run met; no rows if none was met."""
+    """Return the limits of rig and sensors that each run met; no rows if none was met."""
     table = Table(
         "Limits of the rig that were met",
         ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),

@@ -25,7 +25,11 @@ HIGH = 1.1  # inches of a row
 
 
 def tracking_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test target and measured displacement with the error: name of the file, caption, figure."""
+    """Yield for each test target and measured displacement with the error.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         series = _tracked(results, test)
         if series:
@@ -39,7 +43,11 @@ def tracking_figures(results: SubstructureResults) -> Iterator[tuple[str, str, F
 
 
 def synchronisation_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure]]:
-    """Give for each test the measured displacement over the target: name of the file, caption, figure."""
+    """Yield for each test the measured displacement over the target.
+
+    Yields:
+        Name of the file, caption and figure.
+    """
     for test in results.tests:
         series = _tracked(results, test)
         if series:

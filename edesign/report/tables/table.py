@@ -35,7 +35,7 @@ class NumberText(str):
 
 @dataclass
 class Table:
-    """Cells of text under headers that carry the units; cells of numbers are `NumberText`.
+    """A table of texts under headers that carry the units; cells of numbers are `NumberText`.
 
     Attributes:
         title: one line above.
@@ -110,13 +110,24 @@ def formatted(value: float | None, form: str) -> str:
 
 
 def marked(text: str, mark: str, unit: str = "") -> str:
-    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same."""
+    """Return a number with a mark or its unit behind it, still as a number: `1.2*`, `3.4 %`; a text with the same.
+
+    Args:
+        text: the text.
+        mark: the mark or unit.
+        unit: the unit.
+    """
     shown = f"{text}{mark}{' ' * bool(unit)}{unit}"
     return NumberText(shown, text.value, unit) if isinstance(text, NumberText) else shown
 
 
 def said_of(cell: str, words: str) -> str:
-    """Return the text of a number with words behind it, still as a number: `3.4 % (mean of 20)`."""
+    """Return the text of a number with words behind it, still as a number: `3.4 % (mean of 20)`.
+
+    Args:
+        cell: the text of the number.
+        words: the words behind the number, with the blank before them.
+    """
     return NumberText(f"{cell}{words}", cell.value, cell.unit) if isinstance(cell, NumberText) else f"{cell}{words}"
 
 

@@ -8,7 +8,7 @@ from edesign.report.page.source import Source
 
 
 def assumptions(source: Source) -> Section:
-    """What is modelled and what is not, as it follows from the project."""
+    """Return the section on the assumptions of the model, as they follow from the project."""
     title = "Assumptions and limits"
     if source.project is None or not source.entries:
         return Section("assumptions", title)

@@ -9,7 +9,7 @@ from edesign.report.response.brace_table import brace_table
 
 
 def braces(source: Source) -> Section:
-    """What braces that buckle went through, and the loops of those that were recorded."""
+    """Return the section on braces that buckle: their extremes, and the loops of those that were recorded."""
     table = brace_table(source.groups)
     tables: list[Part] = [table] if table.rows else []
     parts = (*tables, *source.pictures(brace_figures))

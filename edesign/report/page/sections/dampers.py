@@ -13,7 +13,7 @@ ONE_SET = 4  # tables of buckling-restrained braces; of several sets all are fol
 
 
 def dampers(source: Source) -> Section:
-    """The demand on the dampers in each history, and force against deformation where it was kept."""
+    """Return the section on the demand on dampers in each history, with force against deformation where it was kept."""
     ordinary = {name: group for name, group in source.groups.items() if not group.attributes.get("incremental")}
     table = dampers_table(ordinary)
     if not table.rows:

@@ -9,7 +9,7 @@ from edesign.report.page.source import Source
 
 
 def derived(source: Source) -> Section:
-    """Measures by each value that the study varies, and envelopes over bounds."""
+    """Return the section on the measures at each value that the study varies, and on envelopes over bounds."""
     title = "Other values and bounds"
     study = source.study
     if study is None or not study.derived:

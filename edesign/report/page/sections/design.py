@@ -9,6 +9,6 @@ from edesign.report.page.source import Source
 
 
 def design(source: Source) -> Section:
-    """The sizes of each design, what they add, the rounds that led to them, bounds, and devices to order."""
+    """Return the section on the designs: sizes, added damping, rounds, bounds, and devices to order."""
     tables = designs_tables(source.archive, source.study, source.sets)
     return Section("design", "Design of the dampers", (), (*tables, *source.pictures(design_figures)))

@@ -14,7 +14,7 @@ OF_SUITES = ("before", "after", "mean", "spectra")  # endings of the figures of 
 
 
 def ground_motion(source: Source) -> Section:
-    """What acts on the frame; the histories of single records are shown on demand."""
+    """Return the section on the ground motions; the histories of single records are folded."""
     parts: list[Part] = []
     rows = hazard_rows(source.project.hazard) if source.project is not None and source.project.hazard else []
     if rows:

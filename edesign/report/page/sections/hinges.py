@@ -11,7 +11,7 @@ from edesign.report.response.hinge_tables import hinge_tables
 
 
 def hinges(source: Source) -> Section:
-    """Where members yield, at each hazard level, what hinges and joints did, what the columns carry, and stand on."""
+    """Return the section on yielding members, hinges, joints, axial forces of columns, and supports, level by level."""
     pictures = source.pictures(frame_figures, axial_figures)
     tables = (*hinge_tables(source.groups), *ground_tables(source.groups))
     return Section("hinges", "Plastic hinges and columns", (), (*tables, *headed(pictures, source.levels)))

@@ -12,7 +12,7 @@ MANY = 6  # pictures of one level, beyond which only those of the governing reco
 
 
 def histories(source: Source) -> Section:
-    """Ground, roof and base shear over time, and the energy balance, of the histories that were kept over time."""
+    """Return the section on histories kept over time: ground, roof, base shear, and energy balance."""
     parts: list[Part] = []
     sorted_pictures = by_level(source.pictures(response_figures, energy_figures), source.levels)
     for level, pictures in sorted_pictures.items():
@@ -29,7 +29,12 @@ def histories(source: Source) -> Section:
 
 
 def governing(source: Source, level: str) -> list[str]:
-    """Return the endings of names of figures of the records with the largest drift of each variant at a level."""
+    """Return the endings of names of figures of the records with the largest drift of each variant at a level.
+
+    Args:
+        source: archive and settings of the report.
+        level: name of the hazard level; "" without levels.
+    """
     found = []
     for histories, statistics in source.statistics:
         name = statistics["interstorey_drift"].governing

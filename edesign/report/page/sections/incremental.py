@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 
 
 def incremental(source: Source) -> Section:
-    """What follows from the histories of each incremental study."""
+    """Return the section on the incremental studies."""
     found = source.incremental
     parts: list[Part] = []
     for one in found:
@@ -30,7 +30,7 @@ def incremental(source: Source) -> Section:
 
 
 def incremental_tiles(results: IncrementalResults) -> tuple[Headline, ...]:
-    """Return of each variant how many records collapse, and the median intensity of every limit with a fragility."""
+    """Return the number of collapses of each variant, and the median intensity of every limit with a fragility."""
     unit, scale = UNITS[results.unit]
     label = results.label.removesuffix(f" ({unit})")
     tiles = []

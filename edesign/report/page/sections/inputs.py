@@ -28,7 +28,7 @@ MANY = 48  # rows of a table of the schedule, beyond which it is folded
 
 
 def inputs(source: Source) -> Section:
-    """The input of the run; an archive without a project, as of `edesign match`, has none."""
+    """Return the section on the input of the run; empty without a project, as in an archive of `edesign match`."""
     parts: list[Part] = []
     if source.project is not None:
         parts.append(Facts(tuple(project_rows(source.project))))

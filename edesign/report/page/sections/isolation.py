@@ -9,7 +9,7 @@ from edesign.report.page.source import Source
 
 
 def isolation(source: Source) -> Section:
-    """The equivalent linear estimate of every modal analysis, and the base in each history."""
+    """Return the section on the equivalent linear estimate of each modal analysis, and the base in each history."""
     estimates = [isolation_estimate_table(name, group) for name, group in source.groups.items()]
     ordinary = {name: group for name, group in source.groups.items() if not group.attributes.get("incremental")}
     table, over = isolation_table(ordinary), isolation_statistics_table(source.sets)

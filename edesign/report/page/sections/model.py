@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def model(source: Source) -> Section:
-    """The drawings of the model; none where the archive has no project that this version can read."""
+    """Return the section with the drawings of the model; empty where this version cannot read the project."""
 
     def drawings_of_the_model(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         if source.project is not None:

@@ -10,7 +10,7 @@ from edesign.report.response.mode_figures import mode_figures
 
 
 def modes(source: Source) -> Section:
-    """Periods of every modal analysis, the shapes, and the stiffness of dampers that they are made with."""
+    """Return the section on periods and shapes of each modal analysis, with the stiffness of dampers in them."""
     tables = [periods_table(name, group) for name, group in source.groups.items() if "period" in group.variables]
     dampers = {name: damper_stiffness_table(name, group) for name, group in source.groups.items()}
     title = "Stiffness and loss factor of the dampers"

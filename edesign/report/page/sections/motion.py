@@ -19,7 +19,10 @@ LARGEST = 400_000  # characters of a viewer's data, beyond which it has every se
 
 
 def motion(source: Source) -> Section:
-    """A viewer of the deformed frame for one record of each level, of histories whose floors were kept over time."""
+    """Return the section with a viewer of the deformed frame for one record of each level.
+
+    It needs histories whose floors were kept over time.
+    """
     found: dict[str, Scene] = {}
 
     def motion_of_the_frame(archive: Archive) -> Iterator[tuple[str, str, Figure]]:

@@ -25,7 +25,7 @@ ROOT = (
 
 
 def provenance(source: Source) -> Section:
-    """Versions, checksums, date and machine, and the statistics of the solution."""
+    """Return the section on versions, checksums, date and machine, and the statistics of the solution."""
     about, made = source.attributes, source.provenance
     rows = [("Made", str(made["created"]))] if made.get("created") else []
     rows += [(title, str(about[name])) for title, name in ROOT if about.get(name)]

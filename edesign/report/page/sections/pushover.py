@@ -9,7 +9,7 @@ from edesign.report.page.source import Source
 
 
 def pushover(source: Source) -> Section:
-    """What the frame resists when it is pushed, and where earthquakes of each level push it."""
+    """Return the section on the capacity curves of the frame, and its target displacements at each level."""
     pictures = source.pictures(pushover_figures)
     events = events_table(source.groups)
     parts: list[Part] = [*pictures]

@@ -14,7 +14,7 @@ SHOWN = 2  # tables of statistics, mean and maximum; the others on demand
 
 
 def response(source: Source) -> Section:
-    """What the frame did at each hazard level with and without dampers."""
+    """Return the section on the response at each hazard level with and without dampers."""
     sets = [found for found in source.sets if found.completed]
     parts: list[Part] = []
     if sets:

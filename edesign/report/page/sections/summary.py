@@ -40,7 +40,7 @@ NAMED = 20
 
 
 def summary(source: Source) -> Section:
-    """What a reader should know who reads nothing else."""
+    """Return the section with the main results for readers who read nothing else."""
     parts: list[Part] = [*_failures(source.entries), *_doubts(source)]
     rows = (
         verdict_tiles(source.verdicts, source.study),

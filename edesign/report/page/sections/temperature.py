@@ -8,5 +8,5 @@ from edesign.report.response.temperature_figures import temperature_figures
 
 
 def temperature(source: Source) -> Section:
-    """Histories whose dampers were warmer or colder, over those at the variant's own temperature."""
+    """Return the section on histories with warmer or colder dampers, over those at the variant's own temperature."""
     return Section("temperature", "Effect of temperature", (), source.pictures(temperature_figures))

@@ -15,9 +15,13 @@ MANY = 60  # rows, from which the table of all checks is folded
 
 
 def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> tuple[Headline, ...]:
-    """Return for each variant how many of the criteria that apply it meets, and which it does not.
+    """Return the number of applicable criteria that each variant meets, and those that it does not meet.
 
     Those that `vary` of the study makes are only in the tables.
+
+    Args:
+        verdicts: the verdicts on the criteria.
+        study: the study; None: the archive is of a project.
     """
     tiles = []
     swept = {name for name, source in study.derived.items() if source.vary} if study is not None else set()
@@ -36,7 +40,7 @@ def verdict_tiles(verdicts: tuple[Verdict, ...], study: Study | None = None) -> 
 
 
 def checks(source: Source) -> Section:
-    """Every criterion with its source, demand, capacity and verdict, objectives, and performance levels."""
+    """Return the section on criteria with source, demand, capacity and verdict, objectives, and performance levels."""
     title = "Checks"
     study, project = source.study, source.project
     parts: list[Part] = []
