@@ -146,7 +146,7 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
 
 
 def write_yaml(text: str, path: Path, source: Path) -> None:
-    """Write a YAML file of results under a line that says what it is of; otherwise as `write_text`."""
+    """Write a YAML file of results under a line that names its source; otherwise as `write_text`."""
     of = json.dumps(source_file(source, path))
     write_text(f"# Written by edesign {__version__} from {of}; its next run replaces this file.\n{text}", path)
 

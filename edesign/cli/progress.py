@@ -60,7 +60,7 @@ class PlainLines:
 
 
 def place(report: Progress) -> str:
-    """Return the place of an analysis in the plan, such as "[3/20] "; "" for what is not in the plan."""
+    """Return the place of an analysis in the plan, such as "[3/20] "; "" outside the plan."""
     return f"[{report.index}/{report.count}] " if report.index else ""
 
 

@@ -121,7 +121,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
 
 
 def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> Table:
-    """Return what is doubtful about the input and, of the analyses that are given, about their results; no columns.
+    """Return the doubts about the input and about results of the given analyses, as a table without columns.
 
     Args:
         archive: the open archive.
@@ -165,7 +165,7 @@ def measures_table(entries: list[dict[str, Any]]) -> Table:
 
 
 def statistics_table(entries: list[dict[str, Any]]) -> Table:
-    """Return what each analysis cost, and how well its energy balance closes."""
+    """Return the computing effort of each analysis, and the error of its energy balance."""
     table = Table(
         "Statistics", ("analysis", "steps", "iterations", "refactorisations", "fallbacks", "CPU [s]", "energy error")
     )
@@ -231,7 +231,7 @@ def profile_table(name: str, group: Group) -> Table:
 
 
 def fallbacks_table(name: str, group: Group) -> Table:
-    """Return what the solver had to do when a step did not converge; long lists are cut.
+    """Return the fallbacks of the solver where a step did not converge; long lists are cut.
 
     Args:
         name: name of the analysis.
@@ -249,7 +249,7 @@ def fallbacks_table(name: str, group: Group) -> Table:
 
 
 def heading(archive: Archive) -> Table:
-    """Return what the archive is, of which files, made when, and whether it is complete."""
+    """Return kind, files, date and completeness of an archive as a heading."""
     about = archive.attributes
     state = str(about.get("status")) if archive.complete else "not complete: the run goes on or was interrupted"
     made = archive.group_attributes("provenance").get("created", "?") if "provenance" in archive.names() else "?"

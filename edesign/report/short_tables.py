@@ -48,7 +48,7 @@ PERIODS_SHOWN = 3
 
 
 def short_tables(archive: Archive) -> list[Table]:
-    """Return the main tables of an archive: verdicts, means of the main measures, and what governs them.
+    """Return the main tables of an archive: verdicts, means of the main measures, and governing histories.
 
     Of a damaged study whose text cannot be read, they are the tables of its analyses.
 

@@ -17,7 +17,7 @@ from edesign.project.records.records import PairRecord
 
 
 def check_actions(project: Project, problems: Problems, files: bool = True) -> None:
-    """Check what acts on the frame and what is to be analysed; `project` has no schema problems.
+    """Check loads, records and analyses of a project without schema problems.
 
     Args:
         project: as read.

@@ -13,7 +13,7 @@ from edesign.project.reading.problems import Keys, Problems, did_you_mean
 
 
 def check_outputs(project: Project, problems: Problems) -> None:
-    """Check what is to be kept; `project` has no schema problems.
+    """Check the outputs of a project without schema problems.
 
     Args:
         project: the project, which has no schema problems.

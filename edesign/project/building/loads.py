@@ -112,7 +112,7 @@ class Loads(Model):
 
     @property
     def items(self) -> tuple[Areas | PerimeterLoad | BeamLoad | NodeLoad, ...]:
-        """All loads in the order of the file's lists."""
+        """Return all loads in the order of the file's lists."""
         return (*self.areas, *self.perimeter, *self.beams, *self.nodes)
 
 

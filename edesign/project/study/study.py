@@ -232,7 +232,7 @@ class Study(FileModel):
 
     @property
     def derived(self) -> dict[str, Derived]:
-        """The variants that `vary` and `bounds` made, with what they are of."""
+        """The variants that `vary` and `bounds` made, with their origin."""
         return self._derived
 
     def named(self, variant: str) -> str:

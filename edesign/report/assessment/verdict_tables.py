@@ -28,7 +28,7 @@ TARGETS = "Of target displacements the D/C is the maximum over patterns and dire
 
 
 def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
-    """Return the verdicts on criteria, what governs them, remarks, and the requirements.
+    """Return the verdicts on criteria, the governing histories, remarks, and the requirements.
 
     Each fits a page; those that would be empty are left out.
     """
@@ -213,7 +213,7 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
 
 
 def few_notes(verdicts: Sequence[Verdict]) -> list[str]:
-    """Return what the codes say of statistics over few histories, or of one, if a verdict rests on them."""
+    """Return the clauses of the codes on statistics over few histories, or of one, if a verdict rests on them."""
     rules = CODES["ec8"].set_rules
     sets: dict[str, int] = {}
     for v in verdicts:

@@ -33,7 +33,7 @@ def building_rows(building: Building) -> Rows:
 
 
 def design_rows(design: Design) -> Rows:
-    """Return what the design asks for."""
+    """Return the settings of the design."""
     factors, drift = design.partial_factors, design.drift
     rows = [("Codes", ", ".join(_code(name) for name in vars(design.code).values()))]
     rows.append(("Ductility class", {"low": "DCL", "medium": "DCM", "high": "DCH"}[design.ductility_class]))

@@ -8,7 +8,7 @@ from edesign.space.structure.design_block import design_of
 
 
 def selection_tables(selection: Selection) -> list[Table]:
-    """Return the tables of a selection: groups, what holds each up, the design as a whole."""
+    """Return the tables of a selection: groups, the check that governs each, and the design as a whole."""
     return [_groups(selection), _held(selection), _whole(selection)]
 
 

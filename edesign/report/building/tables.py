@@ -193,7 +193,7 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
 
 
 def criteria_table(results: BuildingResults) -> Table:
-    """Return the rules for the whole building, with what was found and where."""
+    """Return the rules for the whole building, with the values and places found."""
     table = Table(
         "Rules for the building, clauses of EN 1998-1 where no other code is named",
         ("clause", "rule", "value", "limit", ""),

@@ -93,7 +93,7 @@ def loss_tables(results: IncrementalResults) -> list[Table]:
 
 
 def fragility_table(fragilities: Sequence[LimitFragility], unit: str = "m/s^2", level: str = "") -> Table:
-    """Return medians, dispersions, their standard errors and margins; what could not be fitted stands below.
+    """Return medians, dispersions, their standard errors and margins; failed fits are named below.
 
     Args:
         fragilities: a row each.

@@ -32,7 +32,7 @@ def fit_tables(
 
 
 def parameter_table(fit: Fit) -> Table:
-    """Return value and standard error of every parameter; what the user should know stands below."""
+    """Return value and standard error of every parameter, with remarks below."""
     columns = ("parameter", "value", "unit", "std. error", "white noise", "of value")
     table = Table(f"{fit.law.name}: {fit.law.title}", columns)
     white = practical_errors(fit, fit.standard_error_white)

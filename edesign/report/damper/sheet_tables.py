@@ -151,7 +151,7 @@ def _signed(judged: Judged) -> bool:
 
 
 def by_criterion(judged: Sequence[Judged]) -> list[list[Judged]]:
-    """Group what was judged by its criterion, in the order of the criteria."""
+    """Group judged runs by their criterion, in the order of the criteria."""
     groups: dict[int, list[Judged]] = {}
     order: list[Any] = []
     for one in judged:

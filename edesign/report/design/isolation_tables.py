@@ -74,7 +74,7 @@ def isolation_table(groups: Mapping[str, Group]) -> Table:
 
 
 def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
-    """Return mean and largest of what histories made of an isolated base, for each variant and level.
+    """Return mean and largest response of an isolated base in histories, for each variant and level.
 
     Args:
         sets: histories by variant and level; those without isolated base are left out.

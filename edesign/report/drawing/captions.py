@@ -71,5 +71,5 @@ class UniqueNames:
 
 
 def at_level(level: str) -> str:
-    """Return a blank and "at" with the level, such as "at DBE" after a blank; "" where there are no levels."""
+    """Return "at" and the level after a blank, such as " at DBE"; "" where there are no levels."""
     return f" at {level}" if level else ""

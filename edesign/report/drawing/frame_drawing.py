@@ -30,7 +30,7 @@ class DamperDrawing:
 
 
 def member_lines(frame: Frame) -> dict[str, Line]:
-    """Start and end of every member by its name, m; columns start below, beams and braces at the left."""
+    """Return start and end of every member by its name, m; columns start below, beams and braces at the left."""
     found = {}
     for line, storey in frame.column_at:
         x = frame.x[frame.lines.index(line)]

@@ -10,7 +10,7 @@ _CHECKSUMS = ("input_checksum", "project_checksum", "building_checksum", "rts_ch
 
 
 def provenance_facts(archive: Archive) -> dict[str, str]:
-    """Return names and texts: the archive, what it is of, checksums of the input, versions, and damage."""
+    """Return names and texts: the archive, its source, checksums of the input, versions, and damage."""
     own = archive.group_attributes("provenance") if "provenance" in archive.names() else {}
     facts = {"archive": archive.path.name}
     for source, names in ((archive.attributes, (*_ROOT, *_CHECKSUMS)), (own, tuple(own))):

@@ -31,7 +31,7 @@ def places_table(places: Sequence[PlaceOfRecords]) -> Table:
 
 
 def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusal]) -> list[Table]:
-    """Return the recordings of a place with their measures, and what is left out.
+    """Return the recordings of a place with their measures, and the files that are left out.
 
     Args:
         where: the place that was searched.

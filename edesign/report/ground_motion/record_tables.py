@@ -76,7 +76,7 @@ def tables_of(archive: Archive) -> list[Table]:
 
 
 def choice_table(facts: Mapping[str, Any], stand_ins: Collection[str], name: str = "") -> Table:
-    """Return the chosen recordings with their factors, how near their mean is to the target, and what was left out.
+    """Return the chosen recordings with their factors, the misfit of their mean, and the candidates left out.
 
     Args:
         facts: from `choice_facts`, and of a project's choice what the archive has beside them.

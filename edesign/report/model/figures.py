@@ -122,7 +122,7 @@ def loads_figure(project: Project, heading: Sequence[str] = ()) -> Figure:
 
 
 def dampers_figure(project: Project, heading: Sequence[str] = (), design: str = "") -> Figure:
-    """Draw what dampers add to a frame that is drawn elsewhere: where they act, their laws and sizes.
+    """Draw the dampers of a frame that is drawn elsewhere: their places, laws and sizes.
 
     Args:
         project: the frame with its dampers.

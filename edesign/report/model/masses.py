@@ -19,7 +19,7 @@ MASS = "#d9822b"
 
 
 def draw_masses(sheet: Sheet, place: Elevation, project: Project) -> list[str]:
-    """Draw the masses of the nodes and write sums by floor: mass, gravity combination, what leans on the frame.
+    """Draw the masses of the nodes, and write sums by floor: mass, gravity combination, load of the leaning column.
 
     Args:
         sheet: the sheet to draw on.

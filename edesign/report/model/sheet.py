@@ -43,7 +43,7 @@ class Entry:
 
 
 class Sheet:
-    """A drawing whose coordinates are inches, to the right and upwards; it grows with what is drawn."""
+    """A drawing whose coordinates are inches, to the right and upwards; it grows with its content."""
 
     def __init__(self) -> None:
         from matplotlib.figure import Figure
@@ -267,7 +267,7 @@ class Sheet:
             y -= LINE * (len(lines) if len(row) == 1 else 1) + extra
 
     def heading(self, lines: Sequence[str]) -> None:
-        """Write a title and what else is to be known above all that is drawn."""
+        """Write a title and further lines above the drawing."""
         y = float(self._high[1]) + 0.12 + LINE * (len(lines) - 1)
         room = max(4.0, float(self._high[0] - self._low[0]))
         for i, words in enumerate(lines):
@@ -276,7 +276,7 @@ class Sheet:
             self.text(Spot(float(self._low[0]), y - i * LINE, "left", "bottom"), text, 9.0 if i == 0 else TEXT)
 
     def finish(self) -> Figure:
-        """Give the figure the size of what is drawn, and return it."""
+        """Give the figure the size of the drawing, and return it."""
         low, high = self._low - MARGIN, self._high + MARGIN
         self.figure.set_size_inches(*(high - low))
         self.axes.set_xlim(low[0], high[0])
@@ -302,7 +302,7 @@ def unwritten(texts: Sequence[str]) -> list[Entry]:
 
 
 def on_sheet(draw: Callable[[Sheet], None], heading: Sequence[str] = ()) -> Figure:
-    """Return the figure of what a function draws on a new sheet, in the style of all figures.
+    """Return the figure that a function draws on a new sheet, in the style of all figures.
 
     Args:
         draw: on the sheet that it is given.

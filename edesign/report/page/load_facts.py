@@ -11,7 +11,7 @@ Rows = list[tuple[str, str]]
 
 
 def load_rows(project: Project) -> Rows:
-    """Return a row for each kind of load, and the gravity combination; the text of what there is not is empty."""
+    """Return a row for each kind of load, and the gravity combination; absent ones have an empty text."""
     loads = project.loads
     on_nodes = sum(len(project.frame.node_places(load.lines, load.floors)) for load in loads.nodes)
     combination = f"{loads.gravity.G:g} G + {loads.gravity.Q:g} Q"

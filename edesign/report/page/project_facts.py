@@ -28,7 +28,7 @@ Rows = list[tuple[str, str]]
 
 
 def project_rows(project: Project) -> Rows:
-    """Return geometry, members, steel, loads, damping and integration; what a project has not is left out."""
+    """Return geometry, members, steel, loads, damping and integration of a project, without absent ones."""
     frame = project.frame
     columns = [(storey, run.section) for (_, storey), run in frame.column_at.items()]
     beams = [(floor, run.section) for (_, floor), run in frame.beam_at.items()]

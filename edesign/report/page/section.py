@@ -62,7 +62,7 @@ class Warnings:
 
 @dataclass(frozen=True)
 class Headline:
-    """A result that stands out: a number with its unit, what it is, and where it comes from."""
+    """A result that stands out: a number with its unit, its meaning, and its source."""
 
     value: str
     label: str

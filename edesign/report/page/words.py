@@ -22,7 +22,7 @@ KEPT = "name of the analysis"
 
 
 def analysis_words(name: str, group: Group) -> str:
-    """Return the words for an analysis that a program named: variant, level and record, or what was done.
+    """Return the words for an analysis that a program named: variant, level and record, or kind.
 
     A name that its author gave, without points, stays as it is.
 
@@ -49,7 +49,7 @@ def analysis_words(name: str, group: Group) -> str:
 
 
 def words_of(groups: Mapping[str, Group], records: Iterable[str]) -> dict[str, str]:
-    """Return the words for every analysis and record whose name is no word yet; what would become alike is left out.
+    """Return the words for analyses and records named by a program; words that would become alike are left out.
 
     Args:
         groups: the analyses by name.

@@ -83,7 +83,7 @@ def damper_stiffness_table(name: str, group: Group) -> Table:
 
 
 def amplitude_notes(group: Group) -> list[str]:
-    """Return what a table of periods has to say of dampers whose amplitude is not given."""
+    """Return the notes of a table of periods on dampers whose amplitude is not given."""
     amplitude = group.variables.get("damper_amplitude")
     if amplitude is None:
         return []

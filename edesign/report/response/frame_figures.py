@@ -54,7 +54,7 @@ ACCEPTANCE = Scale((0.5, 1.5, 2.5, 3.5), ("elastic", "to IO", "IO to LS", "LS to
 
 @dataclass(frozen=True)
 class Hinges:
-    """One elevation.
+    """The plastic rotations in one elevation.
 
     Attributes:
         title: above it.

@@ -37,7 +37,7 @@ def advice_tables(advice: Advice) -> list[Table]:
 
 
 def modes_table(advice: Advice, test: TestAdvice) -> Table:
-    """Return natural modes, the specimen's share of them, and what the rig does at their frequencies.
+    """Return natural modes, the specimen's share of them, and the response of the rig at their frequencies.
 
     Args:
         advice: the result of the check of a file of tests.
@@ -211,7 +211,7 @@ def expected_table(advice: Advice) -> Table:
 
 
 def needs_table(advice: Advice) -> Table:
-    """Return what the tests need of the rig, in brackets as percentage of its limits."""
+    """Return the displacement, velocity and force that tests need, with their percentage of the rig's limits."""
     table = Table("What the rig must do", ("test", "specimen [mm]", "stroke [mm]", "velocity [m/s]", "force [kN]"))
     for need in advice.needs:
         table.rows.append(

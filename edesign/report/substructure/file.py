@@ -52,7 +52,7 @@ class ArchivedTests:
 
     @property
     def laboratory(self) -> Laboratory | None:
-        """Structure, damper and rig; None: they cannot be made from what is held."""
+        """Structure, damper and rig of the tests; None where the archived texts are not enough."""
         return self.tests.laboratory if self.tests is not None else None
 
     def rows(self) -> list[tuple[str, str]]:

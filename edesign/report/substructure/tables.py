@@ -250,7 +250,7 @@ def _alphas(found: list[Run]) -> Table:
 
 
 def substructure_summary(archive: Archive) -> list[dict[str, object]]:
-    """Return the runs for JSON, SI units: names, outcome, indicators; None stands for what cannot be told.
+    """Return the runs for JSON, SI units: names, outcome, indicators; unknown values are None.
 
     Raises:
         ArchiveError: a group is missing or damaged.

@@ -93,7 +93,7 @@ def _error(series: Series) -> np.ndarray:
 
 @styled
 def tracking_figure(series: Sequence[Series], late: Sequence[CrossingDelay | None]) -> Figure:
-    """Draw the target, some of its cycles with what was measured, and the error, as Figs. 6.11 and 6.20 of the thesis.
+    """Draw target, measured displacement in some cycles, and error, as Figs. 6.11 and 6.20 of the thesis.
 
     Args:
         series: at least one; the target is that of the last.

@@ -41,7 +41,7 @@ class Motion:
 
     @property
     def scale(self) -> float:
-        """The constant factor between the recording and what is applied, that of the suite included."""
+        """The constant factor on the recording, that of its suite included."""
         return self.match.scale * self.match.suite_factor if self.match else 1.0
 
     @property

@@ -77,7 +77,7 @@ class Certificate:
 
 
 def certify(knowledge: Knowledge, monotone: bool) -> Certificate:
-    """Return what is proved of the layout that a search chose.
+    """Return the proof about the layout that a search chose.
 
     Args:
         knowledge: all that was analysed.

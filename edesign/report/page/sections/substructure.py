@@ -50,7 +50,7 @@ ALL_TOLD = "All indicators could be told of all runs."
 
 
 def substructure_sections(source: Source) -> list[Section]:
-    """Return the sections of virtual substructure tests; the first names what is lost."""
+    """Return the sections of virtual substructure tests; the first names unreadable parts."""
     results = SubstructureResults(source.archive)
     tables = _tables(results)
     others = [

@@ -21,7 +21,7 @@ _WHERE = re.compile(r"(?P<where>[^:;,.()]{1,60}(?:\.[a-z0-9]+(?::[0-9]+){0,2})?)
 
 
 def warnings(source: Source) -> Section:
-    """Return all warnings with what they apply to."""
+    """Return all warnings with their subjects."""
     found = warning_table(source)
     if found.rows:
         return Section("warnings", "Warnings", (), (found,))
@@ -30,7 +30,7 @@ def warnings(source: Source) -> Section:
 
 
 def warning_table(source: Source) -> Table:
-    """Return a row for each warning: what it applies to, and the warning."""
+    """Return a row for each warning: its subject, and the warning."""
     table = Table("", ("applies to", "warning"), left=2, sentences=1)
     failed = [item for item in source.entries if item["status"] == "failed"]
     for item in failed[:NAMED]:
@@ -49,7 +49,7 @@ def warning_table(source: Source) -> Table:
 
 
 def record_warnings(archive: Archive) -> list[str]:
-    """Return what is doubtful about sets of records and single ones, a sentence each that names them."""
+    """Return one sentence for each doubt about sets of records and single records, with their names."""
     found = []
     for name in archive.names(RECORDS):
         told = archive.group_attributes(f"{RECORDS}/{name}").get("warnings")
