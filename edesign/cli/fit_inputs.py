@@ -154,13 +154,13 @@ def read_starts(law: Law, given: Sequence[str], choice: LawChoice | None, alone:
         if not alone and text in PARAMETER_SETS and PARAMETER_SETS[text].law != law.name:
             continue
         values |= read_parameters(law, parameter_set(law, text).values)
-    return values | read_values(law, pairs, "--start", alone)
+    return values | _read_values(law, pairs, "--start", alone)
 
 
 def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone: bool) -> dict[str, float] | list[str]:
     """Return the parameters of --fix: NAME=VALUE, or NAME alone for its start value."""
     names = [text for text in given if "=" not in text]
-    values = read_values(law, [text for text in given if "=" in text], "--fix", alone)
+    values = _read_values(law, [text for text in given if "=" in text], "--fix", alone)
     known = {parameter.name for parameter in law.parameters} | set(start) | set(values)
     for name in names:
         if name in start:
@@ -172,7 +172,7 @@ def read_fixed(law: Law, given: Sequence[str], start: Mapping[str, float], alone
     return values
 
 
-def read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dict[str, float]:
+def _read_values(law: Law, pairs: Sequence[str], option: str, alone: bool) -> dict[str, float]:
     """Return the values of NAME=VALUE with units, by name.
 
     Raises:

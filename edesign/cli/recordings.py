@@ -99,9 +99,9 @@ def read_inputs(
 
     inputs = [suite_file(Path(), str(path)) if not path.exists() else path for path in inputs]
     for path in inputs:
-        if not path.exists() and not is_suite(path) and is_suite_name(str(path)):
+        if not path.exists() and not _is_suite(path) and is_suite_name(str(path)):
             raise InputError(f"{unknown_name('suite', str(path), suite_names())}; and there is no file {path}")
-    if any(is_suite(path) for path in inputs):
+    if any(_is_suite(path) for path in inputs):
         if len(inputs) > 1:
             raise InputError(f"{inputs[0]}: one suite file, or record files; not both, and not two suites")
         if reading != Reading():
@@ -120,7 +120,7 @@ def read_inputs(
     return "records", _files(inputs, reading)
 
 
-def is_suite(path: Path) -> bool:
+def _is_suite(path: Path) -> bool:
     """Return whether a path is meant to be a suite file."""
     return path.suffix.lower() in (".yaml", ".yml")
 

@@ -66,7 +66,7 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
         InputError: the text is not that of a project of this version.
     """
     project = parse_project(texts.get("project_text", ""), path, BuildingSections(), files=False)
-    take_hazard_texts(project, project.hazard, texts)
+    _take_hazard_texts(project, project.hazard, texts)
     laws = project.dampers.laws if project.dampers is not None else {}
     for name, law in laws.items():
         if law.file is not None:
@@ -74,7 +74,7 @@ def project_of_texts(texts: Mapping[str, str], path: Path) -> Project:
     return project
 
 
-def take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[str, str]) -> None:
+def _take_hazard_texts(holder: FileModel, hazard: Hazard | None, texts: Mapping[str, str]) -> None:
     """Let a project or building read the files that its hazard names from the archived texts.
 
     Args:
@@ -111,7 +111,7 @@ def archived_building(archive: Archive) -> Building | None:
         return None
     path = Path(str(archive.attributes.get("building_file") or "building.yaml"))
     building = parse_building(texts["building_text"], path, BuildingSections(), files=False)
-    take_hazard_texts(building, building.hazard, texts)
+    _take_hazard_texts(building, building.hazard, texts)
     return building
 
 

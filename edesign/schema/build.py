@@ -101,7 +101,7 @@ class _Generator(GenerateJsonSchema):
         """The default as it would be written; a block with the defaults of its own keys is `{}`."""
         found = self.generate_inner(schema["schema"])
         default = self.get_default_value(schema)
-        written = as_written(default, found)
+        written = _as_written(default, found)
         return found if written is None else {**found, "default": written}
 
     def field_title_should_be_set(self, schema: Any) -> bool:
@@ -130,7 +130,7 @@ def _without_null(schema: Any) -> Any:
     return schema
 
 
-def as_written(value: Any, schema: Json) -> Any:
+def _as_written(value: Any, schema: Json) -> Any:
     """Return a value of a model as a YAML file would have it.
 
     Args:
@@ -151,15 +151,15 @@ def as_written(value: Any, schema: Json) -> Any:
             return _with_unit(float(value), next(iter(units.values())))
         return value if isinstance(value, int) else float(f"{value:.6g}")
     if isinstance(value, BaseModel):
-        return {key: as_written(getattr(value, key), {}) for key in sorted(value.model_fields_set)}
+        return {key: _as_written(getattr(value, key), {}) for key in sorted(value.model_fields_set)}
     if isinstance(value, (list, tuple)):
         if any(isinstance(one, BaseModel) for one in value):
-            return "all" if not any(as_written(one, {}) for one in value) else None
+            return "all" if not any(_as_written(one, {}) for one in value) else None
         inner: Json = next((one for one in (schema, *schema.get("anyOf", ())) if one.get("type") == "array"), {})
         parts = inner.get("prefixItems") or [inner.get("items") or {}] * len(value)
-        return [as_written(one, part) for one, part in zip(value, parts, strict=False)]
+        return [_as_written(one, part) for one, part in zip(value, parts, strict=False)]
     if isinstance(value, dict):
-        return {key: as_written(of, {}) for key, of in value.items()}
+        return {key: _as_written(of, {}) for key, of in value.items()}
     if hasattr(value, "items") and not value.items:  # a selection of all
         return "all"
     return str(value) if "object at" not in str(value) else None

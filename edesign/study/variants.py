@@ -36,7 +36,7 @@ def variant_project(
         return base.with_dampers(None)
     factor, own_temperature = bound_of(study, name)
     temperature_C = own_temperature if temperature_C is None else temperature_C
-    return base.with_dampers(with_laws(dampers, variant, temperature_C, factor))
+    return base.with_dampers(_with_laws(dampers, variant, temperature_C, factor))
 
 
 def bound_of(study: Study, name: str) -> tuple[float, float | None]:
@@ -119,7 +119,7 @@ def laws_of_design(design: Design) -> tuple[str, ...]:
     return (design.law,)
 
 
-def with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:
+def _with_laws(dampers: Dampers, variant: Variant, temperature_C: float | None = None, factor: float = 1.0) -> Dampers:
     """Return dampers whose laws have the temperature and the property factor of a variant.
 
     Args:

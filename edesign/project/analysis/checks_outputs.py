@@ -32,14 +32,14 @@ def check_outputs(project: Project, problems: Problems) -> None:
     for i, fibre in enumerate(outputs.fibres):
         keys = ("outputs", "fibres", i)
         if _points(project, problems, keys, fibre) and isinstance(fibre.layers, NumberSelection):
-            last = layers_at_most(project, project.frame.members[fibre.member])
+            last = _layers_at_most(project, project.frame.members[fibre.member])
             if last is not None:
                 Selections(project.frame, problems).numbers((*keys, "layers"), fibre.layers, "layer", last)
     if outputs.archive is not None and not outputs.archive.endswith((".h5", ".hdf5", ".nc")):
         problems.at_value(("outputs", "archive"), f"`{outputs.archive}` needs the ending .h5, .hdf5 or .nc")
 
 
-def layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
+def _layers_at_most(project: Project, run: ColumnRun | BeamRun | BraceRun) -> int | None:
     """Return the number of layers of fibres of an I section; None where the section does not determine it.
 
     It does with fillets, about a weak axis, and for stacks of rectangles and hollow sections.

@@ -62,7 +62,7 @@ def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> No
             if uncovered := _uncovered(building, floor, block):
                 problems.at_value((*keys, "bays"), f"floor {floor} does not cover {uncovered}")
         for panel in sorted(wanted & layout.floors[floor]):
-            bare |= {beam for beam in carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
+            bare |= {beam for beam in _carriers(area, edges(panel, floor)) if beam not in layout.beam_at}
     if bare:
         message = f"the floor rests on beams that are missing: {listed(_by_floor(bare))}"
         problems.at_value(keys, message)
@@ -85,7 +85,7 @@ def _by_floor(places: set[BeamPlace]) -> list[BeamPlace]:
     return sorted(places, key=lambda place: (place.floor, place))
 
 
-def carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:
+def _carriers(area: Areas, around: tuple[BeamPlace, BeamPlace, BeamPlace, BeamPlace]) -> tuple[BeamPlace, ...]:
     """Return the beams at the edges of a bay that carry its floor load.
 
     They are those across the span of the floor, and all four where it spans both ways or has secondary beams.

@@ -130,7 +130,7 @@ def written_data(found: WrittenCheck) -> list[dict[str, object]]:
     ]
 
 
-def member_number(results: BuildingResults, name: str) -> int:
+def _member_number(results: BuildingResults, name: str) -> int:
     """Return the number of a member, from 0.
 
     Args:
@@ -167,7 +167,7 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
         InputError: there is no such member.
         ArchiveError: a group is missing.
     """
-    member = member_number(results, name)
+    member = _member_number(results, name)
     columns = [results.values("members", of)[member] for of in ("utilisation", "combination", "station")]
     table = Table(f"{name}: checks", ("check", "use", "combination", "x / L", "clause"), each=("Checks", name))
     names, clauses = results.values("members", "check"), results.values("members", "clause")
@@ -224,7 +224,7 @@ def member_data(results: BuildingResults, name: str) -> dict[str, object]:
         results: the results of the building.
         name: name of the member.
     """
-    member = member_number(results, name)
+    member = _member_number(results, name)
     every = [written(results, member, check) for check in range(results.values("members", "check").size)]
     checks = [
         {

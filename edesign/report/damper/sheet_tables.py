@@ -55,7 +55,7 @@ def name_of(run: Run, runs: Sequence[Run]) -> str:
     return f"{run.test}, run {run.block}" if several else run.test
 
 
-def values_of(run: Run) -> dict[str, np.ndarray]:
+def _values_of(run: Run) -> dict[str, np.ndarray]:
     """Return the columns of `COLUMNS` of each cycle of a run, (n,) in SI."""
     loops = run.loops
     values = (
@@ -73,7 +73,7 @@ def tests_table(runs: Sequence[Run]) -> Table:
     heads = [COLUMNS[name][0] for name in shown]
     table = Table("Tests: third cycle, and mean of all", ("test", "cycle", "T [degC]", "f [Hz]", "x0 [mm]", *heads))
     for run in runs:
-        values = values_of(run)
+        values = _values_of(run)
         for label, pick in (("3", lambda v: v[2]), (f"1-{run.cycles}", np.mean)):
             row = [_number(float(pick(values[name])), COLUMNS[name][1]) for name in shown]
             about = (run.temperature_C, run.frequency, 1e3 * run.loops.amplitude)
@@ -90,7 +90,7 @@ def cycles_table(run: Run, runs: Sequence[Run]) -> Table:
         run: the run of a test.
         runs: the runs of the tests.
     """
-    values = values_of(run)
+    values = _values_of(run)
     shown = [name for name in COLUMNS if name != "equivalent_stiffness_kN_per_mm"]
     heads = [COLUMNS[name][0] for name in shown]
     title = name_of(run, runs) + (f": {run.title}" if run.title and run.title != run.test else "")
@@ -121,7 +121,7 @@ def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
         sentences=(2, 6),
         formulas=(4,),
     )
-    for group in by_criterion(judged):
+    for group in _by_criterion(judged):
         worst, criterion = worst_of(group), group[0].criterion
         limit = 100.0 * criterion.limit
         sign = ">= " if criterion.reference == "least" else ">= -" if criterion.fall_only else "+-"
@@ -150,7 +150,7 @@ def _signed(judged: Judged) -> bool:
     return judged.criterion.reference != "least"
 
 
-def by_criterion(judged: Sequence[Judged]) -> list[list[Judged]]:
+def _by_criterion(judged: Sequence[Judged]) -> list[list[Judged]]:
     """Group judged runs by their criterion, in the order of the criteria."""
     groups: dict[int, list[Judged]] = {}
     order: list[Any] = []
@@ -177,7 +177,7 @@ def verdict_text(judged: Sequence[Judged], runs: Sequence[Run]) -> str:
         judged: the judged runs.
         runs: the runs of the tests.
     """
-    groups = by_criterion(judged)
+    groups = _by_criterion(judged)
     failed = [worst_of(group) for group in groups if any(one.met is False for one in group)]
     open_ones = sum(all(one.met is None for one in group) for group in groups)
     left = f" {open_ones} could not be judged." if open_ones else ""
@@ -207,7 +207,7 @@ def csv_rows(runs: Sequence[Run]) -> tuple[list[str], Iterator[list[Any]]]:
 
     def rows() -> Iterator[list[Any]]:
         for run in runs:
-            values = values_of(run)
+            values = _values_of(run)
             for i in range(run.cycles):
                 cells = [finite(factor * float(values[name][i])) for name, (_, factor) in COLUMNS.items()]
                 about = [run.test, run.block, i + 1, float(run.loops.start[i]), float(run.frequency[i])]

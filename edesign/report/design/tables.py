@@ -179,7 +179,7 @@ def rounds_table(group: Group) -> Table:
     used, size = (round_areas(group), "all layers [m2]") if sizes is None else sizes(group)
     damping = round_damping(group)
     least = "round_objective" in values
-    changed, unit = changed_header(group)
+    changed, unit = _changed_header(group)
     strains = [
         (header, values[key].values)
         for header, key in (("strain [%]", "round_strain"), ("in histories [%]", "round_history_strain"))
@@ -232,7 +232,7 @@ def round_damping(group: Group) -> np.ndarray:
     return np.asarray(group.variables[f"round_damping_{kind}"].values, dtype=float)
 
 
-def changed_header(group: Group) -> tuple[str, float]:
+def _changed_header(group: Group) -> tuple[str, float]:
     """Return the quantity that the rounds of a design change as a header with its unit, and that unit."""
     about = group.attributes
     if about.get("method") == "simplified" and about.get("changed") == "target":

@@ -36,7 +36,7 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
     """
     if analysis is not None:
         return named_tables([(table.title, table) for table in details(archive, analysis)])
-    found = list(page_tables(page_of(archive, tables_only=True)))
+    found = list(_page_tables(page_of(archive, tables_only=True)))
     have = [_content(table) for _, table in found]
     for table in overview(archive)[1:]:  # the first tells of the archive itself, as the provenance does
         if table.rows and _content(table) not in have:
@@ -63,7 +63,7 @@ def named_tables(titled: Sequence[tuple[str, Table]]) -> list[ExportTable]:
     return [export_table(name, table, title) for name, (title, table) in zip(names, titled, strict=True)]
 
 
-def page_tables(page: Page) -> Iterator[tuple[str, Table]]:
+def _page_tables(page: Page) -> Iterator[tuple[str, Table]]:
     """Yield the tables, facts and warnings of a report with their titles; a table without one has that above it."""
     for section in page.sections:
         above = section.title

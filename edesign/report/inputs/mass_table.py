@@ -24,7 +24,7 @@ def mass_tables(frames: VariantFrames) -> list[Table]:
     """
     alike: dict[tuple[tuple[float, float], ...], list[str]] = {}
     for variant in frames.variants:
-        mass, weight = floors_of(frames.project(variant), frames.frame(variant))
+        mass, weight = _floors_of(frames.project(variant), frames.frame(variant))
         if mass.any():
             alike.setdefault(tuple(zip(mass.tolist(), weight.tolist(), strict=True)), []).append(variant)
     tables = []
@@ -34,7 +34,7 @@ def mass_tables(frames: VariantFrames) -> list[Table]:
     return tables
 
 
-def floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndarray]:
+def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndarray]:
     """Return mass (kg) and weight (N) of the base and of each floor, (storeys + 1,), from the lowest.
 
     The masses resist horizontal motion; tuned masses are none of them. The weights are the loads of the gravity

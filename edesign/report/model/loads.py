@@ -107,7 +107,7 @@ def _told(sheet: Sheet, label: _Label) -> bool:
     return sheet.place(label.spots, label.text, color=AFTER)
 
 
-def g_and_q(load: G_Q) -> str:
+def _g_and_q(load: G_Q) -> str:
     """Return a load by its cases, in kN or kN/m: G 23, Q 9.6; of none of Q the G alone."""
     parts = [f"{case} {short(value / 1e3)}" for case, value in zip("GQ", load, strict=True) if value]
     return ", ".join(parts) or "0"
@@ -125,7 +125,7 @@ def _uniform(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
             middle = bays[(len(bays) - 1) // 2]
             order = sorted(bays, key=lambda bay, m=middle: abs(bay - m))[:8]  # type: ignore[misc]
             spots = [_above(place, bay, share, floor) for share in (0.5, 0.3, 0.7) for bay in order]
-            yield _Label(spots, g_and_q(load), f"floor {floor}, bays {bays[0]}-{bays[-1]}")
+            yield _Label(spots, _g_and_q(load), f"floor {floor}, bays {bays[0]}-{bays[-1]}")
 
 
 def _high(place: Elevation, floor: int) -> float:
@@ -160,7 +160,7 @@ def _parts(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         left, right = (place.across * (frame.x[bay - 1] + at) for at in (start, end))
         heights = [1.3 * BAND * abs((G[k] + Q[k]) / most) if most else BAND for k in (0, 1)]
         sheet.shape([(left, y), (right, y), (right, y + heights[1]), (left, y + heights[0])], "#cfdcec", AFTER, 0.5)
-        ends = [g_and_q((G[k], Q[k])) for k in (0, 1)]
+        ends = [_g_and_q((G[k], Q[k])) for k in (0, 1)]
         text = ends[0] if ends[0] == ends[1] else f"{ends[0]} to {ends[1]}"
         middle = 0.5 * (left + right)
         spots = [Spot(middle, y + max(heights) + lift, "center", "bottom") for lift in (0.02, 0.14, 0.26)]
@@ -174,7 +174,7 @@ def _points(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     order = sorted(found.points, key=lambda p: (p[1], p[0], p[3]))
     for (floor, bay, load), run in groupby(order, key=lambda p: (p[1], p[0], p[3])):
         points = list(run)
-        text = g_and_q(load)
+        text = _g_and_q(load)
         each = f"{text} each" if len(points) > 1 else text
         spots = []
         for _, _, at, _ in points:
@@ -199,7 +199,7 @@ def _nodes(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
     for (line, floor), load in found.nodes.items():
         by_load.setdefault((floor, load), []).append(line)
     for (floor, load), lines in by_load.items():
-        text = f"{g_and_q(load)}{' each' if len(lines) > 1 else ''}"
+        text = f"{_g_and_q(load)}{' each' if len(lines) > 1 else ''}"
         spots = []
         for line in lines:
             x, y = place.at(frame.x[frame.lines.index(line)], frame.y[floor])
@@ -219,7 +219,7 @@ def _columns(sheet: Sheet, place: Elevation, found: Loaded) -> Iterator[_Label]:
         sheet.lines([((x - BAND, y), (x - 0.01, y)) for y in levels], AFTER, 0.4)
         sheet.dots([(x - 0.02, y) for y in levels], 1.6, AFTER, AFTER, marker=">", mew=0.2)
         middle = 0.5 * (low + high)
-        text = g_and_q(load)
+        text = _g_and_q(load)
         spots = [Spot(x - BAND - 0.02, middle, "center", "bottom", 90.0), Spot(x + 0.03, middle, "center", "top", 90.0)]
         yield _Label(spots, text, f"column {line}, storey {storey}")
 
@@ -231,7 +231,7 @@ def _base(sheet: Sheet, place: Elevation, project: Project) -> Iterator[_Label]:
     base = project.isolation.base
     if base.G or base.Q:
         _bands(sheet, [(0.0, place.width, 0.0, BAND)])
-        text = g_and_q((base.G, base.Q))
+        text = _g_and_q((base.G, base.Q))
         spots = [Spot(share * place.width, BAND + 0.02, "center", "bottom") for share in (0.5, 0.4, 0.6)]
         yield _Label(spots, text, "isolated base")
 

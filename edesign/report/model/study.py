@@ -47,7 +47,7 @@ class _Drawn:
     @property
     def told(self) -> str:
         """The notes as a sentence, "" without any."""
-        return f" {some_names_of(self.notes)}." if self.notes else ""
+        return f" {_some_names_of(self.notes)}." if self.notes else ""
 
 
 def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequence[str] = ()) -> Iterator[Named]:
@@ -75,7 +75,7 @@ def study_figures(study: Study, designed: Mapping[str, Dampers], heading: Sequen
             yield loads_and_masses(project, heading, drawn.named)
 
 
-def some_names_of(notes: Collection[str]) -> str:
+def _some_names_of(notes: Collection[str]) -> str:
     """Return the first notes as one clause, and how many more there are."""
     more = len(notes) - MOST_NOTES
     return "; ".join(list(notes)[:MOST_NOTES]) + (f"; and {more} more" if more > 0 else "")

@@ -137,7 +137,7 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
     shifts: dict[str, int] = {}
     for item in (*isolation.isolators, *isolation.beside):
         color, lines = colors[item.law], [line for line in item.lines.names(frame.lines) if line in at]
-        sign = isolator_sign if isinstance(item, Isolator) else _beside_sign
+        sign = _isolator_sign if isinstance(item, Isolator) else _beside_sign
         for line in lines:
             shift = 0.0
             if not isinstance(item, Isolator):
@@ -145,7 +145,7 @@ def _isolated(sheet: Sheet, place: Elevation, project: Project) -> Iterator[Entr
                 shift = 0.12 * shifts[line]
             sign(sheet, at[line] + shift, 0.0, color)
         told = f"{_base_device(project, item)} ({axes(lines, frame.lines)})"
-        yield Entry(told, _colored(sign, color), 0.26 if sign is isolator_sign else 0.0)
+        yield Entry(told, _colored(sign, color), 0.26 if sign is _isolator_sign else 0.0)
 
 
 def _base_device(project: Project, item: BaseDevice) -> str:
@@ -186,7 +186,7 @@ def _footing_sign(sheet: Sheet, x: float, y: float) -> None:
     _ground(sheet, x - 0.2, x + 0.2, y - 0.1)
 
 
-def isolator_sign(sheet: Sheet, x: float, y: float, color: str) -> None:
+def _isolator_sign(sheet: Sheet, x: float, y: float, color: str) -> None:
     """Draw an isolator between a base at a height and the ground.
 
     Args:

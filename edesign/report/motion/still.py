@@ -55,7 +55,7 @@ def still_figure(scene: Scene) -> Figure:
     return figure
 
 
-def node_motion(one: Moving, picture: int) -> np.ndarray:
+def _node_motion(one: Moving, picture: int) -> np.ndarray:
     """Return displacements and rotations of the nodes of a variant at a picture, (nodes, 3) m, m, rad.
 
     Where only floors were kept, nodes move with them and do not turn.
@@ -79,7 +79,7 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
     Args:
         geometry: of the frame.
         member: its name.
-        motion: of the nodes, as `node_motion`.
+        motion: of the nodes, as `_node_motion`.
         scale: how many times larger it is drawn.
         points: along the member.
     """
@@ -99,7 +99,7 @@ def member_curve(geometry: Geometry, member: str, motion: np.ndarray, scale: flo
 
 def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     """Draw a variant and return the classes of the hinges that show."""
-    geometry, motion = one.geometry, node_motion(one, picture)
+    geometry, motion = one.geometry, _node_motion(one, picture)
     places = np.array(list(geometry.nodes.values()))
     for name, pair in geometry.members.items():
         axis.plot(*places[list(pair)].T, color=UNMOVED, lw=0.6, ls=(0, (3, 2)), zorder=0.9)

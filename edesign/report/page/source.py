@@ -110,7 +110,7 @@ class Source:
 
     @cached_property
     def judged_histories(self) -> dict[str, Group]:
-        """Histories and states at target displacements that criteria judge, by name, with what these need of them."""
+        """Histories and states at target displacements that criteria judge, by name, with the variables they need."""
         sets = (*self.sets, *self.targets)
         over_time = self.study is not None and any(
             isinstance(one, QuantityCriterion) and one.quantity in HISTORY_OF for one in self.study.criteria

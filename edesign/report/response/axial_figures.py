@@ -47,7 +47,7 @@ def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
         Name of the file, caption and figure.
     """
     colors = variant_colors(archive)
-    gravity = gravity_forces(archive)
+    gravity = _gravity_forces(archive)
     for level, variants in by_level(histories(archive)).items():
         found = []
         for variant, chosen in variants.items():
@@ -63,7 +63,7 @@ def axial_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
             yield file_name("axial", level), f"{caption}{missing}", axial_figure(found, gravity)
 
 
-def gravity_forces(archive: Archive) -> dict[Place, float]:
+def _gravity_forces(archive: Archive) -> dict[Place, float]:
     """Return the axial forces of the columns in the archive's first gravity analysis, N; {} if there is none."""
     for name in archive.names(ANALYSES):
         if archive.group_attributes(f"{ANALYSES}/{name}").get("kind") == "gravity":

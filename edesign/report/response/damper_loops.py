@@ -42,7 +42,7 @@ class Loops:
 
     def of_panel(self, title: str) -> list[int]:
         """Return the positions of the dampers of a panel."""
-        return [i for i, name in enumerate(panel_titles(self.group)) if name == title]
+        return [i for i, name in enumerate(_panel_titles(self.group)) if name == title]
 
     def along(self, name: str) -> np.ndarray:
         """Return a variable over dampers; nan where it is not known."""
@@ -128,7 +128,7 @@ def _columns(panels: int) -> int:
     return min((min(columns, panels) for columns in COLUMNS), key=lambda columns: -panels % columns)
 
 
-def panel_titles(group: Group) -> list[str]:
+def _panel_titles(group: Group) -> list[str]:
     """Return the panel of each damper of a history: its storey, or its name where it has none."""
     names = names_of(group, "damper")
     storeys = group.variables.get("damper_storey")
@@ -142,7 +142,7 @@ def _shown(histories: Sequence[Loops]) -> list[str]:
     largest: dict[str, float] = {}
     for one in histories:
         peaks = np.max(np.abs(one.group.variables["damper_deformation"].values), axis=0)
-        for title, peak in zip(panel_titles(one.group), peaks, strict=True):
+        for title, peak in zip(_panel_titles(one.group), peaks, strict=True):
             largest[title] = max(largest.get(title, 0.0), float(peak))
     chosen = sorted(largest, key=lambda title: -largest[title])[:MOST]
     storeys = sorted((title for title in chosen if title.startswith(STOREY)), key=lambda t: int(t.removeprefix(STOREY)))

@@ -38,7 +38,7 @@ def moment_rotation_figures(archive: Archive) -> Iterator[tuple[str, str, Figure
                 loops.setdefault(member, {})[history.variant] = group, i
         motion = chosen[0].motion
         for member, variants in loops.items():
-            found = {name: member_loops(group, i) for name, (group, i) in variants.items()}
+            found = {name: _member_loops(group, i) for name, (group, i) in variants.items()}
             if not any(np.any(loop[key]) for loop in found.values() for key in ROTATIONS):
                 continue  # a brace
             caption = (
@@ -48,7 +48,7 @@ def moment_rotation_figures(archive: Archive) -> Iterator[tuple[str, str, Figure
             yield file_name("moment_rotation", member, level, record), caption, figure
 
 
-def member_loops(group: Group, member: int) -> dict[str, np.ndarray]:
+def _member_loops(group: Group, member: int) -> dict[str, np.ndarray]:
     """Return moment (N m) and rotations (rad) of a recorded member, each (time, end), by name of the variable.
 
     Args:
@@ -67,7 +67,7 @@ def moment_rotation_figure(
     """Draw moments against chord and plastic rotations as Figs. 5.46 and 5.47 of the thesis, all in one scale.
 
     Args:
-        loops: by label, what `member_loops` gives; the first lies below.
+        loops: by label, what `_member_loops` gives; the first lies below.
         colors: by label.
         ends: names of start and end of the member.
     """

@@ -44,7 +44,7 @@ def run_modal(project: Project, spec: ModalAnalysis) -> Group:
         store_damper_stiffness(group, structure, damped)
     else:
         modes = structure.modes(spec.modes)
-    store_modes(group, structure, modes)
+    _store_modes(group, structure, modes)
     store_footings(group, structure.frame)
     only_braces = all(device.restrained for device in structure.frame.devices) and not structure.frame.attached
     if structure.frame.footings and only_braces:
@@ -81,7 +81,7 @@ def mode_count(project: Project) -> int:
     return int(np.count_nonzero(frame_alone(project).analysis.masses()))
 
 
-def store_modes(group: Group, structure: Structure, modes: Modes) -> None:
+def _store_modes(group: Group, structure: Structure, modes: Modes) -> None:
     """Add periods, frequencies, effective masses, and shapes of floors and nodes to a group.
 
     Args:

@@ -132,7 +132,7 @@ def frame_alone(project: Project, dampers: bool = True, base_held: bool = False)
     isolation = project.isolation if dampers and not base_held else None
     base = {item.law for item in (*isolation.isolators, *isolation.beside)} if isolation is not None else set()
     kept = {name: law for name, law in laws.items() if law.restrained is not None or name in base}
-    weights = None if isolation is None else weights_on_isolators(project, kept)
+    weights = None if isolation is None else _weights_on_isolators(project, kept)
     return make_structure(project, build_frame(project, laws=kept if base_held else kept or None, weights=weights))
 
 
@@ -180,11 +180,11 @@ def make_frame(project: Project, dampers: bool = False, outside: Collection[str]
     if not dampers or project.dampers is None:
         return build_frame(project)
     laws = device_laws(project)
-    weights = {} if project.isolation is None else weights_on_isolators(project, laws)
+    weights = {} if project.isolation is None else _weights_on_isolators(project, laws)
     return build_frame(project, laws=laws, attachments=attachments(project), outside=outside, weights=weights)
 
 
-def weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
+def _weights_on_isolators(project: Project, laws: Mapping[str, DeviceLaw]) -> dict[str, float]:
     """Return the weight under the gravity combination on each isolator whose forces depend on it.
 
     The base is held horizontally for it.

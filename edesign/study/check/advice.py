@@ -128,7 +128,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
                 f"the time step of {given:g} s is longer than that of {listed(passed, 3)} "
                 f"({shortest:g} s): samples between the steps are passed over"
             )
-    found += unknown_events(project, records)
+    found += _unknown_events(project, records)
     longest = given or max((record.time_step for record in records.values()), default=0.0)
     if period is not None and longest > period / STEPS_A_PERIOD:
         found.append(
@@ -176,7 +176,7 @@ def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:
     ]
 
 
-def unknown_events(project: Project, records: Iterable[str]) -> list[str]:
+def _unknown_events(project: Project, records: Iterable[str]) -> list[str]:
     """Return one sentence for chosen records of unknown earthquakes that a limit for each earthquake cannot count.
 
     Args:

@@ -50,7 +50,7 @@ def project_record_groups(
     for order, name in enumerate(dict.fromkeys(record_of(reference) for reference in motions)):
         spec = project.records[name]
         if not isinstance(spec, RecordSet):
-            group = record_group(motions[name], order, warnings.get(name, ()))
+            group = _record_group(motions[name], order, warnings.get(name, ()))
             if spec.match is not None and spec.match.component == "vertical" and not motions[name].failure:
                 group.attributes["match_notes"] = [*group.attributes["match_notes"], "fitted to the vertical spectrum"]
             yield f"{RECORDS}/{name}", group
@@ -199,10 +199,10 @@ def suite_groups(
         }
     yield f"{RECORDS}/{name}", group
     for place, motion in enumerate(motions):
-        yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", record_group(motion, place)
+        yield f"{RECORDS}/{name}/{motion.name.rpartition('/')[2]}", _record_group(motion, place)
 
 
-def record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
+def _record_group(motion: Motion, order: int, warnings: Sequence[str] = ()) -> Group:
     """Return the archived group of a recording: samples, spectrum, measures, origin, and its fit if it has one.
 
     Args:

@@ -27,7 +27,7 @@ _SUPPORT = (
 )
 
 
-def end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
+def _end_springs(frame: FrameModel, kind: SpringKind) -> dict[str, EndSpring]:
     """Return the hinges or joints of a frame by their names, such as B_1_2:start.
 
     Args:
@@ -52,7 +52,7 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
     """
     found = []
     for kind in _KINDS:
-        springs = end_springs(frame, kind)
+        springs = _end_springs(frame, kind)
         if not springs:
             continue
         coordinate(group, kind, list(springs), "", f"{kind} as member:end")

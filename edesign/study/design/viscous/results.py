@@ -40,7 +40,7 @@ _ROUNDS: tuple[Column, ...] = (
 )
 
 
-def coefficient_unit(alpha: float) -> str:
+def _coefficient_unit(alpha: float) -> str:
     """Return the unit of damping coefficients, e.g. N*(s/m)^0.35."""
     return "N*s/m" if alpha == 1.0 else f"N*(s/m)^{alpha:g}"
 
@@ -56,7 +56,7 @@ def store_viscous_sizing(group: Group, frame: ViscousFrame, sizing: ViscousSizin
     """
     building, vibration, dashpot, number = frame.building, sizing.vibration, frame.dashpot, frame.spec.number
     store_storeys(group, building, number, sizing.brace)
-    add, unit = group.add, coefficient_unit(dashpot.alpha)
+    add, unit = group.add, _coefficient_unit(dashpot.alpha)
     label = "damping coefficient of all dampers of the storey along its drift"
     add("damping_coefficient", ("storey",), sizing.coefficient, unit, label)
     add("device_coefficient", ("storey",), device, unit, "damping coefficient c of one damper")
