@@ -125,7 +125,7 @@ def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) 
 
     Args:
         archive: the open archive.
-        groups: results of analyses by name, if they are read already; None: they are read.
+        groups: results of analyses by name, whose warnings the table has too; None: none.
     """
     return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})])
 

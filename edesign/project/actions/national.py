@@ -27,7 +27,11 @@ def _psi(value: Any) -> tuple[float, float, float]:
 
 
 def by_importance(value: Any) -> Any:
-    """Check that the factor of class II is 1, by which all others are defined."""
+    """Check that the factor of class II is 1, by which all others are defined.
+
+    Raises:
+        PydanticCustomError: the factor of class II is another one.
+    """
     if isinstance(value, dict) and "II" in value and value["II"] != 1.0:
         raise refuse("gamma_I of class II is 1.0 by definition (EN 1998-1, 4.2.5(5)P)", "II")
     return value

@@ -324,13 +324,13 @@ class Frame(Model):
     # --- selections on this grid
 
     def column_places(self, chosen: ColumnPlaces) -> Iterator[tuple[str, int]]:
-        """Return (line, storey) of a selection of columns, whether they exist or not."""
+        """Yield (line, storey) of a selection of columns, whether they exist or not."""
         for storey in chosen.storeys.numbers(1, self.n_storeys):
             for line in chosen.lines.names(self.lines):
                 yield line, storey
 
     def beam_places(self, chosen: BeamPlaces) -> Iterator[tuple[int, int]]:
-        """Return (bay, floor) of a selection of beams, whether they exist or not."""
+        """Yield (bay, floor) of a selection of beams, whether they exist or not."""
         for floor in chosen.floors.numbers(1, self.n_storeys):
             for bay in chosen.bays.numbers(1, self.n_bays):
                 yield bay, floor

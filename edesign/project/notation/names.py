@@ -6,7 +6,11 @@ from collections.abc import Collection
 
 
 def line_name(index: int) -> str:
-    """Return the name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB."""
+    """Return the name of a column line: 0 -> A, 25 -> Z, 26 -> AA, 27 -> AB.
+
+    Raises:
+        ValueError: the index is negative.
+    """
     if index < 0:
         raise ValueError(f"line index {index} is negative")
     name = ""

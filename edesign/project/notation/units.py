@@ -143,6 +143,9 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
         high: upper bound.
         low_allowed: whether the lower bound itself is allowed.
         high_allowed: whether the upper bound itself is allowed.
+
+    Raises:
+        PydanticCustomError: the value is no ratio, or out of bounds.
     """
     match = None
     if isinstance(value, (str, int, float)) and not isinstance(value, bool):
@@ -169,7 +172,11 @@ def parse_ratio(value: Any, low: float, high: float, low_allowed: bool = True, h
 
 
 def parse_signed_ratio(value: Any) -> float:
-    """Read a ratio of either sign; zero is refused."""
+    """Read a ratio of either sign; zero is refused.
+
+    Raises:
+        PydanticCustomError: the value is no ratio, zero, or out of bounds.
+    """
     result = parse_ratio(value, -LARGEST_FACTOR, LARGEST_FACTOR)
     if result == 0.0:
         raise refuse(f"`{value}` is out of range: a ratio above or below 0 is allowed")

@@ -33,6 +33,9 @@ def changed_text(text: str, model: BaseModel, values: Mapping[KeyPath, Any], pro
         model: what the text says, for the names that are allowed.
         values: new values by their places; a key that is missing is written.
         problems: collects places that do not exist, and values that cannot stand in a file; its tree is the text's.
+
+    Raises:
+        InputError: a value cannot be changed where it is.
     """
     root = problems.root
     for path, value in values.items():

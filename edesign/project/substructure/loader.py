@@ -62,6 +62,12 @@ def parse_rts_file(text: str, path: Path | str = "rts.yaml", profiles: Catalogue
         text: the text of the file.
         path: path of the file, for messages and for the files that it names.
         profiles: names of the catalogue's sections, as for `load_project`.
+
+    Returns:
+        The file with its project and its rig file, all values in SI.
+
+    Raises:
+        RtsFileError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
     rts, problems = check_model(text, RtsFile, WHAT, _BEGINS)

@@ -76,14 +76,22 @@ def parse_rate(value: Any, sign: Sign = "positive") -> float:
 
 
 def parse_number(value: Any) -> float:
-    """Read a plain number."""
+    """Read a plain number.
+
+    Raises:
+        PydanticCustomError: the value is no number of the sign.
+    """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise refuse(f"`{value}` is no plain number")
     return float(value)
 
 
 def parse_steps(value: Any) -> int:
-    """Read a whole number of main steps: `1`, `1 step`, `2 steps`."""
+    """Read a whole number of main steps: `1`, `1 step`, `2 steps`.
+
+    Raises:
+        PydanticCustomError: the value is no whole number of steps.
+    """
     match = _STEPS.fullmatch(str(value)) if isinstance(value, (str, int)) and not isinstance(value, bool) else None
     if not match:
         raise refuse(f"`{value}` is no whole number of main steps, for example `1 step`")

@@ -34,7 +34,7 @@ def incremental_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
 
 
 def results_figures(results: IncrementalResults) -> Iterator[tuple[str, str, Figure]]:
-    """Return the figures of one incremental study; see `incremental_figures`."""
+    """Yield the figures of one incremental study; see `incremental_figures`."""
     name, scale = results.name, UNITS[results.unit][1]
     for measure in results.measures:
         stripes = results.stripes_of(measure)

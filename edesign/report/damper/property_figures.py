@@ -42,6 +42,9 @@ def property_figure(
         quantities: keys of QUANTITIES.
         by: "strain" (one row of axes a temperature) or "temperature_C" (one row a strain).
         title: of the figure.
+
+    Raises:
+        ValueError: neither measured nor predicted rows are given.
     """
     other = "temperature_C" if by == "strain" else "strain"
     some = measured if measured is not None else predicted

@@ -42,7 +42,7 @@ class VariantFrames:
 
         Args:
             variant: name of the variant.
-            temperature_C: degC; None: that of the dampers themselves.
+            temperature_C: degC; None: that of the variant.
         """
         if self._study is None:
             return self._project
@@ -53,7 +53,7 @@ class VariantFrames:
 
         Args:
             variant: name of the variant.
-            temperature_C: degC; None: that of the dampers themselves.
+            temperature_C: degC; None: that of the variant.
 
         Raises:
             InputError: it cannot be built, as a file that it needs is not at hand.

@@ -53,12 +53,15 @@ def map_figures(results: SubstructureResults) -> Iterator[tuple[str, str, Figure
 
 
 def draw_map(laboratory: VirtualLaboratory, best: str | None, path: Path) -> bool:
-    """Draw the map of tests that have not been run; return whether there is one.
+    """Draw the stability map of tests that have not been run.
 
     Args:
         laboratory: of the file.
         best: compensator that is recommended.
         path: the figure; its suffix says the format.
+
+    Returns:
+        Whether there is a map.
 
     Raises:
         InputError: a structure is undamped, or a record cannot be read.

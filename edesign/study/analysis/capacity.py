@@ -145,7 +145,7 @@ class Capacity:
 
         Args:
             method: n2, or another key of `METHODS`.
-            level: name of the hazard level; "" for the action itself.
+            level: name of the hazard level.
 
         Returns:
             The target displacement with the values that it follows from.
@@ -165,7 +165,7 @@ def level_spectrum(project: Project, spec: PushoverAnalysis | TargetAnalysis, le
     Args:
         project: the project with the hazard.
         spec: the pushover, which may give a damping ratio of its own.
-        level: name of the hazard level; "" for the action itself.
+        level: name of the hazard level.
     """
     spectrum = elastic_spectrum(checked_hazard(project), level)
     return spectrum if spec.damping is None else spectrum.with_damping(spec.damping)

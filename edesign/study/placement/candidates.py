@@ -83,7 +83,7 @@ class Candidates:
         return before.model_copy(update={"devices": tuple(devices)})
 
     def kind(self, option: int, place: Place) -> Kind:
-        """Return the kind in which an item stands at a place, a leaning diagonal in mirrored halves included.
+        """Return the kind in which an item stands at a place; diagonals lean the other way in the mirrored half.
 
         Args:
             option: number of the item, from 1.

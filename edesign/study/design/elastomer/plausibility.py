@@ -32,7 +32,7 @@ def elastomer_warnings(
     found: Estimate | None,
     in_histories: float,
 ) -> Iterator[str]:
-    """Return one sentence for each implausible property of a design of dampers with layers of elastomer.
+    """Yield one sentence for each implausible property of a design of dampers with layers of elastomer.
 
     Args:
         building: the frame with its places.

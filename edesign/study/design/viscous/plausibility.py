@@ -18,7 +18,7 @@ LARGEST_FORCE = 8e6
 
 
 def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousEstimate | None) -> Iterator[str]:
-    """Return one sentence for each implausible property of a design of viscous dampers.
+    """Yield one sentence for each implausible property of a design of viscous dampers.
 
     Args:
         frame: with its dampers' law.

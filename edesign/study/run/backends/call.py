@@ -57,7 +57,7 @@ Results = Generator[Result, None, None]
 
 
 class Control(Protocol):
-    """What the caller of a back end is told and may ask for while calls run, from any thread."""
+    """The progress and stop signals between a back end and its caller, from any thread."""
 
     def progress(self, key: str, done: int, total: int) -> None:
         """Report the progress of a call.
