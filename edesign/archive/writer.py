@@ -294,7 +294,7 @@ class ArchiveWriter:
 
     @contextmanager
     def _closed_on_failure(self) -> Iterator[None]:
-        """Whatever goes wrong, the file is closed; what the disk says becomes an ArchiveError."""
+        """Close the file if anything fails, and turn an error of the disk into an ArchiveError."""
         try:
             yield
         except OSError as error:

@@ -114,7 +114,7 @@ class _Search:
     overwrite: bool
 
     def within(self, usual: float = math.inf) -> tuple[int, Callable[[str], None], float]:
-        """As `calibrate` takes it."""
+        """Return workers, listener and limit of time in the order in which `calibrate` takes them."""
         return self.workers, self.tell, usual if self.seconds is None else self.seconds
 
     def check(self, campaign: Path, title: str) -> None:

@@ -86,7 +86,7 @@ def _keys(file: Path, key: str) -> list[object]:
 
 
 def _analyses(file: Path) -> Iterable[str]:
-    """Of a project; those of a study have names that its plan makes."""
+    """Return the names of the analyses of a project; those of a study are made by its plan."""
     return (item["name"] for item in _keys(file, "analyses") if isinstance(item, dict))
 
 

@@ -117,7 +117,7 @@ def _without(node: Node, left_out: set[Keys], keys: Keys = ()) -> Any:
 
 
 def _tell_other_kind(problems: Problems, what: str, begins: str) -> None:
-    """Of a whole file of another kind only that is worth telling."""
+    """Keep only the problem that a file is of another kind, if the whole file is."""
     entries = problems.root.entries or {}
     kind = kind_of_keys(entries)
     if kind is None or kind.name == what or what in kind.name.split(" or "):

@@ -79,7 +79,7 @@ def parse_number(value: Any) -> float:
     """Read a plain number.
 
     Raises:
-        PydanticCustomError: the value is no number of the sign.
+        PydanticCustomError: the value is no number.
     """
     if isinstance(value, bool) or not isinstance(value, (int, float)):
         raise refuse(f"`{value}` is no plain number")

@@ -144,7 +144,7 @@ def _belongs(group: Group, name: str, variant: str) -> bool:
 def _fragilities(
     stripes: Mapping[str, Mapping[str, Stripes]], limits: Mapping[str, tuple[str, float]], about: Group
 ) -> list[LimitFragility]:
-    """Of every limit; each record is scaled to all intensities, so records are what is independent."""
+    """Return the fragility of every limit; observations are independent by record, as each has all intensities."""
     variants = [str(variant) for variant in about.coords["variant"].values]
     levels = about.variables["level_intensity"].values
     found = []

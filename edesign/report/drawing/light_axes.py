@@ -118,7 +118,7 @@ class _LightAxis(Axis):
 
     @property
     def _name(self) -> str:
-        """Of the axis in settings."""
+        """The name of the axis in settings."""
         return "xtick" if self._along == 0 else "ytick"
 
     def _span(self) -> tuple[float, float]:
@@ -175,7 +175,7 @@ class _LightAxis(Axis):
         return self._texts[kind]
 
     def _length(self, renderer: Any, kind: Kind) -> float:
-        """Of marks, pixels."""
+        """Return the length of marks, pixels."""
         shown = self.get_tick_params(kind).get(self._side)
         return float(renderer.points_to_pixels(_SETTINGS[f"{self._name}.{kind}.size"])) if shown else 0.0
 

@@ -139,7 +139,7 @@ def text_width(text: str, bold: bool = False) -> float:
 
 @lru_cache(maxsize=2)
 def _widths(file: str) -> dict[int, float]:
-    """Of each character of a font, em."""
+    """Return the width of each character of a font, em."""
     from fontTools.ttLib import TTFont  # comes with matplotlib, and with WeasyPrint
 
     with TTFont(fonts_folder() / file) as font:

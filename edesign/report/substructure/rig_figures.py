@@ -142,6 +142,6 @@ def _behind(
 
 
 def _frequencies(results: SubstructureResults) -> list[float]:
-    """Of the structure with the specimen, Hz, those that the figure shows."""
+    """Return the frequencies of the structure with the specimen that the figure shows, Hz."""
     found = results.linearised.frequencies if results.linearised is not None else ()
     return [float(one) for one in found if FROM < one < TO][:10]

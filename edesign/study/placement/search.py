@@ -139,7 +139,10 @@ class _Search:
         return [one for one in self.space.neighbours(centre) if bound is None or self.space.cost(one) <= bound]
 
     def _hopeful(self, bound: int | None) -> list[Layout]:
-        """Of a space too large to be listed: what is predicted to meet all criteria near the cheaper near misses."""
+        """Return the layouts near the cheaper near misses that are predicted to meet all criteria.
+
+        It is for spaces that are too large to be listed.
+        """
         missed = [one for one in self.knowledge.analysed if bound is None or one.cost <= bound]
         missed.sort(key=lambda one: (one.outcome.demand, one.layout))
         around = {near: None for one in missed[:BATCH] for near in self._near(one.layout, bound)}

@@ -32,7 +32,7 @@ def response(source: Source) -> Section:
 
 
 def _profiles(source: Source) -> list[Part]:
-    """Of each level the means of all variants in one axis, and every record on demand; of one variant its records."""
+    """Return the mean profiles of all variants at each level, with every record folded; of one variant its records."""
     over = by_level(source.pictures(mean_profile_figures), source.levels)
     single = by_level(source.pictures(profile_figures), source.levels)
     parts: list[Part] = []

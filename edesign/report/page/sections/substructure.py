@@ -69,7 +69,7 @@ def substructure_sections(source: Source) -> list[Section]:
 
 
 def _tables(results: SubstructureResults) -> list[Table]:
-    """Of tracking, response, coefficients and other methods; none without indicators."""
+    """Return the tables of tracking, response, coefficients and other methods; none without indicators."""
     if not results.archive.has(INDICATORS):
         return []
     try:
@@ -164,7 +164,7 @@ def _sentences(results: SubstructureResults) -> Iterator[str]:
 
 
 def _judgement(good: list[Run], judged: list[Run]) -> str:
-    """Who keeps the response right, and how wrong the others are."""
+    """Return the compensators that keep the response right, and the others, each with its error, in words."""
     wrong = [run for run in judged if run not in good]
     words = []
     if good:
