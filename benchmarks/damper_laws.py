@@ -36,7 +36,7 @@ from edesign.study.analysis.history import input_motion
 from edesign.study.analysis.structure import make_frame, make_structure
 
 # not as tests.*: another package may be installed by that name
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from damper_examples import EXAMPLES  # noqa: E402
 from damper_motions import Motion  # noqa: E402
 from fit_campaign import measured  # noqa: E402

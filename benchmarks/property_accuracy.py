@@ -28,7 +28,7 @@ from edesign.damper.measured_histories import DamperTest
 from edesign.damper.properties import properties
 
 # not as tests.*: another package may be installed by that name
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from verification.test_verify_properties import AMPLITUDE, CYCLES, MODULUS, RAMP, SPECIMEN, K, motion  # noqa: E402
 
 FIRST_SEED = 1000

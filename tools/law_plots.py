@@ -2,7 +2,7 @@
 
     python tools/law_plots.py [FOLDER]
 
-Parameters: tests/damper_examples.py. The same files whenever it runs.
+Parameters: tests/support/damper_examples.py. The same files whenever it runs.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ def loops(name: str, parameters: Mapping[str, float]) -> Figure:
 
 def main(folder: Path) -> None:
     """Draw all laws and print the parameters behind each figure."""
-    sys.path.append(str(Path(__file__).parents[1] / "tests"))
+    sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
     from damper_examples import EXAMPLES
 
     folder.mkdir(parents=True, exist_ok=True)

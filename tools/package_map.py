@@ -40,12 +40,13 @@ FOLDERS = {
     "docs/develop": "For those who change the program.",
     "licences": "Licences of the libraries that wheels carry.",
     "projects": "Projects that run as they are, most of them of the reference work.",
-    "tests": "Tests in Python; what several of them share stands in this folder itself.",
+    "tests": "Tests in Python.",
     "tests/unit": "Tests of single packages, in folders named as those of `edesign`.",
     "tests/cases": "Whole projects with the results expected of them.",
     "tests/verification": "Results against closed forms and independent computations.",
     "tests/published": "Results against printed tables.",
     "tests/peers": "Results against other programs, where these are installed.",
+    "tests/support": "What several tests share: frames, campaigns, damaged files.",
     "tools": "Scripts that set the system up, and that write pages, figures and data of the repository.",
 }
 """Folders that are no packages of Python."""

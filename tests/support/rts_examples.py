@@ -6,7 +6,7 @@ from pathlib import Path
 
 from edesign.project.substructure import RtsFile, parse_rts_file
 
-PROJECTS = Path(__file__).parents[1] / "projects"
+PROJECTS = Path(__file__).parents[2] / "projects"
 ONE_STOREY = PROJECTS / "thesis_one_storey" / "project.yaml"
 
 MINIMAL = """\

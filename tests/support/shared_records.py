@@ -10,7 +10,7 @@ import pytest
 from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.record import Record
 
-SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[2] / "shared") / "records"
+SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"
 
 needs_recordings = pytest.mark.skipif(not SHARED.is_dir(), reason="no folder of real recordings beside the repository")
 

@@ -18,7 +18,7 @@ from edesign.project.reading.base import Model
 from edesign.project.reading.problems import FileProblems
 from edesign.project.reading.yaml_file import check_model
 
-THESIS = Path(__file__).resolve().parents[1] / "projects" / "thesis_10_storey" / "project.yaml"
+THESIS = Path(__file__).resolve().parents[2] / "projects" / "thesis_10_storey" / "project.yaml"
 TABLE_5_7_STIFFNESS = (51776, 26820, 22744, 20863, 16934, 15144, 14515, 12776, 11591, 9592)  # kN/m
 GIVEN_STIFFNESS = "[" + ", ".join(f"{k} kN/m" for k in TABLE_5_7_STIFFNESS) + "]"
 
