@@ -5,8 +5,9 @@ Usage: python tools/prose.py [PAGE...]               what stands where
        python tools/prose.py --wrap PAGE...         break the lines of paragraphs that have too long ones
        python tools/prose.py --renew                write tests/unit/docs/prose.yaml after a page became better
 
-A table cell counts as sentences of its own. Code, tables' rulers, links' addresses and generated pages do not count;
-rows of tables, which cannot be broken, may be longer than a line. A line may be long by the address of a link.
+A table cell counts as sentences of its own. Code, tables' rulers, links' addresses, generated pages, and what a tool
+writes between `<!-- begin` and `<!-- end` do not count. Rows of tables, which cannot be broken, may be longer than a
+line, and a line may be long by the address of a link.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ WRAPPED = 96
 GENERATED = re.compile(r"^<!-- (?:written by|Made from) ", re.MULTILINE)
 _FENCE = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 _BLOCK = re.compile(r"(?:^|(?<=\n\n))(?:(?: {4}|\t).*\n|\n(?= {4}))+", re.MULTILINE)
+_WRITTEN = re.compile(r"^<!-- begin .*?^<!-- end", re.DOTALL | re.MULTILINE)
 _LINK = re.compile(r"!?\[([^\]]*)\]\([^)]*\)")
 _END = re.compile(r"(?<=[.!?:;])\s+(?=[\"`(\[*]*[A-Z0-9`])")
 _STARTS = re.compile(r"(?:[-*] |\d+\. |#|\||<!--|!\[|:::)")
@@ -88,8 +90,8 @@ def _long(text: str, number: int) -> Iterator[tuple[int, str]]:
 
 
 def _blank_code(text: str) -> str:
-    """The page with its code blocks empty, so that numbers of lines stay."""
-    for pattern in (_FENCE, _BLOCK):
+    """The page with code and what tools write empty, so that numbers of lines stay."""
+    for pattern in (_WRITTEN, _FENCE, _BLOCK):
         text = pattern.sub(lambda found: "\n" * found[0].count("\n"), text)
     return text
 

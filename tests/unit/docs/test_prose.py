@@ -22,6 +22,7 @@ def test_what_counts() -> None:
     long = "word " * 26
     assert [number for number, _ in prose.long_sentences(f"# Title\n\nShort. {long}end.\n")] == [3]
     assert not [*prose.long_sentences(f"    {long}\n\n```\n{long}\n```\n")]
+    assert not [*prose.long_sentences(f"<!-- begin table -->\n{long}\n<!-- end -->\n")]
     assert [number for number, _ in prose.long_lines("x\n" + "y" * 101 + "\n| " + "z" * 200 + " |\n")] == [2]
 
 
