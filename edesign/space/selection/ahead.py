@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import os
 import signal
+import sys
 import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
-from multiprocessing import get_all_start_methods, get_context
+from multiprocessing import get_context
 from multiprocessing.connection import Connection
 from multiprocessing.process import BaseProcess
 from typing import Generic, TypeVar
@@ -30,7 +31,8 @@ class Ahead(Generic[T, S]):
         self._function = function
         self._next: Iterator[T] = iter(())
         self._found: dict[T, S] = {}
-        others = workers - 1 if "fork" in get_all_start_methods() else 0
+        # elsewhere there is no fork, or, on macOS, system libraries may crash in a forked process
+        others = workers - 1 if sys.platform == "linux" else 0
         self._others = [_Other(function) for _ in range(others)]
 
     def expect(self, arguments: Iterable[T]) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import errno
-import select
+import selectors
 import socket
 import struct
 import time
@@ -115,10 +115,10 @@ def wait_for_client(listener: socket.socket) -> None:
     Raises:
         KeyboardInterrupt: Ctrl-C; Stopped: a wish of `edesign.stopping.stoppable`.
     """
-    poll = select.poll()
-    poll.register(listener, select.POLLIN)
-    while not poll.poll(WISHES_MS):
-        _go_on_waiting(None)
+    with selectors.DefaultSelector() as waiting:  # not every system has poll
+        waiting.register(listener, selectors.EVENT_READ)
+        while not waiting.select(1e-3 * WISHES_MS):
+            _go_on_waiting(None)
 
 
 def listen(host: str, port: int) -> socket.socket:
