@@ -24,11 +24,13 @@ def inspect(
     from edesign.report.inspection.record import record_account
     from edesign.report.tables.text import print_tables
     from edesign.report.tables.visible import visible
+    from edesign.tables.matlab import is_matlab_file
 
     kind = kind_of(file)
     if kind is not None and kind != TABLE:
         raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")
-    found = format_by_marks(file) if file.is_file() and file.stat().st_size else None
+    marked = file.is_file() and file.stat().st_size and not is_matlab_file(file)
+    found = format_by_marks(file) if marked else None
     account = damper_test_account(file) if found is None else None
     if account is None:
         found = found or detect(file)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.unknown_format import describe_binary
 from edesign.project.reading.file_bytes import read_file
+from edesign.tables.binary import describe_binary
 from edesign.tables.text import decoded
 
 

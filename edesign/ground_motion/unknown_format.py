@@ -5,25 +5,11 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 
+from edesign.tables.labview import is_labview
+
 _NUMBER = re.compile(r"\s*[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[EeDd][-+]?[0-9]{1,3})?(?:\s*[,;]\s*|\s+|$|(?=[-+]))")
 _FIRST_LINES = 400  # of a file, within which its numbers begin
 _RUN = 3  # lines of nothing but numbers that are data
-
-
-def describe_binary(data: bytes) -> str:
-    """Return what a file that is not text looks like, and how to read it; "" if it looks like nothing known.
-
-    Args:
-        data: first bytes of the file.
-    """
-    convert = "convert it to text, for instance with ObsPy, and declare that as a table"
-    if data[:2] == b"PK" or data[:2] == b"\x1f\x8b" or data[:4] == b"Rar!":
-        return "it is compressed; unpack it"
-    if re.match(rb"[0-9 ]{6}[DRQM][ \0][A-Z0-9 ]{5}", data) or data[:3] == b"MS\x03":
-        return f"it looks like miniSEED: {convert}"
-    if data[:4] == b"%PDF" or data[:4] == b"\xd0\xcf\x11\xe0":
-        return "it is a document; save its numbers as text"
-    return ""
 
 
 def describe_text(lines: Sequence[str]) -> str:
@@ -32,6 +18,8 @@ def describe_text(lines: Sequence[str]) -> str:
     Args:
         lines: of the file.
     """
+    if is_labview(lines):
+        return "it is a LabVIEW measurement, as tests of dampers are; write the columns of a record as CSV"
     counts = [_numbers(line) for line in lines[:_FIRST_LINES]]
     for i in range(len(counts) - _RUN + 1):
         run = counts[i : i + _RUN]

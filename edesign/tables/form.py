@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 import re
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 from edesign.errors import InputError
@@ -17,11 +19,13 @@ _HEADER_WORD = re.compile(r"\S+(?: [(\[][^)\]]*[)\]])?")  # between blanks; `Tim
 _WIDE_GAP = re.compile(r"\s{2,}|\t")
 _THOUSANDS = re.compile(r"[-+]?[1-9]\d{0,2}(?:,\d{3})+")
 _MARKS = {
-    "MTS": re.compile(r"MTS\d*\||\bMTS\b|TestSuite|MultiPurpose"),
+    "MTS": re.compile(r"MTS[\d*]*\||\bMTS\b|TestSuite|MultiPurpose"),
     "Instron": re.compile(r"\bInstron\b|Bluehill|WaveMatrix|\bTestAnlage\b", re.IGNORECASE),
     "dSPACE": re.compile(r"dSPACE|ControlDesk|trace_values|Platform\(\)://|Model Root/", re.IGNORECASE),
 }
 """What machines leave in the lines above the numbers."""
+_MTS_SIGNS = re.compile(r"\W*MTS[^|]*(?:\|[^|]*){4}\|(?P<decimal>[.,])\|")
+"""Such as `MTS793|MPT|DEU|1|2|,|.|:|1|0|0|A`: after language and versions the signs of decimals, dates and times."""
 
 
 @dataclass(frozen=True)
@@ -38,6 +42,8 @@ class Form:
         skipped: lines above the headers that were not read.
         repeated: lines below the first numbers that repeat headers or units, and were not read.
         mark: maker of the test machine or controller whose marks the file has; empty: none is known.
+        says_itself: the file says how it stands, as its maker has it, and nothing need be said of it.
+        file: kind of a file that is no text; then only its columns and rows count.
     """
 
     encoding: Encoding
@@ -49,6 +55,8 @@ class Form:
     skipped: int = 0
     repeated: int = 0
     mark: str = ""
+    says_itself: bool = False
+    file: str = ""
 
     @property
     def words(self) -> str:
@@ -72,6 +80,16 @@ class Form:
         return ", ".join(parts)
 
 
+def decimal_said(lines: Sequence[str]) -> Decimal | None:
+    """Return the sign before decimals that the first line of MTS's files says; None: they are of others.
+
+    Args:
+        lines: of the file.
+    """
+    match = _MTS_SIGNS.match(lines[0]) if lines else None
+    return None if match is None else "comma" if match["decimal"] == "," else "point"
+
+
 def mark_of(lines: Sequence[str]) -> str:
     """Return the maker whose marks are in lines; empty: no known maker."""
     text = "\n".join(lines)
@@ -86,7 +104,13 @@ def cells(line: str, delimiter: Delimiter) -> list[str]:
         delimiter: the sign between cells, or blanks.
     """
     sign = SIGNS[delimiter]
-    return line.split() if sign is None else [cell.strip().strip('"').strip() for cell in line.split(sign)]
+    if sign is None:
+        return line.split()
+    parts = line.split(sign)
+    if '"' in line:  # a sign between quotes parts no columns
+        with suppress(csv.Error):
+            parts = next(csv.reader([line], delimiter=sign, skipinitialspace=True))
+    return [cell.strip().strip('"').strip() for cell in parts]
 
 
 def header_cells(line: str, delimiter: Delimiter, width: int | None = None) -> list[str]:
@@ -187,7 +211,12 @@ def are_units(row: Sequence[str], width: int) -> bool:
 
 
 def decimal_of(
-    text: TableText, lines: Sequence[str], first: int, delimiter: Delimiter, given: Decimal | None
+    text: TableText,
+    lines: Sequence[str],
+    first: int,
+    delimiter: Delimiter,
+    given: Decimal | None,
+    in_file: Decimal | None = None,
 ) -> Decimal:
     """Return the decimal sign: a comma if numbers have at most one comma each, and no point anywhere.
 
@@ -197,6 +226,7 @@ def decimal_of(
         first: number of the line of the first of them.
         delimiter: between the columns, no comma.
         given: what is said.
+        in_file: what the file says, which counts where its numbers may be read in two ways.
 
     Raises:
         InputError: every comma may as well part thousands, or a decimal comma is said and points stand there.
@@ -218,6 +248,8 @@ def decimal_of(
     if any(cell.count(",") > 1 for cell in commas):
         return "point"
     if all(map(_THOUSANDS.fullmatch, commas)):
+        if in_file is not None:
+            return in_file
         raise InputError(
             f"{text.path}:{first}: is `{commas[0]}` {commas[0].replace(',', '.')} or {commas[0].replace(',', '')}? "
             "every comma of the table has three digits behind it; write `table: {decimal: comma}` if commas stand "

@@ -15,6 +15,7 @@ FORCE: Units = {
     "MN": (1e6, 0.0),
     "lbf": (4.4482216152605, 0.0),
     "kip": (4448.2216152605, 0.0),
+    "kgf": (9.80665, 0.0),
 }
 TEMPERATURE: Units = {"C": (1.0, 0.0), "degC": (1.0, 0.0), "K": (1.0, -273.15), "F": (5.0 / 9.0, -160.0 / 9.0)}
 
@@ -34,22 +35,25 @@ _NAMES = {
 }
 # names that are taken where no column has one of those: in other languages, and of other channels
 _OTHER_NAMES = {
-    "time": ("timestamp", "zeit", "prüfzeit", "tempo", "temps", "tiempo", "时间", "時間", "t"),
+    "time": ("timestamp", "zeit", "prüfzeit", "laufzeit", "tempo", "temps", "tiempo", "时间", "時間", "t"),
     "displacement": (
         *("position", "extension", "crosshead", "weg", "verschiebung", "verformung", "standardweg", "kolbenweg"),
         *("spostamento", "corsa", "déplacement", "deplacement", "desplazamiento", "位移", "変位"),
+        *("standard travel", "course standard"),
     ),
     "force": (
         *("kraft", "last", "standardkraft", "prüfkraft", "forza", "carico", "effort", "charge", "fuerza", "carga"),
+        *("standard force", "force standard"),
         *("力", "荷载", "载荷", "负荷", "荷重", "load cell"),
     ),
     "temperature": ("temperatur", "temperatura", "température", "温度"),
 }
-_BEFORE = re.compile(r"(?:axial|actuator|elapsed|running|total)[ _]")
+_BEFORE = re.compile(r"(?:axial|actuator|elapsed|running|total|(?:ch|channel|kanal|canal) ?\d+)[ _]")
 _BRACKETED = re.compile(r"(?P<name>[^\[(]*)[\[(](?P<unit>[^\])]*)[\])]")
 _SPELLED = {
     **{"°C": "C", "°F": "F", "µm": "um", "μm": "um", "sec": "s", "Sec": "s", "seconds": "s", "kips": "kip"},
     **{"inch": "in", "inches": "in", "Inch": "in", "lb": "lbf", "lbs": "lbf", "pounds": "lbf"},  # of force in a test
+    **{"Newtons": "N", "Meters": "m", "Seconds": "s"},
     **{"秒": "s", "毫秒": "ms", "毫米": "mm", "千牛": "kN", "牛": "N", "℃": "C", "Sek": "s", "Sek.": "s"},
 }
 _SCALED = re.compile(

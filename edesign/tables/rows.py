@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -11,6 +12,9 @@ from edesign.errors import InputError
 from edesign.project.notation.table_format import Delimiter
 from edesign.tables.form import SIGNS, cells
 from edesign.tables.text import clock_seconds, is_clock, is_number
+
+_GROUPED = re.compile(r"[-+]?\d{1,3}(?:,\d{3})+\.\d*")
+"""A number between quotes whose commas cannot be decimal ones, as a point stands behind them: `"1,000.25"`."""
 
 
 def clocks_in_seconds(
@@ -75,6 +79,8 @@ def _row(path: Path, headers: Sequence[str], line: int, row: str, delimiter: Del
         raise InputError(f"{path}:{line}: {len(found)} cells; the headers name {len(headers)} columns{hint}")
     values = []
     for i, (header, cell) in enumerate(zip(headers, found, strict=True), 1):
+        if delimiter == "comma" and _GROUPED.fullmatch(cell):
+            cell = cell.replace(",", "")
         place = f"{path}:{line}, column {i} (`{header}`)"
         if not cell:
             raise InputError(f"{place}: the cell is empty")

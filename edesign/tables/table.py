@@ -10,12 +10,16 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.project.notation.table_format import Delimiter, TableFormat
+from edesign.project.reading.file_bytes import read_file
+from edesign.tables import labview, matlab
+from edesign.tables.body import Body, without_empty_columns, without_repeats
 from edesign.tables.form import (
     SIGNS,
     Form,
     are_units,
     cells,
     decimal_of,
+    decimal_said,
     delimiter_of,
     find_blank_header,
     find_header,
@@ -25,8 +29,6 @@ from edesign.tables.form import (
 )
 from edesign.tables.rows import clocks_in_seconds, rows_of_numbers
 from edesign.tables.text import TableText, is_number, like_number, table_text
-
-_LABELS = ("trace_values", "values", "data")  # in the first cell of the first row, of exports with a column of labels
 
 
 @dataclass(frozen=True)
@@ -63,17 +65,6 @@ class Table:
         return place if column is None else f"{place}, column {column + 1} (`{self.headers[column]}`)"
 
 
-@dataclass(frozen=True)
-class _Body:
-    """The part of a table below its headers, while it is read."""
-
-    text: TableText
-    headers: list[str]
-    numbers: list[int]
-    lines: list[str]
-    form: Form
-
-
 def read_table(
     path: Path,
     what: str,
@@ -101,18 +92,23 @@ def read_table(
         InputError: the file cannot be read, has no headers or rows, or a cell that is empty or no finite number; or
             it may be read in two ways.
     """
-    text = table_text(path, what, given, content=content)
+    data = read_file(path, what) if content is None else content
+    if matlab.is_matlab(data):
+        return _of_signals(path, data, given)
+    text = table_text(path, what, given, content=data)
     if not text.lines:
         raise InputError(f"{path}: the {what} is empty; its first line is like `{example}`")
+    if labview.is_labview(text.lines):
+        text = labview.plain_table(text)
     body = (
         _without_headers(text, given)
         if given and given.headers is False
         else _below_headers(text, example, names, given)
     )
-    body = _without_repeats(body) if names is not None else body
+    body = without_repeats(body, names) if names is not None else body
     if not body.lines:
         raise InputError(f"{path}:{body.form.header_line}: there is no row below the headers")
-    body = _without_empty_columns(body)
+    body = without_empty_columns(body)
     headers, delimiter, first = body.headers, body.form.delimiter, body.numbers[0]
     if "" in headers:
         raise InputError(
@@ -121,7 +117,8 @@ def read_table(
         )
     lines = body.lines
     if delimiter != "comma":
-        decimal = decimal_of(text, lines, first, delimiter, given.decimal if given else None)
+        in_file = text.decimal or decimal_said(text.lines)
+        decimal = decimal_of(text, lines, first, delimiter, given.decimal if given else None, in_file)
         body = replace(body, form=replace(body.form, decimal=decimal))
         if decimal == "comma":
             lines = [line.replace(",", ".") for line in lines]
@@ -133,19 +130,28 @@ def read_table(
     return Table(path, place, tuple(headers), rows, np.array(body.numbers), body.form, clocks)
 
 
-def _without_headers(text: TableText, given: TableFormat) -> _Body:
+def _of_signals(path: Path, content: bytes, given: TableFormat | None) -> Table:
+    """The signals of a MATLAB file of dSPACE; its rows are numbered as its samples are."""
+    if given is not None and given.model_fields_set:
+        raise InputError(f"{path}: this is a MATLAB file, and `table` says how a text stands; leave the key out")
+    headers, rows = matlab.read_signals(path, content)
+    form = Form("utf-8", 1, None, 1, "comma", mark=matlab.MARK, says_itself=True, file="MATLAB 5")
+    return Table(path, 1, tuple(headers), rows, np.arange(1, len(rows) + 1), form)
+
+
+def _without_headers(text: TableText, given: TableFormat) -> Body:
     """A table of which it is said that it has no headers: its columns are called by their numbers."""
     delimiter = given.delimiter or delimiter_of(text.lines[0])
     if given.delimiter is None and delimiter == "comma" and "," not in text.lines[0]:
         delimiter = "blanks"
     width = len(cells(text.lines[0], delimiter))
     form = Form(text.encoding, None, None, text.numbers[0], delimiter, skipped=given.skip or 0)
-    return _Body(text, [str(i) for i in range(1, width + 1)], text.numbers, text.lines, form)
+    return Body(text, [str(i) for i in range(1, width + 1)], text.numbers, text.lines, form)
 
 
 def _below_headers(
     text: TableText, example: str, names: Callable[[str], bool] | None, given: TableFormat | None
-) -> _Body:
+) -> Body:
     path, numbers, lines = text.path, text.numbers, text.lines
     top, delimiter = _top(lines, names, given)
     if top and not _below_preamble(lines[:top], delimiter):
@@ -157,7 +163,8 @@ def _below_headers(
         raise InputError(
             f"{path}:{numbers[top]}: there is one column; commas, semicolons or tabs stand between columns"
         )
-    if any(map(is_number, headers)):
+    known = 0 if names is None else sum(map(names, headers))
+    if any(map(is_number, headers)) and known < 2:  # transducers may be called by their numbers, beside known names
         raise InputError(f"{path}:{numbers[top]}: headers are missing; the first line is like `{example}`")
     units_line = None
     below = header_cells(rest[0], delimiter, len(headers)) if rest else []
@@ -175,11 +182,14 @@ def _below_headers(
         ]
         rest = rest[1:]
     at = len(lines) - len(rest)
-    mark = mark_of(lines[: top + 1])
-    skipped = (given.skip or 0 if given else 0) + top
+    mark = text.mark or mark_of(lines[: top + 1])
+    skipped = (given.skip or 0 if given else 0) + top + text.above
     first = numbers[at] if rest else text.last
-    form = Form(text.encoding, numbers[top], units_line, first, delimiter, skipped=skipped, mark=mark)
-    return _Body(text, headers, numbers[at:], rest, form)
+    says_itself = bool(text.mark) or decimal_said(lines) is not None
+    form = Form(
+        text.encoding, numbers[top], units_line, first, delimiter, skipped=skipped, mark=mark, says_itself=says_itself
+    )
+    return Body(text, headers, numbers[at:], rest, form)
 
 
 def _top(lines: list[str], names: Callable[[str], bool] | None, given: TableFormat | None) -> tuple[int, Delimiter]:
@@ -207,30 +217,3 @@ def _top(lines: list[str], names: Callable[[str], bool] | None, given: TableForm
 def _below_preamble(lines: list[str], delimiter: Delimiter) -> bool:
     """Whether lines above the headers are no rows of numbers, which would be lost."""
     return not any(len(row) > 1 and all(map(like_number, row)) for row in (cells(line, delimiter) for line in lines))
-
-
-def _without_repeats(body: _Body) -> _Body:
-    """Leave out lines below the first numbers that are those of headers, units, or what stands above them."""
-    known = {
-        line.strip() for n, line in zip(body.text.numbers, body.text.lines, strict=True) if n < body.form.first_line
-    }
-    kept = [i for i, line in enumerate(body.lines) if line.strip() not in known]
-    count = len(body.lines) - len(kept)
-    if not count or body.form.header_line is None:
-        return body
-    numbers, lines = [body.numbers[i] for i in kept], [body.lines[i] for i in kept]
-    return replace(body, numbers=numbers, lines=lines, form=replace(body.form, repeated=count))
-
-
-def _without_empty_columns(body: _Body) -> _Body:
-    """Leave out a column at either end that has nothing in all rows, but for a label in the first one."""
-    sign, headers, lines = SIGNS[body.form.delimiter], body.headers, body.lines
-    if sign is None:
-        return body
-    last_is_free = headers[-1] == "" or body.form.header_line is None
-    if last_is_free and len(headers) > 1 and all(line.rstrip(" ").endswith(sign) for line in lines):
-        headers, lines = headers[:-1], [line.rstrip(" ")[:-1] for line in lines]
-    label, _, rest = lines[0].partition(sign)
-    if label.strip(' ":').lower() in ("", *_LABELS) and all(line.lstrip(" ").startswith(sign) for line in lines[1:]):
-        headers, lines = headers[1:], [rest, *(line.lstrip(" ")[1:] for line in lines[1:])]
-    return replace(body, headers=headers, lines=lines)

@@ -11,8 +11,9 @@ from datetime import date
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.project.notation.table_format import Encoding, TableFormat
+from edesign.project.notation.table_format import Decimal, Encoding, TableFormat
 from edesign.project.reading.file_bytes import read_file
+from edesign.tables.binary import describe_binary
 
 _CODECS: dict[Encoding, str] = {
     "utf-8": "utf-8-sig",
@@ -47,6 +48,9 @@ class TableText:
         numbers: of the lines, from 1.
         lines: those that are neither skipped, blank nor comments.
         last: number of the last line of the file.
+        mark: maker whose format the file has; empty: it is told by marks in the lines, if at all.
+        decimal: sign before the decimals as the file says it; None: it does not.
+        above: lines above the headers that were left out.
     """
 
     path: Path
@@ -54,6 +58,9 @@ class TableText:
     numbers: list[int]
     lines: list[str]
     last: int
+    mark: str = ""
+    decimal: Decimal | None = None
+    above: int = 0
 
 
 def table_text(
@@ -106,7 +113,8 @@ def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Enc
     """
     encoding = given or encoding_of(data)
     if encoding is None:
-        raise InputError(f"{path}: this is not a text file in UTF-8 or UTF-16")
+        seen = describe_binary(data) or "a text file in UTF-8 or UTF-16 is expected"
+        raise InputError(f"{path}: this is not a text file; {seen}")
     codec = _CODECS[encoding]
     if encoding == "utf-16" and not data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         codec = "utf-16-le" if data[1:2] == b"\0" else "utf-16-be"

@@ -127,7 +127,10 @@ class Account:
         facts += [["headers", f"line {form.header_line}" if form.header_line else "none"]]
         facts += [["units", f"line {form.units_line}"]] if form.units_line else []
         facts += [["between columns", between], ["before decimals", f"{form.decimal}s"]]
-        facts += [["rows", f"{self.rows}, lines {self.first[0][0]} to {self.last[-1][0]}"]]
+        if form.file:
+            facts = [["taken for", self.taken_for], ["file", f"{form.file}, of {form.mark}"]]
+        where = "samples" if form.file else "lines"
+        facts += [["rows", f"{self.rows}, {where} {self.first[0][0]} to {self.last[-1][0]}"]]
         facts += [["left out", f"{form.repeated} repeated lines of headers"]] if form.repeated else []
         facts += [["sampling", self.sampling.words]] if self.sampling else []
         facts += [["note", remark] for remark in self.remarks]
@@ -165,6 +168,8 @@ def table_keys(form: Form) -> str:
         "delimiter": form.delimiter if form.delimiter != "comma" else "",
         "decimal": "comma" if form.decimal == "comma" else "",
     }
+    if form.says_itself:
+        return ""
     given = [f"{key}: {value}" for key, value in said.items() if value]
     alone = len(given) == 1 and said["delimiter"]  # which is found as surely
     return f"{{{', '.join(given)}}}" if given and not alone else ""

@@ -27,7 +27,7 @@ def damper_test_account(path: Path) -> Account | None:
             raise
         return None
     places = places_of(table)
-    if not {"displacement", "force"} & set(places):
+    if not {"displacement", "force"} & set(places) and not table.form.says_itself:
         return None
     names = {at: quantity for quantity, at in places.items()}
     units = {quantity: unit_of(table, at, quantity) for quantity, at in places.items()}
