@@ -29,7 +29,7 @@ def has_header(lines: list[str]) -> bool:
         lines: of the file.
     """
     keys = {match[1] for line in lines if (match := _KEY.match(line))}
-    return {_STEP, _COUNT, "waveform code"} <= keys
+    return {_STEP, _COUNT, _UNITS} <= keys
 
 
 def read_isesd(path: Path | str, component: str | None = None, name: str = "") -> Record:

@@ -239,6 +239,16 @@ def test_other_contents_of_european_and_chinese_files_are_refused(tmp_path: Path
         read_record_file(write(tmp_path, "\n".join([*lines[:11], "1.0,2.0,,,", *lines[11:]])), component="NS")
 
 
+def test_european_files_are_known_by_their_sampling_alone(tmp_path: Path) -> None:
+    """As a public reader of these files has them: four lines above the block, and displacements among the units."""
+    text = isesd_file(0.01 * MOTION)
+    head = "sampling period:               0.010000s\nnumber of samples:             40\n"
+    head += "record length:                 0.390s\nunits:                        m/s*s, m/s, m & s\n"
+    path = write(tmp_path, head + text[text.index("-> corrected acc") :], "000042xa.cor")
+    record = read_record_file(path)
+    np.testing.assert_allclose(record.acceleration, 0.01 * MOTION, rtol=1e-5)  # digits of the file
+
+
 def test_an_unknown_text_is_described(tmp_path: Path) -> None:
     text = "A STATION\n090 DEGREES\n" + "   -1.95   -2.05   -2.09\n" * 5 + "   1.00\n"
     with pytest.raises(InputError, match=r"it has 2 lines of text, then lines of 3 numbers.*`table: \{skip: 2\}`"):
