@@ -126,6 +126,33 @@ def test_a_device_that_is_not_as_designed() -> None:
     assert met["largest force", "design"] is False and met["energy of a cycle W", "mean"] is True
 
 
+def test_viscous_devices_by_the_italian_code() -> None:
+    """NTC 2018, Eq. 11.9.7: W of each cycle from the second within 10 % of the third. By Tab. 11.9.III W may rise."""
+    asked = Acceptance(device="viscous", standards=("ntc_2018",))
+    work, share = "energy of a cycle W", [1.3, 1.09, 1.0, 0.95, 0.89, 1.0]
+    scale = np.repeat(share, 200)[: TIME.size]
+    assert verdicts(run(scale * C * V), asked, run(C * V))[work, "third"] is False  # the fifth, by 11 %
+    scale[800:] = 0.95
+    assert verdicts(run(scale * C * V), asked, run(C * V))[work, "third"] is True  # the first does not count
+    met = verdicts(run(1.4 * C * V), asked, run(C * V))
+    assert met[work, "design"] is True and met["largest force", "design"] is False
+    assert verdicts(run(0.84 * C * V), asked, run(C * V))[work, "design"] is False
+
+
+def test_limits_of_the_italian_code_by_device() -> None:
+    """NTC 2018, Tab. 11.9.I, II and IV, supply: damping is 12 % above the design, stiffness as designed."""
+    found = {}
+    devices: tuple[Device, ...] = ("viscoelastic", "hysteretic", "elastomeric_isolator")
+    for device in devices:
+        asked = Acceptance(device=device, standards=("ntc_2018",))
+        found[device] = verdicts(run(K * U + 1.12 * C * V), asked, run(K * U + C * V))
+    damping = ("effective damping xi", "design")
+    assert [found[device][damping] for device in devices] == [True, False, True]  # of 15, 10 and 20 %
+    assert {criterion.clause for criterion in Acceptance(device="hysteretic", standards=("ntc_2018",)).criteria} == {
+        "11.9.5"
+    }
+
+
 def test_motions_without_three_steady_cycles_are_refused() -> None:
     with pytest.raises(InputError, match="test t: there are no 3 successive cycles"):
         runs_of(DamperTest("t", TIME, TIME * np.sin(TIME**2), TIME))
