@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import ClassVar
 
@@ -39,20 +39,6 @@ class AmendmentKind(Law):
         """Name of the amendment in the core, beside the law or inside."""
         return self.name.removesuffix(_INSIDE) if self.inside else self.name
 
-    def complete(self, values: Mapping[str, float]) -> dict[str, float]:
-        """Return all parameters by name, as `Law.complete`; a side must be 1 or -1.
-
-        Args:
-            values: the parameters that are given, by name, SI.
-
-        Raises:
-            InputError: the side is another number, or as of `Law.complete`.
-        """
-        found = super().complete(values)
-        if found.get("side", 1.0) not in (1.0, -1.0):
-            raise InputError(f"effect {self.name}: side = {found['side']:g} is neither 1 nor -1")
-        return found
-
 
 def _positive(name: str, meaning: str, unit: str) -> Parameter:
     return Parameter(name, meaning, unit)
@@ -81,7 +67,14 @@ _RECOVERY = Parameter(
     fitted=False,
 )
 _SIDE = Parameter(
-    "side", "1: where the deformation is positive; -1: where it is negative", "", -1.0, 1.0, True, fitted=False
+    "side",
+    "1: where the deformation is positive; -1: where it is negative",
+    "",
+    -1.0,
+    1.0,
+    True,
+    fitted=False,
+    choices=(1.0, -1.0),
 )
 _T0 = Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False)
 

@@ -23,6 +23,7 @@ class Parameter:
         lower_allowed, upper_allowed: whether the bound itself is allowed.
         default: taken when the parameter is not given; None: it must be given.
         fitted: whether it is a number that data can tell, not a choice.
+        choices: of a switch, the values that it takes; (): all within the bounds.
     """
 
     name: str
@@ -34,20 +35,34 @@ class Parameter:
     upper_allowed: bool = True
     default: float | None = None
     fitted: bool = True
+    choices: tuple[float, ...] = ()
 
     def allows(self, value: float) -> bool:
-        """Say whether a value is finite and inside the bounds.
+        """Say whether a value is finite, inside the bounds and, of a switch, one of its values.
 
         Args:
             value: SI.
         """
+        if self.choices and value not in self.choices:
+            return False
         above = value >= self.lower if self.lower_allowed else value > self.lower
         below = value <= self.upper if self.upper_allowed else value < self.upper
         return math.isfinite(value) and above and below
 
+    def written(self, value: float) -> str:
+        """Return a value with its unit, for people.
+
+        Args:
+            value: SI.
+        """
+        return f"{value:g} {self.unit}" if self.unit else f"{value:g}"
+
     @property
     def allowed(self) -> str:
-        """The bounds for people."""
+        """The bounds, or the values of a switch, for people."""
+        if self.choices:
+            *others, last = (f"{value:g}" for value in self.choices)
+            return f"{', '.join(others)} or {last}"
         parts = []
         if self.lower > -math.inf:
             parts.append(f"{'at least' if self.lower_allowed else 'greater than'} {self.lower:g}")
@@ -144,8 +159,8 @@ class Law:
                 )
             if not parameter.allows(value):
                 raise InputError(
-                    f"{self.kind} {self.name}: {parameter.name} = {value:g} {parameter.unit} is out of range: "
-                    f"{parameter.allowed} is allowed"
+                    f"{self.kind} {self.name}: {parameter.name} = {parameter.written(value)} "
+                    f"is out of range: {parameter.allowed} is allowed"
                 )
             found[parameter.name] = float(value)
         return found

@@ -290,6 +290,7 @@ _ALL = (
                 lower_allowed=True,
                 default=0.0,
                 fitted=False,
+                choices=(-1.0, 0.0, 1.0),
             ),
         ),
         "F = k x (1 + d x') side, x = side u - gap, where both factors are above zero",
@@ -388,6 +389,7 @@ _ALL = (
                 lower_allowed=True,
                 default=0.0,
                 fitted=False,
+                choices=(0.0, 1.0),
             ),
         ),
         "F + c1/k1 F' = (k0 + k_mod) u + (c1/k1 k0 + c1 + c_mod) v + c_NL |v|^alpha sgn v, "

@@ -80,7 +80,7 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         missing = [p for p in known.values() if p.default is None and p.name not in values]
         problems += [(p.name, f"this parameter ({p.meaning}) is missing") for p in missing]
     problems += [
-        (p.name, f"{found[p.name]:g} {p.unit} is out of range: {p.allowed} is allowed")
+        (p.name, f"{p.written(found[p.name])} is out of range: {p.allowed} is allowed")
         for p in given
         if p.name in found and not p.allows(found[p.name])
     ]

@@ -176,12 +176,12 @@ def test_rebound_from_a_stop(speed: float) -> None:
 @pytest.mark.parametrize(
     ("law", "wrong", "message"),
     [
-        ("bilinear_oil", {"p": 1.5}, "p = 1.5  is out of range"),
+        ("bilinear_oil", {"p": 1.5}, "p = 1.5 is out of range"),
         ("asymmetric_viscous", {"c_minus": 0.0}, "c_minus = 0"),
         ("lead_rubber", {"Q": -1.0}, "Q = -1"),
         ("friction_pendulum", {"f_fast": 0.01}, "f_fast = 0.01 is not allowed: at least f_slow"),
         ("self_centring", {"beta": 1.2}, "beta = 1.2"),
-        ("gap", {"side": 0.5}, "side = 0.5 is not allowed: 1, -1, or 0 for both sides"),
+        ("gap", {"side": 0.5}, "side = 0.5 is out of range: -1, 0 or 1 is allowed"),
     ],
 )
 def test_wrong_parameters_are_refused(law: str, wrong: dict[str, float], message: str) -> None:

@@ -113,7 +113,7 @@ def set_up(
     for name, value in begin.items():
         if not known[name].allows(value):
             raise InputError(
-                f"start of `{name}`: {value:g} {known[name].unit} is out of range: {known[name].allowed} is allowed"
+                f"start of `{name}`: {known[name].written(value)} is out of range: {known[name].allowed} is allowed"
             )
     holds = default_holds(law, begin, observed.scales, observed.largest_force)
     for name in fit_also:

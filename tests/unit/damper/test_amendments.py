@@ -126,7 +126,7 @@ WRONG = {
     ),
     "neither side": (
         (EFFECTS, "effects: [{name: one_sided, form: factor, parameters: {b: 0.1, side: 0.5}}]\n"),
-        r"law.yaml:3:\d+: effects\[0\].parameters: effect one_sided.factor: side = 0.5 is neither 1 nor -1",
+        r"law.yaml:3:70: effects\[0\].parameters.side: 0.5 is out of range: 1 or -1 is allowed",
     ),
     "no factor": (
         (EFFECTS, "effects: [{name: ageing, form: linear, parameters: {rate: -0.2, n: 6}}]\n"),
