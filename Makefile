@@ -59,7 +59,7 @@ help:
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
 	@echo "make docs-keys write the reference of all keys, docs/reference/keys, out of the models"
-	@echo "make law-parameters  write the parameters of damper laws for the core, out of edesign/damper/laws.py"
+	@echo "make law-parameters  write the parameters of damper laws and amendments for the core, out of edesign/damper"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
 

@@ -381,8 +381,8 @@ static void check_refusals(void)
   const double power[] = {1.0, 0.5, 100.0};
   rig plain = new_rig(ED_LAW_ZENER, 3, ZENER, 0.0), braced = new_rig(ED_LAW_MAXWELL_POWER, 3, power, 5.0);
   refused(&plain, &(amendment){99, 1, {1.0}}, 0, ED_E_ID, "there is no amendment 99");
-  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 2, {1.0, 1.0}}, 0, ED_E_ARGUMENT, "amendment constant: 2 parameters, but 1 are needed");
-  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 1, {NAN}}, 0, ED_E_ARGUMENT, "a finite number");
+  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 2, {1.0, 1.0}}, 0, ED_E_ARGUMENT, "amendment constant: number of parameters = 2 is not allowed: factor");
+  refused(&plain, &(amendment){ED_AMEND_CONSTANT, 1, {NAN}}, 0, ED_E_NOT_FINITE, "a finite number");
   refused(&plain, &(amendment){ED_AMEND_PAYNE_WHOLE, 4, {0.1, 0.0, 1.0, 1.0}}, 0, ED_E_ARGUMENT, "payne.whole: a0 = 0");
   refused(&plain, &(amendment){ED_AMEND_ONE_SIDED_FACTOR, 2, {0.1, 0.5}}, 0, ED_E_ARGUMENT, "1 or -1");
   refused(&plain, &(amendment){ED_AMEND_HARDENING_POWER, 3, {1.0, 0.5, 1.0}}, 0, ED_E_ARGUMENT, "at least 1");

@@ -377,6 +377,16 @@ AMENDMENTS: dict[tuple[str, str], AmendmentKind] = dict(_beside_and_inside(_kind
 """All amendments by name of the effect and form."""
 
 
+def parameters_in_core() -> dict[str, tuple[Parameter, ...]]:
+    """Parameters that the core takes of each amendment, in its order, by what it calls the amendment.
+
+    All that do not change in a run are one amendment there, `constant`, whose factor they make.
+    """
+    beside = [kind for kind in AMENDMENTS.values() if not kind.inside and not kind.constant]
+    constant = {"constant": (_positive("factor", "of the force of the law", ""),)}
+    return constant | {kind.core_name: kind.parameters[: kind.for_core] for kind in beside}
+
+
 def amendment_kind(name: str, form: str) -> AmendmentKind:
     """Return the kind of an amendment.
 

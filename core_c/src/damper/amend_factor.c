@@ -22,90 +22,88 @@ double ed_path_share(double s0, double before, const ed_ends *ends, double *afte
 
 static void constant(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
+  enum { ED_AMEND_CONSTANT_PARAMETERS };
   (void)before, (void)ends, (void)after;
-  out->value = p[0];
+  out->value = p[FACTOR];
 }
 
-const ed_amendment_kind ed_amend_constant = {
-    .name = "constant", .is_factor = 1, .n_parameters = 1, .parameter = {{"factor", ED_POSITIVE}}, .at_end = constant};
+const ed_amendment_kind ed_amend_constant = {.name = "constant", .is_factor = 1, .at_end = constant};
 
 static void payne_whole(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  out->value = 1.0 - p[0] * ed_payne_share(p[1], p[2], p[3], before, ends, after, &out->by_u1);
-  out->by_u1 *= -p[0];
+  enum { ED_AMEND_PAYNE_WHOLE_PARAMETERS };
+  out->value = 1.0 - p[D] * ed_payne_share(p[A0], p[M], p[TAU_A], before, ends, after, &out->by_u1);
+  out->by_u1 *= -p[D];
 }
 
 const ed_amendment_kind ed_amend_payne_whole = {
-    .name = "payne.whole", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 4,
-    .parameter = {{"d", ED_AT_MOST_ONE}, {"a0", ED_POSITIVE}, {"m", ED_POSITIVE}, {"tau_a", ED_POSITIVE}}, .at_end = payne_whole};
+    .name = "payne.whole", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_whole};
 
 /* The filler network breaks along the path and heals in time, the speed constant over the step: x' = (1 - x) |du|/(h s0) - x/tau. */
 static void payne_network(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  const double breaking = fabs(ends->du) / p[1], both = breaking + ends->h / p[2];
+  enum { ED_AMEND_PAYNE_NETWORK_PARAMETERS };
+  const double breaking = fabs(ends->du) / p[S0], both = breaking + ends->h / p[TAU];
   const double decay = exp(-both), gone = -expm1(-both), share = breaking / both;
   *after = decay * before + share * gone;
-  out->value = 1.0 - p[0] * *after;
-  out->by_u1 = -p[0] * ((share - before) * decay + (1.0 - share) * gone / both) * ed_sign(ends->du) / p[1];
+  out->value = 1.0 - p[D] * *after;
+  out->by_u1 = -p[D] * ((share - before) * decay + (1.0 - share) * gone / both) * ed_sign(ends->du) / p[S0];
 }
 
 const ed_amendment_kind ed_amend_payne_network = {
-    .name = "payne.network", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 3,
-    .parameter = {{"d", ED_AT_MOST_ONE}, {"s0", ED_POSITIVE}, {"tau", ED_POSITIVE}}, .at_end = payne_network};
+    .name = "payne.network", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_network};
 
 static void mullins_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  out->value = 1.0 + p[0] * ed_path_share(p[1], before, ends, after, &out->by_u1);
-  out->by_u1 *= p[0];
+  enum { ED_AMEND_MULLINS_PATH_PARAMETERS };
+  out->value = 1.0 + p[M] * ed_path_share(p[S0], before, ends, after, &out->by_u1);
+  out->by_u1 *= p[M];
 }
 
-const ed_amendment_kind ed_amend_mullins_path = {
-    .name = "mullins.path", .is_factor = 1, .has_state = 1, .n_parameters = 2,
-    .parameter = {{"m", ED_ABOVE_MINUS_ONE}, {"s0", ED_POSITIVE}}, .at_end = mullins_path};
+const ed_amendment_kind ed_amend_mullins_path = {.name = "mullins.path", .is_factor = 1, .has_state = 1, .at_end = mullins_path};
 
 /* Pseudo-elasticity [Ogden & Roxburgh 1999] with the deformation in place of the energy. */
 static void mullins_maximum(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  const double u = fabs(ends->u1), largest = fmax(before, u), below = (largest - u) / p[1];
+  enum { ED_AMEND_MULLINS_MAXIMUM_PARAMETERS };
+  const double u = fabs(ends->u1), largest = fmax(before, u), below = (largest - u) / p[R];
   *after = largest;
-  out->value = 1.0 - p[0] * erf(below);
-  out->by_u1 = u < before ? p[0] * M_2_SQRTPI * exp(-below * below) / p[1] * ed_sign(ends->u1) : 0.0;
+  out->value = 1.0 - p[M] * erf(below);
+  out->by_u1 = u < before ? p[M] * M_2_SQRTPI * exp(-below * below) / p[R] * ed_sign(ends->u1) : 0.0;
 }
 
-const ed_amendment_kind ed_amend_mullins_maximum = {
-    .name = "mullins.maximum", .is_factor = 1, .has_state = 1, .n_parameters = 2,
-    .parameter = {{"m", ED_AT_MOST_ONE}, {"r", ED_POSITIVE}}, .at_end = mullins_maximum};
+const ed_amendment_kind ed_amend_mullins_maximum = {.name = "mullins.maximum", .is_factor = 1, .has_state = 1, .at_end = mullins_maximum};
 
 /* Discontinuous damage [Simo 1987] with the deformation in place of the energy. */
 static void mullins_damage(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  const double u = fabs(ends->u1), largest = fmax(before, u), power = pow(largest / p[1], p[2]);
+  enum { ED_AMEND_MULLINS_DAMAGE_PARAMETERS };
+  const double u = fabs(ends->u1), largest = fmax(before, u), power = pow(largest / p[R], p[P]);
   *after = largest;
-  out->value = 1.0 + p[0] * expm1(-power);
-  out->by_u1 = u >= before && u > 0.0 ? -p[0] * exp(-power) * p[2] * power / u * ed_sign(ends->u1) : 0.0;
+  out->value = 1.0 + p[M] * expm1(-power);
+  out->by_u1 = u >= before && u > 0.0 ? -p[M] * exp(-power) * p[P] * power / u * ed_sign(ends->u1) : 0.0;
 }
 
-const ed_amendment_kind ed_amend_mullins_damage = {
-    .name = "mullins.damage", .is_factor = 1, .has_state = 1, .n_parameters = 3,
-    .parameter = {{"m", ED_AT_MOST_ONE}, {"r", ED_POSITIVE}, {"p", ED_POSITIVE}}, .at_end = mullins_damage};
+const ed_amendment_kind ed_amend_mullins_damage = {.name = "mullins.damage", .is_factor = 1, .has_state = 1, .at_end = mullins_damage};
 
 static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
-  const double path = before + fabs(ends->du), gone = p[0] * pow(path / p[2], p[1]);
+  enum { ED_AMEND_DEGRADATION_PATH_PARAMETERS };
+  const double path = before + fabs(ends->du), gone = p[D] * pow(path / p[S], p[P]);
   *after = path;
   out->value = 1.0 - gone;
-  out->by_u1 = path > 0.0 ? -gone * p[1] / path * ed_sign(ends->du) : 0.0;
+  out->by_u1 = path > 0.0 ? -gone * p[P] / path * ed_sign(ends->du) : 0.0;
 }
 
 const ed_amendment_kind ed_amend_degradation_path = {
-    .name = "degradation.path", .is_factor = 1, .has_state = 1, .n_parameters = 3,
-    .parameter = {{"d", ED_AT_MOST_ONE}, {"p", ED_POSITIVE}, {"S", ED_POSITIVE}}, .at_end = degradation_path};
+    .name = "degradation.path", .is_factor = 1, .has_state = 1, .at_end = degradation_path};
 
 /* Work and heat grow slowly: the factor takes those of the beginning of the step. */
 static void degradation_energy(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
+  enum { ED_AMEND_DEGRADATION_ENERGY_PARAMETERS };
   (void)ends, (void)after;
-  out->value = 1.0 - p[0] * (1.0 - exp(-fmax(before, 0.0) / p[1]));
+  out->value = 1.0 - p[D] * (1.0 - exp(-fmax(before, 0.0) / p[E0]));
 }
 
 static double add_work(const double *p, double before, double h, double work)
@@ -115,8 +113,7 @@ static double add_work(const double *p, double before, double h, double work)
 }
 
 const ed_amendment_kind ed_amend_degradation_energy = {
-    .name = "degradation.energy", .is_factor = 1, .has_state = 1, .n_parameters = 2,
-    .parameter = {{"d", ED_AT_MOST_ONE}, {"E0", ED_POSITIVE}}, .at_end = degradation_energy, .worked = add_work};
+    .name = "degradation.energy", .is_factor = 1, .has_state = 1, .at_end = degradation_energy, .worked = add_work};
 
 static void self_heating_rate(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
@@ -126,22 +123,21 @@ static void self_heating_rate(const double *p, double before, const ed_ends *end
 
 static double add_heat(const double *p, double before, double h, double work)
 {
-  return before * exp(-h / p[1]) + p[0] * work;
+  enum { ED_AMEND_SELF_HEATING_RATE_PARAMETERS };
+  return before * exp(-h / p[TAU_H]) + p[BETA] * work;
 }
 
 const ed_amendment_kind ed_amend_self_heating_rate = {
-    .name = "self_heating.rate", .is_factor = 1, .has_state = 1, .on_speed = 1, .n_parameters = 2,
-    .parameter = {{"beta", ED_ANY}, {"tau_h", ED_POSITIVE}}, .at_end = self_heating_rate, .worked = add_heat};
+    .name = "self_heating.rate", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = self_heating_rate, .worked = add_heat};
 
 static void one_sided_factor(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
+  enum { ED_AMEND_ONE_SIDED_FACTOR_PARAMETERS };
   (void)before, (void)after;
-  const double u = p[1] * ends->u1;
+  const double u = p[SIDE] * ends->u1;
   const int rises = u > 0.0 && u < ends->jump;
-  out->value = 1.0 + (rises ? p[0] * u / ends->jump : u > 0.0 ? p[0] : 0.0);
-  out->by_u1 = rises ? p[0] * p[1] / ends->jump : 0.0;
+  out->value = 1.0 + (rises ? p[B] * u / ends->jump : u > 0.0 ? p[B] : 0.0);
+  out->by_u1 = rises ? p[B] * p[SIDE] / ends->jump : 0.0;
 }
 
-const ed_amendment_kind ed_amend_one_sided_factor = {
-    .name = "one_sided.factor", .is_factor = 1, .n_parameters = 2,
-    .parameter = {{"b", ED_ABOVE_MINUS_ONE}, {"side", ED_SIDE}}, .at_end = one_sided_factor};
+const ed_amendment_kind ed_amend_one_sided_factor = {.name = "one_sided.factor", .is_factor = 1, .at_end = one_sided_factor};

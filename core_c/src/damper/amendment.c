@@ -39,29 +39,7 @@ static const ed_amendment_kind *kind_of(int id)
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
 }
 
-/* What is allowed, if the value is not; NULL: it is. */
-static const char *refusal(ed_allowed allowed, double value)
-{
-  switch (allowed) {
-  case ED_ANY:
-    return NULL;
-  case ED_POSITIVE:
-    return value > 0.0 ? NULL : "greater than 0";
-  case ED_NOT_NEGATIVE:
-    return value >= 0.0 ? NULL : "at least 0";
-  case ED_AT_LEAST_ONE:
-    return value >= 1.0 ? NULL : "at least 1";
-  case ED_AT_MOST_ONE:
-    return value <= 1.0 ? NULL : "at most 1";
-  case ED_ABOVE_MINUS_ONE:
-    return value > -1.0 ? NULL : "greater than -1";
-  case ED_SIDE:
-    return value == 1.0 || value == -1.0 ? NULL : "1 or -1";
-  }
-  return "nothing";
-}
-
-static int check(const ed_damper *damper, const ed_amendment_kind *kind, int inside, int n_parameters, const double *parameters,
+static int check(const ed_damper *damper, const ed_amendment_kind *kind, int id, int inside, int n_parameters, const double *parameters,
                  char message[ED_DAMPER_MESSAGE])
 {
   if (inside && !damper->law->relaxation_time) {
@@ -76,20 +54,11 @@ static int check(const ed_damper *damper, const ed_amendment_kind *kind, int ins
              "must be rigid", kind->name, damper->law->name);
     return ED_E_ARGUMENT;
   }
-  if (n_parameters != kind->n_parameters) {
-    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: %d parameters, but %d are needed", kind->name, n_parameters,
-             kind->n_parameters);
-    return ED_E_ARGUMENT;
-  }
-  for (int i = 0; i < n_parameters; i++) {
-    const char *allowed = isfinite(parameters[i]) ? refusal(kind->parameter[i].allowed, parameters[i]) : "a finite number";
-    if (allowed) {
-      snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: %s = %g is not allowed: %s", kind->name, kind->parameter[i].name,
-               parameters[i], allowed);
-      return ED_E_ARGUMENT;
-    }
-  }
-  return ED_OK;
+  char why[ED_DAMPER_MESSAGE];
+  const int status = ed_check_parameters(&ed_amendment_parameters[id], n_parameters, parameters, why);
+  if (status != ED_OK)
+    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: %.*s", kind->name, ED_DAMPER_MESSAGE / 2, why);
+  return status;
 }
 
 int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_parameters, const double *parameters,
@@ -100,7 +69,7 @@ int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_paramet
     snprintf(message, ED_DAMPER_MESSAGE, "there is no amendment %d", id);
     return ED_E_ID;
   }
-  const int status = check(damper, kind, inside, n_parameters, parameters, message);
+  const int status = check(damper, kind, id, inside, n_parameters, parameters, message);
   if (status != ED_OK)
     return status;
   ed_amendment *grown = realloc(damper->amendments, ((size_t)damper->n_amendments + 1) * sizeof *grown);

@@ -3,9 +3,8 @@
 #ifndef ED_AMENDMENT_H
 #define ED_AMENDMENT_H
 
+#include "damper/amendment_parameters.h"
 #include "damper/law.h"
-
-enum { ED_AMENDMENT_PARAMETERS = 5 };
 
 /* A step by its two ends; du: from the one to the other, as far as it counts. jump: deformation over which a force that jumps rises,
  * 0 unless a brace must find its balance inside the jump. */
@@ -18,18 +17,11 @@ typedef struct {
   double value, by_u1, by_v0, by_v1, chord;
 } ed_amended;
 
-typedef enum { ED_ANY, ED_POSITIVE, ED_NOT_NEGATIVE, ED_AT_LEAST_ONE, ED_AT_MOST_ONE, ED_ABOVE_MINUS_ONE, ED_SIDE } ed_allowed;
-
 typedef struct {
   const char *name;
   int is_factor;  /* of the law's force; else a force beside it */
   int has_state;  /* one double */
   int on_speed;   /* depends on time or velocity */
-  int n_parameters;
-  struct {
-    const char *name;
-    ed_allowed allowed;
-  } parameter[ED_AMENDMENT_PARAMETERS];
   /* The value at the end of a step from the state before it; writes the state after it. `out` holds zeros. */
   void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out);
   /* The state after a step in which the law, with all factors, has done this work. NULL: none is counted. */
@@ -41,7 +33,7 @@ struct ed_amendment {
   int state;   /* its place among the amendments' state */
   double tau;  /* of the law that it stands inside; 0: it stands beside the law */
   int relaxed; /* inside: the place of what relaxes, and behind it of the last force, or factor less 1 */
-  double parameter[ED_AMENDMENT_PARAMETERS];
+  double parameter[ED_MOST_AMENDMENT_PARAMETERS];
 };
 
 /* amend_factor.c */

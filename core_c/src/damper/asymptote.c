@@ -20,7 +20,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-enum { F0, K1, K2, K3, KAPPA, SHAPE, C, N_PARAMETERS };
+enum { ED_LAW_ASYMPTOTE_PARAMETERS };
 enum { SIGN, U_REVERSAL, W_REVERSAL, W, N_MEMORY };
 
 /* The way of P from 0 to x > 0 is offset + sign P(x) up to each end, the last one infinite. */
@@ -96,7 +96,7 @@ static double approach(const ed_damper *damper, const double *memory, const ed_m
                        const double w_moves[2], double slope[2])
 {
   const double *p = damper->parameter;
-  const double kappa = p[KAPPA], bend = p[SHAPE] - 1.0;
+  const double kappa = p[KAPPA], bend = p[N] - 1.0;
   const double s = memory[SIGN] != 0.0 ? memory[SIGN] : 1.0; /* at rest from the beginning either sign gives the same */
   const double distance = p[F0] - s * memory[W_REVERSAL];
   if (!(distance > 1e-15 * p[F0])) {

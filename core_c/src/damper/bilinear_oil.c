@@ -5,17 +5,17 @@
 
 #include <math.h>
 
-enum { C, RELIEF, RATIO };
+enum { ED_LAW_BILINEAR_OIL_PARAMETERS };
 
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
   (void)committed, (void)trial;
-  const double *p = damper->parameter, closed = p[C] * ed_path_v(path, path->h), over = fabs(closed) - p[RELIEF];
+  const double *p = damper->parameter, closed = p[C] * ed_path_v(path, path->h), over = fabs(closed) - p[F_R];
   const int opens = over > 0.0;
-  out->force = opens ? copysign(p[RELIEF] + p[RATIO] * over, closed) : closed;
+  out->force = opens ? copysign(p[F_R] + p[P] * over, closed) : closed;
   for (int j = 0; j < 2; j++)
-    out->slope[j] = (opens ? p[RATIO] : 1.0) * p[C] * ed_path_v(&direction[j], path->h);
+    out->slope[j] = (opens ? p[P] : 1.0) * p[C] * ed_path_v(&direction[j], path->h);
   return isfinite(out->force) ? ED_OK : ED_E_NOT_FINITE;
 }
 

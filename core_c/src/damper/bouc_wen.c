@@ -4,7 +4,7 @@
 #include "damper/laws.h"
 #include "edcore.h"
 
-enum { FY, Y, ALPHA, A, BETA, GAMMA, N };
+enum { ED_LAW_BOUC_WEN_PARAMETERS };
 
 int ed_bouc_wen_check(const ed_bouc_wen_shape *shape, char message[ED_DAMPER_MESSAGE])
 {

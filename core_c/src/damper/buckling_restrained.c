@@ -17,7 +17,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { A_SC, F_YSC, E_SC, L_WP, L_Y, KF, ALPHA, R_Y, ROWS, STRAIN = 0, OMEGA, BETA, ROW };
+enum { ED_LAW_BUCKLING_RESTRAINED_PARAMETERS, ROWS };
+enum { ED_LAW_BUCKLING_RESTRAINED_BRANCH, ROW };
 enum { TENSION, COMPRESSION, SIDES };
 enum { PLASTIC, PATH, N_MEMORY };
 enum { STEPS = 4, CYCLES = 2 }; /* of the protocol */
@@ -113,7 +114,7 @@ static double strain_of(const double *p, int rows, int step)
 /* What a side reaches at a strain beyond that of yielding, and the plastic deformation there. */
 static double reached(const double *p, int rows, int side, double strain, double *plastic)
 {
-  double from = p[F_YSC] / p[E_SC], before = 1.0, factor = 1.0;
+  double from = p[F_YSC] / p[E], before = 1.0, factor = 1.0;
   for (int i = 0; i < rows; i++) {
     const double *row = p + ROWS + ROW * i;
     const double there = row[OMEGA] * (side == COMPRESSION ? row[BETA] : 1.0);
@@ -124,7 +125,7 @@ static double reached(const double *p, int rows, int side, double strain, double
     from = row[STRAIN];
     before = there;
   }
-  *plastic = p[L_Y] * (strain - factor * p[F_YSC] / p[E_SC]);
+  *plastic = p[L_Y] * (strain - factor * p[F_YSC] / p[E]);
   return factor * p[F_YSC] * p[A_SC];
 }
 
@@ -139,7 +140,7 @@ static double protocol(brace *of, const double *p, int rows)
     for (int cycle = 0; cycle < CYCLES; cycle++)
       for (int side = 0; side < SIDES; side++) {
         const double u = (side == TENSION ? 1.0 : -1.0) * strain_of(p, rows, i) * p[L_Y];
-        (void)follow(of, p[E_SC] * p[A_SC] / p[L_Y], u, none, &now, ignored);
+        (void)follow(of, p[E] * p[A_SC] / p[L_Y], u, none, &now, ignored);
         path[side][i - (STEPS - of->points)] = now.path;
       }
   for (int side = 0; side < SIDES; side++)
@@ -175,12 +176,12 @@ static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
     snprintf(allowed, sizeof allowed, "1 (core all along) to L_wp / L_y = %g (rigid beside it)", p[L_WP] / p[L_Y]);
     return ed_refuse_parameter(message, "KF", p[KF], allowed);
   }
-  double before[SIDES] = {1.0, 1.0}, from = p[F_YSC] / p[E_SC];
+  double before[SIDES] = {1.0, 1.0}, from = p[F_YSC] / p[E];
   for (int i = 0; i < rows; i++) {
     const double *row = p + ROWS + ROW * i;
     char of[24];
     snprintf(of, sizeof of, "strain%d", i + 1);
-    const double elastic = row[OMEGA] * row[BETA] * p[F_YSC] / p[E_SC];
+    const double elastic = row[OMEGA] * row[BETA] * p[F_YSC] / p[E];
     if (i > 0 && !(row[STRAIN] > from))
       return ed_refuse_parameter(message, of, row[STRAIN], "greater than the one before: strains ascend");
     if (!(row[STRAIN] > elastic)) {
@@ -197,7 +198,7 @@ static int check(const double *p, int rows, char message[ED_DAMPER_MESSAGE])
           snprintf(allowed, sizeof allowed, "at least %g: beta omega does not fall with the strain", before[side] / row[OMEGA]);
         return ed_refuse_parameter(message, of, row[OMEGA + side], allowed);
       }
-      if (!((there - before[side]) * p[F_YSC] / p[E_SC] < row[STRAIN] - from))
+      if (!((there - before[side]) * p[F_YSC] / p[E] < row[STRAIN] - from))
         return ed_refuse_parameter(message, of, row[OMEGA + side],
                                    "from the point before, the force would rise faster with the strain than an elastic core");
       before[side] = there;
@@ -214,9 +215,9 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   const int status = check(p, rows, message);
   if (status != ED_OK)
     return status;
-  brace of = {.stiffness = p[KF] * p[E_SC] * p[A_SC] / p[L_WP], .yield = p[F_YSC] * p[A_SC]};
+  brace of = {.stiffness = p[KF] * p[E] * p[A_SC] / p[L_WP], .yield = p[F_YSC] * p[A_SC]};
   of.kinematic = p[ALPHA] * of.stiffness / (1.0 - p[ALPHA]);
-  while (of.points < STEPS && strain_of(p, rows, STEPS - 1 - of.points) > p[F_YSC] / p[E_SC])
+  while (of.points < STEPS && strain_of(p, rows, STEPS - 1 - of.points) > p[F_YSC] / p[E])
     of.points++;
   for (int side = 0; side < SIDES; side++) {
     double before = 0.0, plastic_before = 0.0, force_before = of.yield;

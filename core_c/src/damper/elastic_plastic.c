@@ -25,25 +25,28 @@ static int derive(ed_damper *damper, double k, double yield, double ratio)
 
 static int prepare_friction(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
+  enum { ED_LAW_FRICTION_PARAMETERS };
   const double *p = damper->parameter;
   (void)message;
-  return derive(damper, p[2], p[0] * p[1], 0.0);
+  return derive(damper, p[K], p[MU] * p[N], 0.0);
 }
 
 static int prepare_elastic_plastic(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
+  enum { ED_LAW_ELASTIC_PLASTIC_PARAMETERS };
   const double *p = damper->parameter;
   (void)message;
-  return derive(damper, p[0], p[1], p[2]);
+  return derive(damper, p[K], p[FY], p[B]);
 }
 
 /* Characteristic strength Q, stiffness K_d after yielding, yield deformation Y. */
 static int prepare_lead_rubber(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
+  enum { ED_LAW_LEAD_RUBBER_PARAMETERS };
   const double *p = damper->parameter;
   (void)message;
-  const double yield = p[0] + p[1] * p[2];
-  return derive(damper, yield / p[2], yield, p[1] * p[2] / yield);
+  const double yield = p[Q] + p[K_D] * p[Y];
+  return derive(damper, yield / p[Y], yield, p[K_D] * p[Y] / yield);
 }
 
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,

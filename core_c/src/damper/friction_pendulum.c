@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-enum { W, R, F_SLOW, F_FAST, RATE, Y };
+enum { ED_LAW_FRICTION_PENDULUM_PARAMETERS };
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
@@ -18,7 +18,7 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   if (!(p[F_FAST] >= p[F_SLOW]))
     return ed_refuse_parameter(message, "f_fast", p[F_FAST], "at least f_slow");
   damper->n_memory = 1;
-  damper->rate_independent = p[RATE] == 0.0 || p[F_FAST] == p[F_SLOW];
+  damper->rate_independent = p[A] == 0.0 || p[F_FAST] == p[F_SLOW];
   return ED_OK;
 }
 
@@ -33,11 +33,11 @@ static int step(const ed_damper *damper, const double *committed, const ed_path 
   for (int i = 0; i < n; i++) {
     const int last = i == n - 1;
     const double v = last ? ed_path_v(path, path->h) : 0.0;
-    const double fading = (parameter[F_FAST] - parameter[F_SLOW]) * exp(-parameter[RATE] * fabs(v));
+    const double fading = (parameter[F_FAST] - parameter[F_SLOW]) * exp(-parameter[A] * fabs(v));
     const double limit = (parameter[F_FAST] - fading) * weight, stuck = k * (motion[i].u - slip);
     const int slips = fabs(stuck) > limit;
     const double friction = slips ? copysign(limit, stuck) : stuck;
-    const double by_speed = last ? copysign(parameter[RATE] * fading * weight, stuck * v) : 0.0;
+    const double by_speed = last ? copysign(parameter[A] * fading * weight, stuck * v) : 0.0;
     if (slips)
       slip = motion[i].u - friction / k;
     out->force = pendulum * motion[i].u + friction;

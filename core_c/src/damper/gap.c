@@ -5,13 +5,12 @@
 
 #include <math.h>
 
-enum { K, GAP, D, SIDE };
+enum { ED_LAW_GAP_PARAMETERS };
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
   const double *p = damper->parameter;
-  if (p[SIDE] != 0.0 && p[SIDE] != 1.0 && p[SIDE] != -1.0)
-    return ed_refuse_parameter(message, "side", p[SIDE], "1, -1, or 0 for both sides");
+  (void)message;
   damper->rate_independent = p[D] == 0.0;
   return ED_OK;
 }

@@ -2,7 +2,6 @@
 #include "damper/law.h"
 
 #include "damper/brace.h"
-#include "damper/law_parameters.h"
 #include "damper/laws.h"
 #include "damper/ode_system.h"
 #include "edcore.h"
@@ -44,42 +43,6 @@ const ed_law *ed_law_of(int id)
   return id >= 0 && id < (int)(sizeof laws / sizeof *laws) ? laws[id] : NULL;
 }
 
-int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed)
-{
-  snprintf(message, ED_DAMPER_MESSAGE, "%s = %g is not allowed: %s", name, value, allowed);
-  return ED_E_ARGUMENT;
-}
-
-static int check_count(const ed_parameters *of, int n, char message[ED_DAMPER_MESSAGE])
-{
-  const int branches = of->n_branch > 0 ? (n - of->n) / of->n_branch : 0;
-  if (n >= of->n && n == of->n + branches * of->n_branch && (of->n_branch == 0 || (branches >= 1 && branches <= of->most_branches)))
-    return ED_OK;
-  char allowed[ED_DAMPER_MESSAGE / 2];
-  int used = 0;
-  for (int i = 0; i < of->n + of->n_branch; i++)
-    used += snprintf(allowed + used, sizeof allowed - (size_t)used, "%s%s", i == 0 ? "" : i == of->n ? ", then " : ", ",
-                     i < of->n ? of->parameter[i].name : of->branch[i - of->n].name);
-  if (of->n_branch > 0)
-    snprintf(allowed + used, sizeof allowed - (size_t)used, " of each of 1 to %d branches", of->most_branches);
-  return ed_refuse_parameter(message, "number of parameters", n, allowed);
-}
-
-static int check_bounds(const ed_parameter *of, int branch, double value, char message[ED_DAMPER_MESSAGE])
-{
-  if ((value > of->lower || (of->lower_allowed && value == of->lower)) && (value < of->upper || (of->upper_allowed && value == of->upper)))
-    return ED_OK;
-  char name[24], allowed[80] = "";
-  int used = 0;
-  if (of->lower > -INFINITY)
-    used = snprintf(allowed, sizeof allowed, "%s %g", of->lower_allowed ? "at least" : "greater than", of->lower);
-  if (of->upper < INFINITY)
-    snprintf(allowed + used, sizeof allowed - (size_t)used, "%s%s %g", used > 0 ? " and " : "", of->upper_allowed ? "at most" : "less than",
-             of->upper);
-  snprintf(name, sizeof name, branch > 0 ? "%s%d" : "%s", of->name, branch);
-  return ed_refuse_parameter(message, name, value, allowed);
-}
-
 int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double *parameters, double brace, double play,
                       char message[ED_DAMPER_MESSAGE])
 {
@@ -89,32 +52,21 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
     snprintf(message, ED_DAMPER_MESSAGE, "there is no damper law %d", law);
     return ED_E_ID;
   }
-  const ed_parameters *of = &ed_law_parameters[law];
-  if (check_count(of, n_parameters, message) != ED_OK)
-    return ED_E_ARGUMENT;
+  int status = ed_check_parameters(&ed_law_parameters[law], n_parameters, parameters, message);
+  if (status != ED_OK)
+    return status;
   if (!(brace >= 0.0) || !isfinite(brace))
     return ed_refuse_parameter(message, "brace", brace, "a stiffness above zero, or 0 for none");
   if (!(play >= 0.0) || !isfinite(play))
     return ed_refuse_parameter(message, "play", play, "a length above zero, or 0 for none");
   if (play > 0.0 && brace == 0.0)
     return ed_refuse_parameter(message, "play", play, "play stands with the stiffness of a brace");
-  for (int i = 0; i < n_parameters; i++)
-    if (!isfinite(parameters[i])) {
-      snprintf(message, ED_DAMPER_MESSAGE, "law %s: parameter %d is not a finite number", damper->law->name, i + 1);
-      return ED_E_NOT_FINITE;
-    }
-  for (int i = 0; i < n_parameters; i++) {
-    const int beyond = i - of->n; /* among those of branches */
-    const ed_parameter *one = beyond < 0 ? &of->parameter[i] : &of->branch[beyond % of->n_branch];
-    if (check_bounds(one, beyond < 0 ? 0 : 1 + beyond / of->n_branch, parameters[i], message) != ED_OK)
-      return ED_E_ARGUMENT;
-  }
   damper->n_parameters = n_parameters;
   *(play > 0.0 ? &damper->joint : &damper->brace) = brace;
   damper->play = play;
   damper->rate_independent = damper->law->rate_independent;
   memcpy(damper->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
-  int status = damper->law->prepare ? damper->law->prepare(damper, message) : ED_OK;
+  status = damper->law->prepare ? damper->law->prepare(damper, message) : ED_OK;
   if (status == ED_OK && play > 0.0 && !ed_damper_has_exact_step(damper)) {
     snprintf(message, ED_DAMPER_MESSAGE, "law %s is integrated without exact step, so that no play can stand in series with it",
              damper->law->name);

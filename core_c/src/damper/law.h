@@ -10,12 +10,13 @@
 #define ED_LAW_H
 
 #include "base/watch.h"
+#include "damper/law_parameters.h"
 #include "damper/path.h"
 #include "edcore.h"
 
 #include <stddef.h>
 
-enum { ED_MAX_PARAMETERS = 64, ED_MAX_ODE = 64, ED_DAMPER_MESSAGE = 256 };
+enum { ED_MAX_ODE = 64 };
 
 typedef struct {
   double force;
@@ -42,7 +43,7 @@ typedef struct ed_amendment ed_amendment;
 struct ed_damper {
   const ed_law *law;
   int n_parameters;
-  double parameter[ED_MAX_PARAMETERS];
+  double parameter[ED_MOST_LAW_PARAMETERS];
   int n_derived;
   double *derived;      /* constants that `prepare` makes of the parameters; owned */
   int n_ode, n_memory;
@@ -66,7 +67,7 @@ struct ed_law {
   int step_takes_brace;  /* so does the exact step; else brace.c puts it there */
   /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
   void (*with_brace)(ed_damper *damper);
-  /* Checks how parameters go together, each of which is within its bounds (law_parameters.h); sets n_ode, n_memory, diagonal_ode
+  /* Checks how parameters go together, each of which is within its bounds (law_parameters.c); sets n_ode, n_memory, diagonal_ode
    * and `derived`. On ED_E_ARGUMENT `message` says parameter, value seen, what is allowed. Also ED_E_MEMORY. NULL: nothing to do. */
   int (*prepare)(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);
   void (*start)(const ed_damper *damper, double *state);
@@ -145,8 +146,5 @@ static inline int ed_damper_own_step(const ed_damper *damper, const double *comm
 
 /* ED_OK if n >= 1 samples are finite and their times ascend; *done: those that are well when they are not, else 0. */
 int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done);
-
-/* Helpers for `prepare`. */
-int ed_refuse_parameter(char message[ED_DAMPER_MESSAGE], const char *name, double value, const char *allowed); /* ED_E_ARGUMENT */
 
 #endif

@@ -14,7 +14,7 @@
 #include <math.h>
 #include <string.h>
 
-enum { C, ALPHA, K };
+enum { ED_LAW_MAXWELL_POWER_PARAMETERS };
 
 /* For alpha > 1 the derivative of the dashpot's velocity to the force is infinite at rest. Below this share of c it is held: the
  * force itself is not touched, and a sensitivity that passes through rest fades there all the same. */

@@ -27,18 +27,17 @@ static const double REST = 1e-7;
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double *p = damper->parameter;
-  if (p[11] != 0.0 && p[11] != 1.0)
-    return ed_refuse_parameter(message, "consistent", p[11], "0 or 1");
-  const double tau = p[1] / p[0];
+  enum { ED_LAW_MGMM_PARAMETERS };
+  const double *p = damper->parameter, tau = p[C1] / p[K1];
   if (!(tau > 0.0) || !isfinite(tau))
     return ed_refuse_parameter(message, "c1/k1", tau, "a finite time greater than 0");
   ed_mgmm_constants *law = malloc(sizeof *law);
   if (!law)
     return ED_E_MEMORY;
-  *law = (ed_mgmm_constants){.tau = tau, .k0 = p[2], .c1 = p[1], .c_nl = p[3], .alpha = p[4], .relaxing = 1.0 - p[11],
-                             .k_mod = {p[5], p[6], p[7]}, .c_mod = {p[8], p[9], p[10]}};
-  ed_power_rule_prepare(&law->power, p[4], tau, REST * p[10]);
+  *law = (ed_mgmm_constants){.tau = tau, .k0 = p[K0], .c1 = p[C1], .c_nl = p[C_NL], .alpha = p[ALPHA],
+                             .relaxing = 1.0 - p[CONSISTENT], .k_mod = {p[K_A], p[K_B], p[U_REF]},
+                             .c_mod = {p[C_A], p[C_B], p[V_REF]}};
+  ed_power_rule_prepare(&law->power, p[ALPHA], tau, REST * p[V_REF]);
   damper->derived = (double *)(void *)law;
   damper->n_derived = (int)(sizeof *law / sizeof(double));
   damper->n_ode = 1;

@@ -14,7 +14,7 @@
 
 #include <string.h>
 
-enum { K1, K2, U_REF, Y, ALPHA, A, BETA, GAMMA, N, C, ALPHA_D };
+enum { ED_LAW_MODIFIED_BOUC_WEN_PARAMETERS };
 
 /* For alpha_d > 1 the slope of the dashpot's speed is infinite at no force: below this share of C it is held. */
 static const double NO_FORCE = 1e-16;

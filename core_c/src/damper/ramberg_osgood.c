@@ -40,9 +40,10 @@ static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 
 /* Force and tangent of the skeleton: f (1 + a f^(n-1)) = x in units of Fy and Fy/k. The left side is convex, so Newton from
  * above goes straight to the root; `guess` is a force near it, or 0. Not a number where it did not get there. */
-static double skeleton(const double parameter[4], double u, double guess, double *tangent)
+static double skeleton(const double *p, double u, double guess, double *tangent)
 {
-  const double k = parameter[0], yield = parameter[1], a = parameter[2], n = parameter[3];
+  enum { ED_LAW_RAMBERG_OSGOOD_PARAMETERS };
+  const double k = p[K], yield = p[FY], a = p[A], n = p[N];
   const double x = fabs(u) * k / yield;
   double f = fabs(guess) / yield, plastic = 0.0;
   int bounded = 0, settled = !(x > 0.0);

@@ -2,15 +2,15 @@
  *
  *   U - (1 - b) beta Fy <= F <= U,  U = (1 - b) Fy + b k u,  p >= 0,
  *
- * so that the gap opens at Fy and closes at (1 - beta) Fy; likewise on the other side. As bounds of the inelastic deformation p these are a play on each side, whose bounds rise with u; together
- * they are exact along a monotone motion in one step. Memory: p of each side. */
+ * so that the gap opens at Fy and closes at (1 - beta) Fy; likewise on the other side. As bounds of the inelastic deformation p these are a
+ * play on each side, whose bounds rise with u; together they are exact along a monotone motion in one step. Memory: p of each side. */
 #include "damper/laws.h"
 #include "damper/motions.h"
 #include "edcore.h"
 
 #include <math.h>
 
-enum { K, YIELD, RATIO, BETA, PARAMETERS };
+enum { ED_LAW_SELF_CENTRING_PARAMETERS, PARAMETERS };
 
 static int prepare(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
@@ -27,7 +27,7 @@ typedef struct {
 /* Moves it within its bounds at a deformation to that side; `sign` turns the motion's slopes to it. */
 static void keep(const double parameter[PARAMETERS], double u, double sign, const ed_motion *motion, inelastic *of)
 {
-  const double opens = parameter[YIELD] / parameter[K], closes = (1.0 - parameter[BETA]) * opens, rise = 1.0 - parameter[RATIO];
+  const double opens = parameter[FY] / parameter[K], closes = (1.0 - parameter[BETA]) * opens, rise = 1.0 - parameter[B];
   const double least = fmax(0.0, rise * (u - opens)), most = fmax(0.0, rise * (u - closes));
   if (of->p >= least && of->p <= most)
     return;

@@ -5,38 +5,50 @@
 
 static int kelvin_voigt(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double k = damper->parameter[0], c = damper->parameter[1];
-  return ed_prony_prepare(damper, &(ed_prony){.spring = k, .dashpot = c}, message);
+  enum { ED_LAW_KELVIN_VOIGT_PARAMETERS };
+  const double *p = damper->parameter;
+  return ed_prony_prepare(damper, &(ed_prony){.spring = p[K], .dashpot = p[C]}, message);
 }
 
-/* Zener and the generalised Maxwell model: a spring, then stiffness and dashpot of each branch. */
-static int branches(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+static int zener(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  ed_prony series = {.spring = damper->parameter[0], .branches = (damper->n_parameters - 1) / 2};
+  enum { ED_LAW_ZENER_PARAMETERS };
+  const double *p = damper->parameter;
+  return ed_prony_prepare(damper, &(ed_prony){.spring = p[K0], .branches = 1, .rate = {p[K1] / p[C1]}, .stiffness = {p[K1]}}, message);
+}
+
+static int generalised_maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
+{
+  enum { ED_LAW_GENERALISED_MAXWELL_PARAMETERS, OWN };
+  enum { ED_LAW_GENERALISED_MAXWELL_BRANCH, OF_BRANCH };
+  const double *p = damper->parameter;
+  ed_prony series = {.spring = p[K0], .branches = (damper->n_parameters - OWN) / OF_BRANCH};
   for (int i = 0; i < series.branches; i++) {
-    const double k = damper->parameter[1 + 2 * i], c = damper->parameter[2 + 2 * i];
-    series.stiffness[i] = k;
-    series.rate[i] = k / c;
+    const double *branch = p + OWN + OF_BRANCH * i;
+    series.stiffness[i] = branch[K];
+    series.rate[i] = branch[K] / branch[C];
   }
   return ed_prony_prepare(damper, &series, message);
 }
 
 static int viscous(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double c = damper->parameter[0];
-  return ed_prony_prepare(damper, &(ed_prony){.dashpot = c}, message);
+  enum { ED_LAW_VISCOUS_PARAMETERS };
+  return ed_prony_prepare(damper, &(ed_prony){.dashpot = damper->parameter[C]}, message);
 }
 
 static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double c0 = damper->parameter[0], lambda = damper->parameter[1];
-  return ed_prony_prepare(damper, &(ed_prony){.branches = 1, .rate = {1.0 / lambda}, .stiffness = {c0 / lambda}}, message);
+  enum { ED_LAW_MAXWELL_PARAMETERS };
+  const double *p = damper->parameter;
+  return ed_prony_prepare(damper, &(ed_prony){.branches = 1, .rate = {1.0 / p[LAMBDA]}, .stiffness = {p[C0] / p[LAMBDA]}}, message);
 }
 
 static int linearised(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
 {
-  const double k = damper->parameter[0], zeta = damper->parameter[1], omega = damper->parameter[2];
-  return ed_prony_prepare(damper, &(ed_prony){.spring = k, .dashpot = 2.0 * zeta * k / omega}, message);
+  enum { ED_LAW_LINEARISED_PARAMETERS };
+  const double *p = damper->parameter, dashpot = 2.0 * p[ZETA_EFF] * p[K_EFF] / p[OMEGA];
+  return ed_prony_prepare(damper, &(ed_prony){.spring = p[K_EFF], .dashpot = dashpot}, message);
 }
 
 #define LAW(law, prepares) \
@@ -44,8 +56,8 @@ static int linearised(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
    .rate = ed_prony_rate}
 
 const ed_law ed_kelvin_voigt = LAW("kelvin_voigt", kelvin_voigt);
-const ed_law ed_zener = LAW("zener", branches);
-const ed_law ed_generalised_maxwell = LAW("generalised_maxwell", branches);
+const ed_law ed_zener = LAW("zener", zener);
+const ed_law ed_generalised_maxwell = LAW("generalised_maxwell", generalised_maxwell);
 const ed_law ed_viscous = LAW("viscous", viscous);
 const ed_law ed_maxwell = LAW("maxwell", maxwell);
 const ed_law ed_linearised = LAW("linearised", linearised);

@@ -20,24 +20,27 @@ static int follow(double c, double alpha, double v, double h, const ed_path dire
 static int step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
                 ed_damper_force *out)
 {
+  enum { ED_LAW_VISCOUS_POWER_PARAMETERS };
   (void)committed, (void)trial;
-  return follow(damper->parameter[0], damper->parameter[1], ed_path_v(path, path->h), path->h, direction, out);
+  return follow(damper->parameter[C], damper->parameter[ALPHA], ed_path_v(path, path->h), path->h, direction, out);
 }
 
 static int step_asymmetric(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
                            double *trial, ed_damper_force *out)
 {
+  enum { ED_LAW_ASYMMETRIC_VISCOUS_PARAMETERS };
   (void)committed, (void)trial;
-  const double v = ed_path_v(path, path->h);
-  return follow(damper->parameter[v < 0.0], damper->parameter[2], v, path->h, direction, out);
+  const double *p = damper->parameter, v = ed_path_v(path, path->h);
+  return follow(p[v < 0.0 ? C_MINUS : C_PLUS], p[ALPHA], v, path->h, direction, out);
 }
 
 /* With a spring in series: equations that are smooth at rest, where an equilibrium of both by iteration is not. */
 static void with_brace(ed_damper *damper)
 {
+  enum { ED_LAW_MAXWELL_POWER_PARAMETERS, PARAMETERS }; /* the first two are its own */
   damper->law = &ed_maxwell_power;
-  damper->parameter[2] = INFINITY; /* no spring but the brace */
-  damper->n_parameters = 3;
+  damper->parameter[K] = INFINITY; /* no spring but the brace */
+  damper->n_parameters = PARAMETERS;
 }
 
 const ed_law ed_viscous_power = {

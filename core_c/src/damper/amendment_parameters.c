@@ -1,0 +1,103 @@
+/* Names, order and bounds of the parameters of all amendments: made by tools/law_parameters.py from
+ * edesign/damper/amendment_kinds.py, where they are changed. */
+#include "damper/amendment_parameters.h"
+
+#include "edcore.h"
+
+#include <math.h>
+#include <stddef.h>
+
+const ed_parameters ed_amendment_parameters[] = {
+    [ED_AMEND_CONSTANT] =
+        {.n = 1,
+         .parameter = (const ed_parameter[]){{"factor", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_PAYNE_WHOLE] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"a0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"m", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"tau_a", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_PAYNE_ELASTIC] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"a0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"m", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"tau_a", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_PAYNE_NETWORK] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"tau", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_MULLINS_PATH] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"m", -1.0, INFINITY, 0, 1, 0, NULL},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_MULLINS_MAXIMUM] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_MULLINS_DAMAGE] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"p", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_MULLINS_ELASTIC] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_DEGRADATION_ENERGY] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"E0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_DEGRADATION_PATH] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"p", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"S", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_SELF_HEATING_RATE] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"beta", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"tau_h", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HARDENING_POWER] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"p", 1.0, INFINITY, 1, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HARDENING_THRESHOLD] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"u0", 0.0, INFINITY, 1, 1, 0, NULL}}},
+    [ED_AMEND_ONE_SIDED_FACTOR] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"b", -1.0, INFINITY, 0, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}}}},
+    [ED_AMEND_ONE_SIDED_SPRING] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"u0", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}}}},
+    [ED_AMEND_ONE_SIDED_CONTACT] =
+        {.n = 5,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"u0", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"n", 1.0, INFINITY, 1, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_ONE_SIDED_EVEN] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"n", 1.0, INFINITY, 1, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_RELAXATION_BRANCH_MAXWELL] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"tau", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_VELOCITY_EXPONENT_DASHPOT] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"c", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"alpha", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_VELOCITY_EXPONENT_FLOW] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"f", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+};
