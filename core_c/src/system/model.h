@@ -10,6 +10,7 @@
 #include "spring/spring.h"
 
 #include <stddef.h>
+#include <string.h>
 
 enum { ED_NAME = 48, ED_MESSAGE = 1024 };
 /* Points of integration along a member, all its pieces together. */
@@ -90,9 +91,24 @@ struct ed_model {
   char message[ED_MESSAGE];
 };
 
-/* model.c, for the other files that add to a model */
-int ed_model_refuse(ed_model *model, int status, const char *format, ...);
+/* For all files that add to a model (model*.c). */
+int ed_model_refuse(ed_model *model, int status, const char *format, ...); /* notes the message and returns the status */
+/* 1 and a message if there is no such node or element, else 0. */
+int ed_model_lacks_node(ed_model *model, int node);
+int ed_model_lacks_element(ed_model *model, int element);
+/* Room for one item more than `count`: where the items lie now, or NULL when out of memory. */
 void *ed_model_grown(void *array, int count, size_t size);
 void ed_copy_name(char *to, const char *from); /* ED_NAME characters, cut short if need be */
+
+/* Appends a cleared item to an array of the model; returns from its caller when out of memory. */
+#define ED_MODEL_APPEND(model, array, count)                                             \
+  do {                                                                                   \
+    void *room = ed_model_grown((model)->array, (model)->count, sizeof *(model)->array); \
+    if (!room)                                                                           \
+      return ed_model_refuse(model, ED_E_MEMORY, "out of memory");                       \
+    (model)->array = room;                                                               \
+    memset(&(model)->array[(model)->count], 0, sizeof *(model)->array);                  \
+    (model)->count++;                                                                    \
+  } while (0)
 
 #endif
