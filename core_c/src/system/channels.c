@@ -1,57 +1,10 @@
-/* Recorded quantities at the committed state. */
-#include "element/strut.h"
+/* Channels: declaration, extremes, limits and rows of the caller's buffers. */
 #include "system/analysis.h"
 
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-static int valid(const ed_analysis *a, int kind, int object, int component)
-{
-  const ed_model *model = a->model;
-  if (kind <= ED_REACTION)
-    return kind >= 0 && object >= 0 && object < model->n_nodes && component >= 0 && component < 3;
-  if (kind == ED_GROUND_ACCELERATION)
-    return component >= 0 && component < 2;
-  if (kind == ED_LOAD_FACTOR)
-    return object >= 0 && object < model->n_patterns;
-  if (kind >= ED_DEFLECTION && kind <= ED_BROKEN_SHARE)
-    return object >= 0 && object < model->n_members && component == 0 && a->members.element[object].kind == ED_STRUT;
-  if (kind >= ED_GIVEN_FORCE && kind != ED_STRENGTH_LEFT)
-    return kind <= ED_GIVEN_WORK && object >= 0 && object < ED_HISTORY_FORCES && component == 0;
-  if (kind >= ED_DAMPER_FORCE && kind != ED_STRENGTH_LEFT) {
-    if (object < 0 || object >= model->n_devices || component < 0)
-      return 0;
-    return kind != ED_DAMPER_DEFORMATION ? component == 0 : component < (model->devices[object].damper.law->plastic_path ? 3 : 2);
-  }
-  if (object < 0 || object >= model->n_members || component < 0)
-    return 0;
-  const ed_element *e = &a->members.element[object];
-  const int fibres = e->kind == ED_FIBRE_BEAM;
-  switch (kind) {
-    case ED_END_FORCE:
-    case ED_GLOBAL_FORCE:
-      return component < 6;
-    case ED_AXIAL_FORCE:
-      return component == 0 && e->kind != ED_LINK;
-    case ED_DEFORMATION:
-      return component < (e->kind == ED_SPRING ? 1 : 3) && e->kind != ED_LINK;
-    case ED_PLASTIC_ROTATION:
-      return fibres ? component < 2 : e->kind == ED_SPRING && component == 0;
-    case ED_STRENGTH_LEFT:
-      return e->kind == ED_SPRING && component == 0;
-    case ED_SECTION_FORCE:
-    case ED_SECTION_DEFORMATION:
-      return fibres && component < 2 * e->points;
-    default: {
-      if (!fibres || e->section[0]->elastic)
-        return 0;
-      const int n = e->section[0]->n, p = component / n;
-      return p < e->points && !e->section[p]->elastic && component % n < e->section[p]->n;
-    }
-  }
-}
 
 int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind, const int *object,
                const int *component, int keep_history)
@@ -61,7 +14,7 @@ int ed_channel(ed_analysis *a, int n, const double *coefficient, const int *kind
   if (n < 1 || n > INT_MAX - a->channels.n_terms)
     return ed_fail(a, ED_E_ARGUMENT, "a channel of %d terms", n);
   for (int i = 0; i < n; i++)
-    if (!valid(a, kind[i], object[i], component[i]) || !isfinite(coefficient[i]))
+    if (!ed_is_quantity(a, kind[i], object[i], component[i]) || !isfinite(coefficient[i]))
       return ed_fail(a, ED_E_ID, "channel %d: no quantity of kind %d, object %d, component %d", a->channels.n, kind[i],
                      object[i], component[i]);
   ed_channels *channels = &a->channels;
@@ -124,119 +77,6 @@ void ed_channels_free(ed_channels *channels)
 void ed_clear_channels(ed_analysis *a)
 {
   a->channels.n = a->channels.n_terms = a->channels.n_history = 0;
-}
-
-static double node_value(const ed_analysis *a, const ed_term *term)
-{
-  const int degree = 3 * term->object + term->component, equation = a->numbering.equation[degree];
-  if (term->kind == ED_REACTION)
-    return a->members.resisting[degree] - (equation < 0 ? ed_history_force_on(&a->run, degree) : 0.0);
-  double ground = 0.0;
-  if (term->kind == ED_TOTAL_ACCELERATION && term->component < 2 && a->run.kind == ED_RUN_HISTORY)
-    ground = a->run.ground_now[term->component];
-  if (equation < 0) {
-    const ed_state *s = &a->committed;
-    const double *of = term->kind == ED_DISPLACEMENT ? s->support_u : term->kind == ED_VELOCITY ? s->support_v : s->support_a;
-    return of[a->numbering.support[degree]] + ground;
-  }
-  switch (term->kind) {
-    case ED_DISPLACEMENT:
-      return a->committed.u[equation];
-    case ED_VELOCITY:
-      return a->committed.v[equation];
-    default:
-      return a->committed.a[equation] + ground;
-  }
-}
-
-/* Forces where the member begins to bend. */
-static void face_forces(const ed_analysis *a, const ed_element *e, double *force)
-{
-  double d[6], arm[2][2], face[6];
-  for (int i = 0; i < 6; i++)
-    d[i] = ed_displacement(&a->numbering, &a->committed, e->dof[i]);
-  ed_rigid_faces(e, d, arm, face);
-  ed_face_forces(e, face, a->committed.elements + e->state, force);
-}
-
-static double element_value(const ed_analysis *a, const ed_term *term)
-{
-  const ed_element *e = &a->members.element[term->object];
-  const double *block = a->committed.elements + e->state, *force = a->members.force + 6 * term->object;
-  const int c = term->component;
-  switch (term->kind) {
-    case ED_GLOBAL_FORCE:
-      return force[c];
-    case ED_END_FORCE: {
-      double of_faces[6];
-      if (e->rigid) {
-        face_forces(a, e, of_faces);
-        force = of_faces;
-      }
-      const double *f = force + 3 * (c / 3);
-      if (c % 3 == 0)
-        return e->c * f[0] + e->s * f[1];
-      return c % 3 == 1 ? -e->s * f[0] + e->c * f[1] : f[2];
-    }
-    case ED_AXIAL_FORCE:
-      return block[ED_BLOCK_Q];
-    case ED_DEFORMATION:
-      return block[ED_BLOCK_V + c];
-    case ED_PLASTIC_ROTATION:
-      return ed_element_plastic_rotation(e, block, c);
-    case ED_STRENGTH_LEFT:
-      return ed_spring_strength_left(e->spring, a->storage.layers + e->layers);
-    case ED_SECTION_FORCE:
-      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_S + c % 2];
-    case ED_SECTION_DEFORMATION:
-      return block[ED_BLOCK_POINTS + (c / 2) * ED_POINT_SIZE + ED_POINT_E + c % 2];
-    default: {
-      const ed_section *section = e->section[0];
-      const int p = c / section->n;
-      const double *point = block + ED_BLOCK_POINTS + p * ED_POINT_SIZE;
-      double stress, strain;
-      ed_section_layer(e->section[p], a->storage.layers + e->layers + e->layer_offset[p], c % section->n, point[0], point[1],
-                       &stress, &strain);
-      return term->kind == ED_FIBRE_STRESS ? stress : strain;
-    }
-  }
-}
-
-static double strut_value(const ed_analysis *a, const ed_term *term)
-{
-  const ed_element *e = &a->members.element[term->object];
-  if (term->kind == ED_DEFLECTION)
-    return ed_strut_deflection(e->strut, a->committed.elements + e->state);
-  const double *layers = a->storage.layers + e->layers;
-  return term->kind == ED_DAMAGE ? ed_strut_damage(e->strut, layers) : ed_strut_broken_share(e->strut, layers);
-}
-
-double ed_channel_value(const ed_analysis *a, int channel)
-{
-  const ed_channel_head *head = &a->channels.head[channel];
-  double value = 0.0;
-  for (int i = 0; i < head->n_terms; i++) {
-    const ed_term *term = &a->channels.terms[head->first + i];
-    double part;
-    if (term->kind <= ED_REACTION)
-      part = node_value(a, term);
-    else if (term->kind == ED_GROUND_ACCELERATION)
-      part = a->run.kind == ED_RUN_HISTORY ? a->run.ground_now[term->component] : 0.0;
-    else if (term->kind == ED_LOAD_FACTOR)
-      part = a->loading.factors_committed[term->object];
-    else if (term->kind == ED_STRENGTH_LEFT)
-      part = element_value(a, term);
-    else if (term->kind >= ED_DEFLECTION)
-      part = strut_value(a, term);
-    else if (term->kind >= ED_GIVEN_FORCE)
-      part = ed_history_force_value(a, term->kind, term->object);
-    else if (term->kind >= ED_DAMPER_FORCE)
-      part = ed_device_value(a, term->kind, term->object, term->component);
-    else
-      part = element_value(a, term);
-    value += term->coefficient * part;
-  }
-  return value;
 }
 
 static int not_finite(ed_analysis *a, const char *what, int index)

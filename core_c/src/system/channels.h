@@ -23,6 +23,8 @@ typedef struct {
 } ed_channels;
 
 void ed_channels_free(ed_channels *channels);
+/* quantities.c: whether there is such a quantity, and the sum of the terms of a channel */
+int ed_is_quantity(const ed_analysis *a, int kind, int object, int component);
 double ed_channel_value(const ed_analysis *a, int channel);
 int ed_sample(ed_analysis *a, int keep_row);        /* ED_OK, ED_E_NOT_FINITE */
 int ed_beyond_limit(const ed_channels *channels);   /* channel of the last sample that is furthest beyond its limit, -1: none */

@@ -12,17 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* offsets in a device's block; the law's state follows */
-enum { INSTALLED, OFFSET, DEFORMATION, VELOCITY, FORCE, FORCE_PACE, FORCE_PACE_BEFORE, SLOPE, WORK = SLOPE + 2, LAW_STATE };
-
 int ed_device_block_size(const ed_device *device)
 {
-  return LAW_STATE + ed_damper_state_size(&device->damper);
-}
-
-static double *block_of(const ed_devices *devices, const ed_state *state, int device)
-{
-  return state->devices + devices->block[device];
+  return ED_DEVICE_LAW_STATE + ed_damper_state_size(&device->damper);
 }
 
 static int allocate(ed_devices *devices, int n)
@@ -51,8 +43,8 @@ int ed_devices_allocate(ed_analysis *a)
   int status = by_ode ? allocate(&a->devices, n) : ED_E_MEMORY;
   for (int i = 0; status == ED_OK && i < n; i++) {
     const ed_device *device = &a->model->devices[i];
-    ed_damper_start(&device->damper, block_of(&a->devices, &a->trial, i) + LAW_STATE);
-    block_of(&a->devices, &a->trial, i)[INSTALLED] = device->carries;
+    ed_damper_start(&device->damper, ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_LAW_STATE);
+    ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] = device->carries;
     if (!ed_damper_has_exact_step(&device->damper)) {
       by_ode[a->devices.n_by_ode] = &device->damper;
       a->devices.by_ode[a->devices.n_by_ode++] = i;
@@ -93,7 +85,7 @@ double ed_along_device(const ed_numbering *numbering, const ed_device *device, c
 }
 
 /* The same of a state, with what held degrees have of it. */
-static double along(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports)
+double ed_state_along_device(const ed_numbering *numbering, const ed_device *device, const double *vector, const double *of_supports)
 {
   double sum = ed_along_device(numbering, device, vector);
   for (int k = 0; k < device->n_terms; k++) {
@@ -115,18 +107,18 @@ void ed_add_along_device(const ed_numbering *numbering, const ed_device *device,
 
 double ed_device_force(const ed_devices *devices, const ed_state *state, int i)
 {
-  return block_of(devices, state, i)[FORCE];
+  return ed_device_block(devices, state, i)[ED_DEVICE_FORCE];
 }
 
 double ed_expected_device_force(const ed_devices *devices, const ed_state *committed, int i)
 {
-  const double *before = block_of(devices, committed, i);
-  return before[FORCE] + devices->duration * (2.0 * before[FORCE_PACE] - before[FORCE_PACE_BEFORE]);
+  const double *before = ed_device_block(devices, committed, i);
+  return before[ED_DEVICE_FORCE] + devices->duration * (2.0 * before[ED_DEVICE_FORCE_PACE] - before[ED_DEVICE_FORCE_PACE_BEFORE]);
 }
 
 double ed_device_slope(const ed_devices *devices, const ed_state *trial, int i)
 {
-  const double *slope = block_of(devices, trial, i) + SLOPE, *chord = devices->chord[i];
+  const double *slope = ed_device_block(devices, trial, i) + ED_DEVICE_SLOPE, *chord = devices->chord[i];
   const double tangent = slope[0] + devices->velocity_factor * slope[1];
   return devices->swinging && devices->swings[i] ? tangent + chord[0] + devices->velocity_factor * chord[1] : tangent;
 }
@@ -137,20 +129,20 @@ static void set_path(ed_analysis *a, int i, ed_path *path)
 {
   const ed_device *device = &a->model->devices[i];
   const int slow = a->run.kind != ED_RUN_HISTORY;
-  const double *before = block_of(&a->devices, &a->committed, i);
-  double *now = block_of(&a->devices, &a->trial, i);
-  if (now[INSTALLED] == 0.0) {
+  const double *before = ed_device_block(&a->devices, &a->committed, i);
+  double *now = ed_device_block(&a->devices, &a->trial, i);
+  if (now[ED_DEVICE_INSTALLED] == 0.0) {
     ed_path_hermite(path, a->devices.duration, 0.0, 0.0, 0.0, 0.0);
     return;
   }
   const double scale = device->deformation_scale;
-  const double v0 = slow ? 0.0 : along(&a->numbering, device, a->committed.v, a->committed.support_v);
-  now[DEFORMATION] = along(&a->numbering, device, a->trial.u, a->trial.support_u) - now[OFFSET];
-  const double velocity = slow ? 0.0 : along(&a->numbering, device, a->trial.v, a->trial.support_v);
-  a->devices.swings[i] = velocity * now[VELOCITY] < 0.25 * now[VELOCITY] * now[VELOCITY];
-  now[VELOCITY] = velocity;
-  ed_path_hermite(path, a->devices.duration, scale * before[DEFORMATION], scale * v0, scale * now[DEFORMATION],
-                  scale * now[VELOCITY]);
+  const double v0 = slow ? 0.0 : ed_state_along_device(&a->numbering, device, a->committed.v, a->committed.support_v);
+  now[ED_DEVICE_DEFORMATION] = ed_state_along_device(&a->numbering, device, a->trial.u, a->trial.support_u) - now[ED_DEVICE_OFFSET];
+  const double velocity = slow ? 0.0 : ed_state_along_device(&a->numbering, device, a->trial.v, a->trial.support_v);
+  a->devices.swings[i] = velocity * now[ED_DEVICE_VELOCITY] < 0.25 * now[ED_DEVICE_VELOCITY] * now[ED_DEVICE_VELOCITY];
+  now[ED_DEVICE_VELOCITY] = velocity;
+  ed_path_hermite(path, a->devices.duration, scale * before[ED_DEVICE_DEFORMATION], scale * v0, scale * now[ED_DEVICE_DEFORMATION],
+                  scale * now[ED_DEVICE_VELOCITY]);
 }
 
 /* What presses on a damper over the weight for which its law holds. */
@@ -165,17 +157,17 @@ static double pressed(const ed_analysis *a, const ed_device *device)
 static void take(ed_analysis *a, int i, const ed_damper_force *out)
 {
   const ed_device *device = &a->model->devices[i];
-  double *now = block_of(&a->devices, &a->trial, i);
-  if (now[INSTALLED] == 0.0) { /* in one system with others that are */
-    memcpy(now, block_of(&a->devices, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
+  double *now = ed_device_block(&a->devices, &a->trial, i);
+  if (now[ED_DEVICE_INSTALLED] == 0.0) { /* in one system with others that are */
+    memcpy(now, ed_device_block(&a->devices, &a->committed, i), (size_t)ed_device_block_size(device) * sizeof *now);
     return;
   }
   const double scale = device->force_scale * pressed(a, device);
-  now[FORCE] = scale * out->force;
-  now[FORCE_PACE] = (now[FORCE] - block_of(&a->devices, &a->committed, i)[FORCE]) / a->devices.duration;
-  now[FORCE_PACE_BEFORE] = block_of(&a->devices, &a->committed, i)[FORCE_PACE];
+  now[ED_DEVICE_FORCE] = scale * out->force;
+  now[ED_DEVICE_FORCE_PACE] = (now[ED_DEVICE_FORCE] - ed_device_block(&a->devices, &a->committed, i)[ED_DEVICE_FORCE]) / a->devices.duration;
+  now[ED_DEVICE_FORCE_PACE_BEFORE] = ed_device_block(&a->devices, &a->committed, i)[ED_DEVICE_FORCE_PACE];
   for (int k = 0; k < 2; k++) {
-    now[SLOPE + k] = scale * device->deformation_scale * out->slope[k];
+    now[ED_DEVICE_SLOPE + k] = scale * device->deformation_scale * out->slope[k];
     a->devices.chord[i][k] = scale * device->deformation_scale * out->chord[k];
   }
 }
@@ -185,8 +177,8 @@ static int update_by_ode(ed_analysis *a)
   for (int k = 0; k < a->devices.n_by_ode; k++) {
     const int i = a->devices.by_ode[k];
     set_path(a, i, &a->devices.path[k]);
-    a->devices.old[k] = block_of(&a->devices, &a->committed, i) + LAW_STATE;
-    a->devices.new[k] = block_of(&a->devices, &a->trial, i) + LAW_STATE;
+    a->devices.old[k] = ed_device_block(&a->devices, &a->committed, i) + ED_DEVICE_LAW_STATE;
+    a->devices.new[k] = ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_LAW_STATE;
     memcpy(a->devices.path_direction[k], a->devices.direction, sizeof a->devices.direction);
     memset(&a->devices.out[k], 0, sizeof a->devices.out[k]);
   }
@@ -214,13 +206,13 @@ int ed_update_devices(ed_analysis *a, int rough)
   ed_path_hermite_directions(a->devices.direction, a->devices.duration);
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    if (!ed_damper_has_exact_step(&device->damper) || block_of(&a->devices, &a->trial, i)[INSTALLED] == 0.0)
+    if (!ed_damper_has_exact_step(&device->damper) || ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] == 0.0)
       continue;
     ed_damper_force out = {0};
     ed_path path;
     set_path(a, i, &path);
-    const int status = ed_damper_try(&device->damper, rough, block_of(&a->devices, &a->committed, i) + LAW_STATE, &path,
-                                     a->devices.direction, block_of(&a->devices, &a->trial, i) + LAW_STATE, &out);
+    const int status = ed_damper_try(&device->damper, rough, ed_device_block(&a->devices, &a->committed, i) + ED_DEVICE_LAW_STATE, &path,
+                                     a->devices.direction, ed_device_block(&a->devices, &a->trial, i) + ED_DEVICE_LAW_STATE, &out);
     if (status != ED_OK)
       return fail(a, i, status);
     take(a, i, &out);
@@ -242,7 +234,7 @@ void ed_add_device_forces(ed_analysis *a)
 {
   for (int i = 0; i < a->model->n_devices; i++) {
     const ed_device *device = &a->model->devices[i];
-    const double force = block_of(&a->devices, &a->trial, i)[FORCE];
+    const double force = ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_FORCE];
     for (int k = 0; k < device->n_terms; k++)
       a->members.resisting[device->degree[k]] += device->coefficient[k] * force;
   }
@@ -251,28 +243,9 @@ void ed_add_device_forces(ed_analysis *a)
 int ed_installed(const ed_analysis *a)
 {
   for (int i = 0; i < a->model->n_devices; i++)
-    if (block_of(&a->devices, &a->trial, i)[INSTALLED] != 0.0)
+    if (ed_device_block(&a->devices, &a->trial, i)[ED_DEVICE_INSTALLED] != 0.0)
       return 1;
   return 0;
-}
-
-int ed_first_slopes(ed_analysis *a)
-{
-  if (!ed_installed(a))
-    return ED_OK;
-  ed_slowly(&a->devices);
-  const int status = ed_update_devices(a, 0);
-  if (status != ED_OK) {
-    char name[2 * ED_NAME];
-    ed_name_damper(a->model, &a->devices, name, sizeof name);
-    return ed_fail(a, status, "%s: no state was found at the start", name);
-  }
-  for (int i = 0; i < a->model->n_devices; i++) {
-    double *first = block_of(&a->devices, &a->committed, i), *slow = block_of(&a->devices, &a->trial, i);
-    memcpy(first + SLOPE, slow + SLOPE, 2 * sizeof *first);
-    memcpy(slow, first, (size_t)ed_device_block_size(&a->model->devices[i]) * sizeof *slow);
-  }
-  return ED_OK;
 }
 
 /* k times the slope of every device, into a matrix of the pattern (nnz + 1). */
@@ -296,70 +269,27 @@ double ed_count_device_work(ed_analysis *a)
 {
   double sum = 0.0;
   for (int i = 0; i < a->model->n_devices; i++) {
-    const double *before = block_of(&a->devices, &a->committed, i);
-    double *now = block_of(&a->devices, &a->trial, i);
-    const double work = 0.5 * (before[FORCE] + now[FORCE]) * (now[DEFORMATION] - before[DEFORMATION]);
-    now[WORK] += work;
+    const double *before = ed_device_block(&a->devices, &a->committed, i);
+    double *now = ed_device_block(&a->devices, &a->trial, i);
+    const double work = 0.5 * (before[ED_DEVICE_FORCE] + now[ED_DEVICE_FORCE]) * (now[ED_DEVICE_DEFORMATION] - before[ED_DEVICE_DEFORMATION]);
+    now[ED_DEVICE_WORK] += work;
     sum += work;
   }
   return sum;
 }
 
-int ed_install_dampers(ed_analysis *a)
-{
-  if (a->run.kind != ED_RUN_NONE)
-    return ed_fail(a, ED_E_STATE, "dampers are installed before a run");
-  for (int i = 0; i < a->model->n_devices; i++) {
-    double *now = block_of(&a->devices, &a->committed, i);
-    if (now[INSTALLED] != 0.0)
-      continue;
-    now[INSTALLED] = 1.0;
-    now[OFFSET] = along(&a->numbering, &a->model->devices[i], a->committed.u, a->committed.support_u);
-  }
-  ed_revert(a);
-  return ED_OK;
-}
-
-/* Forces that the present velocities bring at once, when a history begins: a step too short to deform anything. */
-int ed_start_devices(ed_analysis *a)
-{
-  if (!ed_installed(a))
-    return ED_OK;
-  double speed = 0.0; /* now, or where the last run ended */
-  for (int i = 0; i < a->model->n_devices; i++)
-    speed += fabs(ed_along_device(&a->numbering, &a->model->devices[i], a->committed.v)) +
-             fabs(block_of(&a->devices, &a->committed, i)[VELOCITY]);
-  if (speed == 0.0)
-    return ED_OK;
-  a->devices.duration = 1e-6 * a->run.dt;
-  for (int i = 0; i < a->numbering.n; i++)
-    a->trial.u[i] += a->devices.duration * a->trial.v[i];
-  const int status = ed_update_devices(a, 0);
-  memcpy(a->trial.u, a->committed.u, (size_t)a->numbering.n * sizeof(double));
-  for (int i = 0; status == ED_OK && i < a->model->n_devices; i++) {
-    double *before = block_of(&a->devices, &a->committed, i);
-    const double *after = block_of(&a->devices, &a->trial, i);
-    before[FORCE] = after[FORCE];
-    ed_amendments_jump(&a->model->devices[i].damper, before + LAW_STATE, after + LAW_STATE);
-  }
-  ed_revert(a);
-  memcpy(a->committed.resisting, a->trial.resisting, (size_t)a->numbering.n * sizeof(double)); /* the first step takes its share */
-  memcpy(a->committed.support_force, a->trial.support_force, (size_t)a->numbering.n_supports * sizeof(double));
-  return status;
-}
-
 double ed_device_value(const ed_analysis *a, int kind, int device, int component)
 {
   const ed_device *d = &a->model->devices[device];
-  const double *now = block_of(&a->devices, &a->committed, device);
+  const double *now = ed_device_block(&a->devices, &a->committed, device);
   if (kind == ED_DAMPER_FORCE)
-    return now[FORCE];
+    return now[ED_DEVICE_FORCE];
   if (kind == ED_DAMPER_WORK)
-    return now[WORK];
+    return now[ED_DEVICE_WORK];
   if (component == 2)
-    return now[LAW_STATE + d->damper.law->plastic_path - 1] / d->deformation_scale;
+    return now[ED_DEVICE_LAW_STATE + d->damper.law->plastic_path - 1] / d->deformation_scale;
   if (component == 1 && d->damper.joint > 0.0)
-    return now[LAW_STATE + ed_damper_own_size(&d->damper)] / d->deformation_scale;
+    return now[ED_DEVICE_LAW_STATE + ed_damper_own_size(&d->damper)] / d->deformation_scale;
   const double brace = d->damper.brace * d->force_scale * d->deformation_scale;
-  return component == 1 && brace > 0.0 ? now[DEFORMATION] - now[FORCE] / brace : now[DEFORMATION];
+  return component == 1 && brace > 0.0 ? now[ED_DEVICE_DEFORMATION] - now[ED_DEVICE_FORCE] / brace : now[ED_DEVICE_DEFORMATION];
 }
