@@ -7,6 +7,7 @@
 #include "substructure/numerical.h"
 #include "substructure/rig.h"
 #include "substructure/sensor.h"
+#include "substructure/specimen.h"
 #include "substructure/wrong_input.h"
 
 #include <math.h>
@@ -14,27 +15,23 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TARGETS = ED_PART_TARGETS, MOST_ITERATIONS = 200, MOST_TEXT = 1200 };
+enum { TARGETS = ED_PART_TARGETS, MOST_TEXT = 1200 };
 
 static const double TOLERANCE = 1e-6; /* relative, of SUNDIALS for laws without an exact step */
-/* Error of a specimen's displacement in series, of the largest so far: below the resolution of any encoder. */
-static const double SETTLED = 1e-6;
 
 struct ed_substructure {
   double step, h;
   int sub_steps, unseen_delay;
   ed_numerical *numerical;   /* NULL: targets are given */
-  double abort_displacement, force_scale, deformation_scale;
+  double abort_displacement;
   double in_series;          /* flexibility of what stands in series with the specimen, m/N */
-  double tangent, largest;   /* of the specimen in series: last stiffness over a sub-step, and largest displacement so far */
   ed_compensator_parameters compensator;
   ed_rig_model rig;
   ed_sensors sensors;
-  const ed_damper *specimen;
-  ed_ode_system *system;     /* of a law without an exact step, or NULL */
+  ed_specimen specimen;
   ed_stop stop;
   size_t state_size;         /* of one block */
-  double *state, *law, *trial, *waiting;
+  double *state, *waiting;   /* the specimen's is the first of it */
   ed_delay_line command_line, force_line;
   ed_compensator compensating;
   ed_rig_state moving;
@@ -60,13 +57,11 @@ static int make(ed_substructure *t, const ed_substructure_input *in)
   t->h = in->step / in->sub_steps;
   t->unseen_delay = in->unseen_delay;
   t->abort_displacement = in->abort_displacement;
-  t->force_scale = in->force_scale;
-  t->deformation_scale = in->deformation_scale;
   t->in_series = ed_rig_flexibility(in->rig);
   t->compensator = *in->compensator;
   t->rig = *in->rig;
   t->sensors = *in->sensors;
-  t->specimen = in->specimen;
+  t->specimen = (ed_specimen){.damper = in->specimen, .force_scale = in->force_scale, .deformation_scale = in->deformation_scale, .h = t->h};
   const double late = t->rig.delay / t->h, force_late = t->sensors.force_delay / t->h;
   const size_t line = (size_t)ed_delay_line_size(late), force_line = (size_t)ed_delay_line_size(force_late);
   t->state_size = 2 * law + waiting + line + force_line;
@@ -76,13 +71,13 @@ static int make(ed_substructure *t, const ed_substructure_input *in)
     t->numerical = in->frame ? ed_frame_part_new(in) : ed_recursion_part(in);
   if (!t->state || (numerical && !t->numerical))
     return ED_E_MEMORY;
-  t->law = t->state;
-  t->trial = t->law + law;
-  t->waiting = t->trial + law;
+  t->specimen.law = t->state;
+  t->specimen.trial = t->state + law;
+  t->waiting = t->state + 2 * law;
   t->command_line = ed_delay_line_of(late, t->waiting + waiting);
   t->force_line = ed_delay_line_of(force_late, t->waiting + waiting + line);
   if (!ed_damper_has_exact_step(in->specimen))
-    t->system = ed_ode_system_new(1, &t->specimen, TOLERANCE, &status);
+    t->specimen.system = ed_ode_system_new(1, &t->specimen.damper, TOLERANCE, &status);
   return status;
 }
 
@@ -107,7 +102,7 @@ void ed_substructure_free(ed_substructure *test)
 {
   if (!test)
     return;
-  ed_ode_system_free(test->system);
+  ed_ode_system_free(test->specimen.system);
   if (test->numerical)
     test->numerical->free(test->numerical);
   free(test->state);
@@ -126,10 +121,9 @@ static void begin(ed_substructure *t, unsigned long long seed)
   const ed_sensors *s = &t->sensors;
   memset(t->state, 0, sizeof *t->state * t->state_size);
   t->command_line.last = t->force_line.last = 0;
-  ed_damper_start(t->specimen, t->law);
+  ed_specimen_start(&t->specimen);
   ed_compensator_start(&t->compensator, &t->compensating);
   ed_rig_start(&t->rig, &t->moving, t->h);
-  t->tangent = t->largest = 0.0;
   t->displacement_sensor = (ed_sensor){.noise = s->displacement_noise, .quantum = s->displacement_quantum, .range = s->displacement_range,
                                        .state = 2 * seed};
   t->force_sensor = (ed_sensor){.noise = s->force_noise, .quantum = s->force_quantum, .range = s->force_range, .state = 2 * seed + 1};
@@ -156,74 +150,9 @@ static const double *delayed_target(ed_substructure *t, int k, const double targ
 }
 
 typedef struct {
-  double true_force, force, measured, deformation;
+  double force, measured;
   int saturated;
 } readings;
-
-/* The law over a path of its own size, from the committed state; force and, to the direction, its derivative at the size of the device. */
-static int try_path(ed_substructure *t, const ed_path *path, const ed_path direction[2], double *force, double *slope)
-{
-  ed_damper_force out = {0};
-  memcpy(t->trial, t->law, sizeof *t->trial * (size_t)ed_damper_state_size(t->specimen));
-  const int status = ed_damper_advance(t->specimen, t->system, t->law, path, direction, t->trial, &out);
-  *force = t->force_scale * out.force;
-  *slope = t->force_scale * out.slope[0];
-  return status != ED_OK || isfinite(*force) ? status : ED_E_NOT_FINITE;
-}
-
-static void commit(ed_substructure *t)
-{
-  double *swap = t->law;
-  t->law = t->trial;
-  t->trial = swap;
-}
-
-/* The specimen behind oil and rig that give way (m/N): force(x) = stiffness (drive - x) at the end of the sub-step, over which x rises in a
- * ramp. A force that grows with x leaves one solution; Newton's method finds it, and where it does not halve its steps or leaves the
- * bracket of what was tried, the middle of that. Where nothing gives way, x is the drive. The caller commits. */
-static int move_in_series(ed_substructure *t, double flexibility, double drive, readings *now)
-{
-  const double stiffness = flexibility > 0.0 ? 1.0 / flexibility : 0.0, from = now->deformation, scale = t->deformation_scale;
-  double low = -HUGE_VAL, high = HUGE_VAL, last = HUGE_VAL;
-  double x = drive;
-  if (flexibility > 0.0)
-    x = from + (stiffness * (drive - from) - now->true_force) / (stiffness + fmax(t->tangent, 0.0));
-  for (int i = 0; i < MOST_ITERATIONS; i++) {
-    const ed_path path = {.h = t->h, .c = {scale * from, scale * (x - from) / t->h}}, along[2] = {{.h = t->h, .c = {0.0, scale / t->h}}};
-    double force, slope;
-    const int status = try_path(t, &path, along, &force, &slope);
-    if (status != ED_OK)
-      return status;
-    const double rest = flexibility > 0.0 ? stiffness * (drive - x) - force : 0.0;
-    t->largest = fmax(t->largest, fabs(x));
-    if (fabs(rest) <= SETTLED * stiffness * t->largest || x == low || x == high) {
-      t->tangent = isfinite(slope) ? slope : 0.0;
-      now->true_force = force;
-      now->deformation = x;
-      return ED_OK;
-    }
-    *(rest > 0.0 ? &low : &high) = x;
-    /* a power of the velocity has an infinite slope at rest */
-    const double change = rest / (stiffness + (isfinite(slope) ? fmax(slope, 0.0) : 0.0));
-    const int slow = fabs(change) > 0.5 * last && isfinite(high - low);
-    last = fabs(change);
-    x = slow || !(x + change > low && x + change < high) ? 0.5 * (low + high) : x + change;
-  }
-  return ED_E_NOT_CONVERGED;
-}
-
-/* The specimen moves as the rig. */
-static int move_with_rig(ed_substructure *t, double from, double start, const ed_rig_state *rig, readings *now)
-{
-  const double scale = t->deformation_scale;
-  const ed_path none[2] = {{0}};
-  ed_path path;
-  double slope;
-  ed_path_hermite(&path, t->h, scale * from, scale * start, scale * rig->x, scale * rig->v);
-  const int status = try_path(t, &path, none, &now->true_force, &slope);
-  now->deformation = rig->x;
-  return status;
-}
 
 /* Drive, specimen and force over a sub-step. */
 static int move_specimen(ed_substructure *t, double w, readings *now)
@@ -231,19 +160,22 @@ static int move_specimen(ed_substructure *t, double w, readings *now)
   ed_rig_state *rig = &t->moving;
   const double from = rig->x;
   double start;
-  ed_rig_move(&t->rig, rig, t->h, w, now->true_force, &start, &now->saturated);
+  ed_rig_move(&t->rig, rig, t->h, w, t->specimen.force, &start, &now->saturated);
   if (!isfinite(rig->x + rig->v))
     return ED_E_NOT_FINITE;
-  const readings before = *now;
-  int status = t->in_series > 0.0 ? move_in_series(t, t->in_series, rig->x, now) : move_with_rig(t, from, start, rig, now);
-  const double end = ed_rig_beyond(&t->rig, rig, now->true_force);
+  ed_specimen *specimen = &t->specimen;
+  const double force = specimen->force, deformation = specimen->deformation;
+  int status = t->in_series > 0.0 ? ed_specimen_in_series(specimen, t->in_series, rig->x)
+                                  : ed_specimen_follow(specimen, from, start, rig->x, rig->v);
+  const double end = ed_rig_beyond(&t->rig, rig, specimen->force);
   if (status == ED_OK && end != 0.0) { /* the piston stands, and no oil gives way */
-    *now = before;
-    status = move_in_series(t, ed_rig_give(&t->rig), end, now);
-    ed_rig_stop(&t->rig, rig, end, now->true_force, &now->saturated);
+    specimen->force = force;
+    specimen->deformation = deformation;
+    status = ed_specimen_in_series(specimen, ed_rig_give(&t->rig), end);
+    ed_rig_stop(&t->rig, rig, end, specimen->force, &now->saturated);
   }
-  commit(t);
-  ed_rig_settle(&t->rig, rig, now->true_force, &now->saturated);
+  ed_specimen_commit(specimen);
+  ed_rig_settle(&t->rig, rig, specimen->force, &now->saturated);
   return status;
 }
 
@@ -260,9 +192,9 @@ static void write_row(const ed_substructure *t, const double *target, double com
   row[ED_RTS_COMMAND] = command;
   row[ED_RTS_MEASURED] = now->measured;
   row[ED_RTS_ACTUATOR] = t->moving.piston;
-  row[ED_RTS_DEFORMATION] = now->deformation;
+  row[ED_RTS_DEFORMATION] = t->specimen.deformation;
   row[ED_RTS_FORCE] = now->force;
-  row[ED_RTS_TRUE_FORCE] = now->true_force;
+  row[ED_RTS_TRUE_FORCE] = t->specimen.force;
   for (int i = 0; i < 3; i++)
     row[ED_RTS_ALPHA + i] = adaptive ? c->alpha[i] : 0.0;
   if (t->compensator.kind == ED_COMPENSATE_LIVE_DELAY)
@@ -276,7 +208,7 @@ static void write_row(const ed_substructure *t, const double *target, double com
 static void read_sensors(ed_substructure *t, double delayed_force, readings *now)
 {
   int clipped = 0;
-  now->measured = ed_sensor_read(&t->displacement_sensor, now->deformation, &clipped);
+  now->measured = ed_sensor_read(&t->displacement_sensor, t->specimen.deformation, &clipped);
   now->force = ed_sensor_read(&t->force_sensor, delayed_force, &clipped);
   if (clipped)
     now->saturated |= ED_SATURATED_SENSOR;
@@ -292,15 +224,15 @@ static int advance_rig(ed_substructure *t, double from, double to, readings *now
     const int status = move_specimen(t, ed_delay_line_next(&t->command_line, w), now);
     if (status != ED_OK)
       return status;
-    delayed_force = ed_delay_line_next(&t->force_line, now->true_force);
+    delayed_force = ed_delay_line_next(&t->force_line, t->specimen.force);
   }
   read_sensors(t, delayed_force, now);
   return ED_OK;
 }
 
-static int beyond(const ed_substructure *t, double target, const readings *now)
+static int beyond(const ed_substructure *t, double target)
 {
-  return fabs(target) > t->abort_displacement || fabs(now->deformation) > t->abort_displacement;
+  return fabs(target) > t->abort_displacement || fabs(t->specimen.deformation) > t->abort_displacement;
 }
 
 static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, double *record, int *done)
@@ -341,7 +273,7 @@ static int run(ed_substructure *t, int n, const double *drive, ed_watch *watch, 
     sent = to;
     write_row(t, target, command, &now, row);
     *done = k + 2;
-    if (moved == ED_LIMIT || beyond(t, target[0], &now))
+    if (moved == ED_LIMIT || beyond(t, target[0]))
       return ED_LIMIT;
   }
   return ED_OK;
@@ -354,11 +286,11 @@ int ed_substructure_run(ed_substructure *t, int n, const double *drive, unsigned
   if (n < 0 || !ed_all_finite(((size_t)n + 1) * (t->numerical ? 1 : TARGETS), drive))
     return failed(t, ED_E_ARGUMENT, "what drives the test", NULL);
   begin(t, seed);
-  if (t->system)
-    ed_ode_system_watch(t->system, &watch);
+  if (t->specimen.system)
+    ed_ode_system_watch(t->specimen.system, &watch);
   const int status = run(t, n, drive, &watch, record, done);
-  if (t->system)
-    ed_ode_system_watch(t->system, NULL);
+  if (t->specimen.system)
+    ed_ode_system_watch(t->specimen.system, NULL);
   if (t->numerical)
     t->numerical->end(t->numerical);
   return status;
@@ -402,18 +334,4 @@ int ed_substructure_by_force(ed_substructure *t, int n, const double *ground, co
 const char *ed_substructure_message(const ed_substructure *t)
 {
   return t->message;
-}
-
-int ed_compensator_run(const ed_compensator_parameters *parameters, int n, const double *target, const double *measured, double *command)
-{
-  if (ed_wrong_compensator(parameters) || n < 0)
-    return ED_E_ARGUMENT;
-  ed_compensator *state = malloc(sizeof *state);
-  if (!state)
-    return ED_E_MEMORY;
-  ed_compensator_start(parameters, state);
-  for (int k = 0; k < n; k++, target += 3)
-    command[k] = ed_compensator_step(parameters, state, target[0], target[1], target[2], measured[k]);
-  free(state);
-  return ED_OK;
 }
