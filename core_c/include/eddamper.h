@@ -40,8 +40,8 @@ enum {
 typedef struct ed_damper ed_damper;
 
 /* A damper: a law with its parameters, and the stiffness of a brace in series with it (0: rigid), whose pins have play from end to end
- * (0: none; laws without exact step refuse it). On failure *status and `message`
- * (size bytes) say why and NULL is returned. */
+ * (0: none; laws without exact step refuse it). On failure *status and `message` (size bytes) say why and NULL is returned:
+ * ED_E_ID, no such law; ED_E_ARGUMENT, ED_E_NOT_FINITE, a parameter is not allowed; ED_E_MEMORY. */
 ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, double brace, double play, int *status,
                          char *message, int size);
 void ed_damper_free(ed_damper *damper);
@@ -75,7 +75,7 @@ enum {
  * of its forces, F_law + tau F_law' = everything: it adds Q to the force, Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a
  * factor; force, phi and F_law linear over the step. Refused unless the law is ED_LAW_MGMM (tau = c1/k1). A brace stands in series with
  * the amended damper; laws without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then
- * nothing has changed. */
+ * nothing has changed: ED_E_ID, ED_E_ARGUMENT, ED_E_NOT_FINITE, ED_E_MEMORY. */
 int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size);
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
@@ -108,7 +108,12 @@ int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const do
  * - 1) beyond the play, bend > 0, play = 0. Beside all of it damping e'. stiffness, back > 0; bend, within, play, damping >= 0, play from
  * end to end. */
 typedef struct {
-  double stiffness, back, bend, power, within, play, damping;
+  double stiffness, back; /* N/m */
+  double bend;            /* 1/m^2 */
+  double power;           /* 1 */
+  double within;          /* N/m */
+  double play;            /* m */
+  double damping;         /* N s/m */
 } ed_rig;
 /* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
  * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the

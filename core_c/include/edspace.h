@@ -15,7 +15,7 @@ extern "C" {
  * at its end, as components along local x, y, z of what acts on the member. One thread at a time may use an object. */
 typedef struct ed_space ed_space;
 
-/* Section and material of a member: E, G, A, A_y, A_z, I_t, I_y, I_z. A_y, A_z: shear areas for V_y and V_z, 0: no shear deformation. */
+/* Section and material of a member: E, G (N/m^2), A, A_y, A_z (m^2), I_t, I_y, I_z (m^4). A_y, A_z: shear areas for V_y and V_z, 0: no shear deformation. */
 #define ED_SPACE_PROPERTIES 8
 
 /* What a frame is made of; read only by ed_space_new. ux, uy and rz of the nodes of a floor follow the floor's master, at its place in
@@ -23,15 +23,15 @@ typedef struct ed_space ed_space;
 typedef struct {
   int n_nodes, n_floors, n_members;
   const char *const *node_name, *const *member_name; /* for messages */
-  const double *coordinates; /* n_nodes x 3 */
+  const double *coordinates; /* n_nodes x 3, m */
   const int *node_floor;     /* n_nodes: 0 .. n_floors - 1, -1: none */
-  const double *masters;     /* n_floors x 2: x, y */
+  const double *masters;     /* n_floors x 2: x, y, m */
   const int *fixed;          /* n_nodes x 6: held */
-  const double *springs;     /* n_nodes x 6: to the ground, >= 0 */
+  const double *springs;     /* n_nodes x 6: to the ground, >= 0; N/m and N m/rad */
   const int *start, *end;    /* n_members: nodes */
   const double *web;         /* n_members x 3, of length 1 and at right angles to the member */
   const double *properties;  /* n_members x ED_SPACE_PROPERTIES */
-  const double *ends;        /* n_members x 4: rotational springs y at start, z at start, y at end, z at end; 0: pin, infinite: rigid */
+  const double *ends;        /* n_members x 4: rotational springs y at start, z at start, y at end, z at end, N m/rad; 0: pin, infinite: rigid */
   const int *axial_only;     /* n_members: carries an axial force alone between its ends; of its properties E and A count */
 } ed_space_input;
 
@@ -52,11 +52,11 @@ int ed_space_change(ed_space *space, int n, const int *member, const double *pro
 
 /* Loads on members: force a length of the member, and forces at a fraction of its length, in global components. */
 typedef struct {
-  const double *uniform; /* n_cases x n_members x 3, or NULL */
+  const double *uniform; /* n_cases x n_members x 3, N/m, or NULL */
   int n_points;
-  const int *point_case, *point_member; /* n_points */
+  const int *point_case, *point_member; /* n_points: case and member of each */
   const double *point_position;         /* n_points: 0 .. 1 */
-  const double *point_force;            /* n_points x 3 */
+  const double *point_force;            /* n_points x 3, N */
 } ed_space_loads;
 
 /* Static cases. nodal: n_cases x n_nodes x 6, or NULL. Results, each may be NULL but end_forces: displacements and reactions n_cases x

@@ -2,9 +2,9 @@
 #ifndef EDSUBSTRUCTURE_H
 #define EDSUBSTRUCTURE_H
 
+#include "edanalysis.h"
 #include "edcompensator.h"
 #include "eddamper.h"
-#include "edframe.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -19,7 +19,7 @@ enum { ED_RIG_LINEAR = 0, ED_RIG_SERVO_HYDRAULIC = 1 };
 #define ED_RIG_STATES 12
 /* Whoever moves the specimen. w: command, `delay` seconds late. */
 typedef struct {
-  int kind;
+  int kind;              /* ED_RIG_... */
   double delay;          /* s, >= 0 */
   /* LINEAR: r_1 = A r_0 + b0 w_0 + b1 w_1 over a sub-step (w linear), position = c r + d w, velocity = c_v r + d_v w. Without states
    * the position is d w, and the velocity its slope. */
@@ -27,16 +27,21 @@ typedef struct {
   double A[ED_RIG_STATES * ED_RIG_STATES], b0[ED_RIG_STATES], b1[ED_RIG_STATES], c[ED_RIG_STATES], c_v[ED_RIG_STATES], d, d_v; /* A row by row */
   /* SERVO_HYDRAULIC: valve_lag q' + q = gain (w - x), q: velocity of the piston without load, |q| <= velocity sqrt(1 -+ F / force);
    * x = integral of q less F / oil. */
-  double gain, valve_lag, oil;
+  double gain;           /* 1/s */
+  double valve_lag;      /* s */
+  double oil;            /* stiffness of its column, N/m */
   double stiffness;      /* of what stands between actuator and specimen, N/m; 0: rigid */
   int corrected;         /* the difference of both displacements is added to the command */
-  double stroke, velocity, force; /* limits, infinite: none; a motion beyond the first two is held there */
+  /* limits, infinite: none; a motion beyond the first two is held there */
+  double stroke;         /* m, either way */
+  double velocity;       /* m/s */
+  double force;          /* N */
 } ed_rig_model;
 
 /* Readings: normal noise, then rounding to whole quanta (0: none) within a range (infinite: none). */
 typedef struct {
-  double displacement_noise, displacement_quantum, displacement_range;
-  double force_noise, force_quantum, force_range;
+  double displacement_noise, displacement_quantum, displacement_range; /* m: standard deviation, quantum, largest magnitude */
+  double force_noise, force_quantum, force_range;                      /* N: the same */
   double force_delay;    /* s */
 } ed_sensors;
 
@@ -46,9 +51,9 @@ typedef struct {
  * the period of the interface's mass on the specimen. The analysis must outlive the test, and only one of both runs at a time. */
 typedef struct {
   ed_analysis *analysis;
-  int divisions;         /* 1 to 1000 */
-  int method;
-  double parameters[4];
+  int divisions;         /* steps of the frame in a main step, 1 to 1000 */
+  int method;            /* ED_NEWMARK or ED_GENERALISED_ALPHA */
+  double parameters[4];  /* of the method, as of ed_history_begin */
   int n_terms;           /* the specimen's deformation is the sum of coefficient * degree of node, and counts from that state */
   const int *node, *degree;
   const double *coefficient;
@@ -63,7 +68,7 @@ typedef struct {
   int n_states, n_outputs;
   const double *A, *B, *C, *D;
   const ed_frame_part *frame; /* or a frame in their place, without outputs; else NULL */
-  const ed_compensator_parameters *compensator;
+  const ed_compensator_parameters *compensator; /* with the same main step */
   int unseen_delay;      /* main steps that pass between the target and the compensator */
   const ed_rig_model *rig;
   const ed_sensors *sensors;
@@ -88,7 +93,8 @@ enum {
   ED_RTS_CHANNELS = 16       /* then n_outputs */
 };
 
-/* NULL: *status and `message` (size bytes) say why. */
+/* Keeps a copy of what the input says, but not of analysis and specimen. NULL: *status (ED_E_ARGUMENT, ED_E_MEMORY) and `message` (size
+ * bytes) say why. */
 ed_substructure *ed_substructure_new(const ed_substructure_input *input, int *status, char *message, int size);
 void ed_substructure_free(ed_substructure *test);
 void ed_substructure_ask(ed_substructure *test, const ed_stop *stop);

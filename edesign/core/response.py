@@ -53,8 +53,8 @@ class Channel:
 
     Attributes:
         name: key of the results.
-        terms: (coefficient, kind, id of the node or element, component); edframe.h lists kinds and components, `KINDS`
-            the names.
+        terms: (coefficient, kind, id of the node or element, component); edanalysis.h lists kinds and components,
+            `KINDS` the names.
         history: keep the samples, not only the extremes.
         tail: keep the samples of the last steps.
     """

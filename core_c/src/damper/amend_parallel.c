@@ -1,11 +1,9 @@
 /* Amendments that act beside the law. */
 #include "damper/amendment.h"
+#include "damper/power_dashpot.h"
 #include "damper/relaxation.h"
 
 #include <math.h>
-
-/* Powers of the velocity below 1 are chords below this speed, as of the law viscous_power. */
-static const double AT_REST = 1e-9;
 
 static void payne_elastic(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
@@ -104,11 +102,9 @@ static void dashpot(const double *p, double before, const ed_ends *ends, double 
 {
   enum { ED_AMEND_VELOCITY_EXPONENT_DASHPOT_PARAMETERS };
   (void)before, (void)after;
-  const double alpha = p[ALPHA], speed = fabs(ends->v1);
-  const int rests = speed < AT_REST && alpha <= 1.0;
-  const double secant = p[C] * pow(rests ? AT_REST : speed, alpha - 1.0);
+  double secant;
+  ed_power_dashpot(p[C], p[ALPHA], ends->v1, &secant, &out->by_v1);
   out->value = secant * ends->v1;
-  out->by_v1 = rests ? secant : alpha * secant;
   out->chord = fmax(secant - out->by_v1, 0.0);
 }
 

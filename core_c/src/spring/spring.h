@@ -29,7 +29,7 @@ typedef struct {
   } of;
 } ed_spring;
 
-/* NULL, or why the parameters (edframe.h) are refused. */
+/* NULL, or why the parameters (edmodel.h) are refused. */
 const char *ed_spring_set(ed_spring *spring, int law, int n, const double *parameters);
 
 int ed_spring_state_size(const ed_spring *spring); /* doubles */
