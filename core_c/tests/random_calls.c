@@ -88,6 +88,7 @@ int expect_listed(caller *c, int status)
 #define NOT_IT(name, value, text) &&status != value
   const int unlisted = 1 ED_STATUS_LIST(NOT_IT);
   c->calls++;
+  c->out_of_memory += status == ED_E_MEMORY;
   alarm(60); /* the next call must have come by then: else it hangs */
   CHECK(!unlisted);
   return status;

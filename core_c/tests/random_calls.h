@@ -11,6 +11,7 @@ typedef struct {
   numbers source;
   double wild; /* share of absurd values */
   long calls;
+  long out_of_memory; /* how often a call said so */
 } caller;
 
 /* ---- choices ---- */

@@ -150,8 +150,10 @@ static void add_loads(caller *c, things *m)
 static int make_model(caller *c, things *m)
 {
   *m = (things){.model = ed_model_new()};
-  if (!m->model)
+  if (!m->model) {
+    expect_listed(c, ED_E_MEMORY);
     return 0;
+  }
   add_steels(c, m);
   for (int i = whole(c, 2, 7); i > 0; i--)
     count(c, &m->nodes, ed_model_node(m->model, name(c), or_absurd(c, chance(c, 0.7) ? 0.0 : 4.0 * m->nodes), or_absurd(c, 3.0 * m->nodes)));

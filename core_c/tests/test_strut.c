@@ -36,7 +36,7 @@ static strut strut_new(int elements, double buckling_length, double end_stiffnes
   const int i = ed_model_node(s.model, "i", 0.0, 0.0), j = ed_model_node(s.model, "j", LENGTH, 0.0);
   const int id = ed_model_strut(s.model, "s", i, j, section, 5, elements, 1e-3, buckling_length, end_stiffness, bar, DEPTH * DEPTH, ED_LINEAR);
   CHECK_INT(id, 0);
-  CHECK(ed_element_setup(&s.e, s.model, id));
+  CHECK_STATUS(ed_element_setup(&s.e, s.model, id), ED_OK);
   s.block = calloc((size_t)ed_element_block_size(&s.e), sizeof *s.block);
   s.layers = calloc((size_t)ed_element_layer_size(&s.e), sizeof *s.layers);
   ed_element_initialise(&s.e, s.block, s.layers);

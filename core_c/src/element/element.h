@@ -57,7 +57,7 @@ enum { ED_BLOCK_V = 0, ED_BLOCK_Q = 3, ED_BLOCK_K = 6, ED_BLOCK_REFERENCE = 12, 
 /* a point: e0 kappa, N M, k11 k12 k22, elastic in this trial, some layer has yielded before, what is left of the reach of its tangent */
 enum { ED_POINT_E = 0, ED_POINT_S = 2, ED_POINT_K = 4, ED_POINT_ELASTIC = 7, ED_POINT_INELASTIC = 8, ED_POINT_REACH = 9, ED_POINT_SIZE = 10 };
 
-/* 0: its length or stiffness is not a finite number. */
+/* ED_OK; ED_E_NOT_FINITE: its length or stiffness is not a finite number; ED_E_MEMORY. */
 int ed_element_setup(ed_element *element, const ed_model *model, int index);
 void ed_element_clear(ed_element *element); /* frees what setup made */
 int ed_element_block_size(const ed_element *element);

@@ -72,6 +72,79 @@ static void place_points(ed_element *e, const ed_member *m)
   }
 }
 
+static void setup_spring(ed_element *e, const ed_spring *spring)
+{
+  e->spring = spring;
+  e->length = 0.0; /* none to make moments comparable by */
+  e->c = 1.0;
+  e->stiffness[0] = spring->stiffness;
+  e->flexibility[0] = 1.0 / e->stiffness[0];
+}
+
+static void setup_truss(ed_element *e, const ed_steel *steel, double area)
+{
+  e->steel = steel;
+  e->area = area;
+  e->flexibility[0] = e->length / (steel->E * area);
+  e->stiffness[0] = 1.0 / e->flexibility[0];
+}
+
+/* Flexibility 11 12 22 of a section before any strain. */
+static void section_flexibility(const ed_section *section, double inverse[3])
+{
+  const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
+  inverse[0] = section->k22 / determinant;
+  inverse[1] = -section->k12 / determinant;
+  inverse[2] = section->k11 / determinant;
+}
+
+/* In closed form; `without`: flexibilities that its ends leave out. */
+static void setup_elastic_beam(ed_element *e, const ed_section *section, const double without[2])
+{
+  double *f = e->inverse[0];
+  const double L = e->length;
+  e->section[0] = section;
+  section_flexibility(section, f);
+  const double F[6] = {f[0] * L, -f[1] * L / 2.0, f[1] * L / 2.0, f[2] * L / 3.0, -f[2] * L / 6.0, f[2] * L / 3.0};
+  memcpy(e->flexibility, F, sizeof F);
+  e->flexibility[3] -= without[0];
+  e->flexibility[5] -= without[1];
+}
+
+static void setup_fibre_beam(ed_element *e, const ed_model *model, const ed_member *m)
+{
+  place_points(e, m);
+  int offset = 0;
+  for (int p = 0; p < e->points; p++) {
+    const ed_section *section = &model->sections[m->section[m->breaks ? 0 : p]];
+    const double x = e->x[p], w = e->weight[p] * e->length, *f = e->inverse[p];
+    e->section[p] = section;
+    e->weight[p] = w;
+    section_flexibility(section, e->inverse[p]);
+    e->layer_offset[p] = offset;
+    offset += section->state_size;
+    e->flexibility[0] += w * f[0];
+    e->flexibility[1] += w * f[1] * (x - 1.0);
+    e->flexibility[2] += w * f[1] * x;
+    e->flexibility[3] += w * f[2] * (x - 1.0) * (x - 1.0);
+    e->flexibility[4] += w * f[2] * (x - 1.0) * x;
+    e->flexibility[5] += w * f[2] * x * x;
+  }
+}
+
+/* Axis and length of what bends between two nodes. */
+static void place_axis(ed_element *e, const ed_member *m, double dx, double dy)
+{
+  e->c = dx / e->length;
+  e->s = dy / e->length;
+  e->rigid = m->rigid[0] > 0.0 || m->rigid[1] > 0.0;
+  if (e->rigid) {
+    e->arm[0] = m->rigid[0];
+    e->arm[1] = -m->rigid[1];
+    e->length -= m->rigid[0] + m->rigid[1];
+  }
+}
+
 int ed_element_setup(ed_element *e, const ed_model *model, int index)
 {
   const ed_member *m = &model->members[index];
@@ -87,74 +160,32 @@ int ed_element_setup(ed_element *e, const ed_model *model, int index)
   const ed_node *i = &model->nodes[m->node[0]], *j = &model->nodes[m->node[1]];
   const double dx = j->x - i->x, dy = j->y - i->y;
   e->length = hypot(dx, dy);
-  if (m->kind == ED_LINK) {
-    setup_link(e, m, dx, dy);
-    return isfinite(e->length) && ed_all_finite(36, e->link);
+  if (!isfinite(e->length))
+    return ED_E_NOT_FINITE;
+  if (e->kind != ED_LINK && e->kind != ED_SPRING) /* which may have no length */
+    place_axis(e, m, dx, dy);
+  switch (e->kind) {
+    case ED_LINK:
+      setup_link(e, m, dx, dy);
+      return ed_all_finite(36, e->link) ? ED_OK : ED_E_NOT_FINITE;
+    case ED_SPRING:
+      setup_spring(e, &model->springs[m->spring]);
+      break;
+    case ED_TRUSS:
+      setup_truss(e, &model->materials[m->material], m->area);
+      break;
+    case ED_STRUT:
+      e->strut = ed_strut_new(model, m, e->length);
+      return !e->strut ? ED_E_MEMORY : ed_strut_finite(e->strut) ? ED_OK : ED_E_NOT_FINITE;
+    case ED_ELASTIC_BEAM:
+      setup_elastic_beam(e, &model->sections[m->section[0]], m->without);
+      stiffness_of(e->flexibility, e->release, e->stiffness);
+      break;
+    case ED_FIBRE_BEAM:
+      setup_fibre_beam(e, model, m);
+      stiffness_of(e->flexibility, e->release, e->stiffness);
   }
-  if (m->kind == ED_SPRING) {
-    e->spring = &model->springs[m->spring];
-    e->length = 0.0; /* none to make moments comparable by */
-    e->c = 1.0;
-    e->stiffness[0] = e->spring->stiffness;
-    e->flexibility[0] = 1.0 / e->stiffness[0];
-    return isfinite(e->stiffness[0]);
-  }
-  e->c = dx / e->length;
-  e->s = dy / e->length;
-  e->rigid = m->rigid[0] > 0.0 || m->rigid[1] > 0.0;
-  if (e->rigid) {
-    e->arm[0] = m->rigid[0];
-    e->arm[1] = -m->rigid[1];
-    e->length -= m->rigid[0] + m->rigid[1];
-  }
-  if (m->kind == ED_TRUSS) {
-    e->steel = &model->materials[m->material];
-    e->area = m->area;
-    e->flexibility[0] = e->length / (e->steel->E * m->area);
-    e->stiffness[0] = 1.0 / e->flexibility[0];
-    return isfinite(e->length + e->stiffness[0]);
-  }
-  if (m->kind == ED_STRUT) {
-    e->strut = isfinite(e->length) ? ed_strut_new(model, m, e->length) : NULL;
-    return e->strut && ed_strut_finite(e->strut);
-  }
-  if (m->kind == ED_ELASTIC_BEAM) {
-    const ed_section *section = &model->sections[m->section[0]];
-    const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
-    const double f11 = section->k22 / determinant, f12 = -section->k12 / determinant, f22 = section->k11 / determinant;
-    const double L = e->length;
-    e->section[0] = section;
-    e->inverse[0][0] = f11;
-    e->inverse[0][1] = f12;
-    e->inverse[0][2] = f22;
-    const double F[6] = {f11 * L, -f12 * L / 2.0, f12 * L / 2.0, f22 * L / 3.0, -f22 * L / 6.0, f22 * L / 3.0};
-    memcpy(e->flexibility, F, sizeof F);
-    e->flexibility[3] -= m->without[0];
-    e->flexibility[5] -= m->without[1];
-  } else {
-    place_points(e, m);
-    int offset = 0;
-    for (int p = 0; p < e->points; p++) {
-      const ed_section *section = &model->sections[m->section[m->breaks ? 0 : p]];
-      const double x = e->x[p], w = e->weight[p] * e->length;
-      const double determinant = section->k11 * section->k22 - section->k12 * section->k12;
-      e->section[p] = section;
-      e->weight[p] = w;
-      e->inverse[p][0] = section->k22 / determinant;
-      e->inverse[p][1] = -section->k12 / determinant;
-      e->inverse[p][2] = section->k11 / determinant;
-      e->layer_offset[p] = offset;
-      offset += section->state_size;
-      e->flexibility[0] += w * e->inverse[p][0];
-      e->flexibility[1] += w * e->inverse[p][1] * (x - 1.0);
-      e->flexibility[2] += w * e->inverse[p][1] * x;
-      e->flexibility[3] += w * e->inverse[p][2] * (x - 1.0) * (x - 1.0);
-      e->flexibility[4] += w * e->inverse[p][2] * (x - 1.0) * x;
-      e->flexibility[5] += w * e->inverse[p][2] * x * x;
-    }
-  }
-  stiffness_of(e->flexibility, e->release, e->stiffness);
-  return isfinite(e->length) && ed_all_finite(6, e->stiffness);
+  return ed_all_finite(6, e->stiffness) ? ED_OK : ED_E_NOT_FINITE;
 }
 
 void ed_element_clear(ed_element *e)

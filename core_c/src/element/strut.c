@@ -76,7 +76,7 @@ static void make_parts(ed_strut *s, const ed_model *model, const ed_member *memb
   s->finite = 1;
   for (int p = 0; p < s->parts; p++) {
     ed_element *e = &s->part[p];
-    s->finite &= ed_element_setup(e, &inside, p) != 0;
+    s->finite &= ed_element_setup(e, &inside, p) == ED_OK;
     e->member = member;
     e->state = block;
     e->layers = layers;

@@ -17,8 +17,11 @@ int ed_members_allocate(ed_analysis *a)
   if (!members->element || !members->displacement || !members->resisting || !members->force)
     return ED_E_MEMORY;
   for (int m = 0; m < model->n_members; m++) {
-    if (!ed_element_setup(&members->element[m], model, m))
+    const int status = ed_element_setup(&members->element[m], model, m);
+    if (status == ED_E_NOT_FINITE)
       return ed_fail(a, ED_E_NOT_FINITE, "element %s: its length or stiffness is not a finite number", model->members[m].name);
+    if (status != ED_OK)
+      return status;
     members->n_struts += members->element[m].kind == ED_STRUT;
   }
   return ED_OK;

@@ -15,10 +15,9 @@ static int head_size(void)
   return (int)((sizeof(ed_state_head) + sizeof(double) - 1) / sizeof(double));
 }
 
-static void point_into(ed_state *state, double *block, const ed_analysis *a)
+static void point_into_block(ed_state *state, const ed_analysis *a)
 {
-  double *next = block;
-  state->block = block;
+  double *next = state->block;
   state->head = (ed_state_head *)(void *)next;
   next += head_size();
   double **vectors[] = {&state->u, &state->v, &state->a, &state->resisting, &state->damping, &state->pace, &state->pace_before};
@@ -64,16 +63,16 @@ int ed_state_allocate(ed_analysis *a)
     return ED_E_MEMORY;
   a->storage.size = (int)size;
   a->storage.layer_size = (int)layers;
-  double *trial = calloc((size_t)a->storage.size, sizeof *trial);
-  double *committed = calloc((size_t)a->storage.size, sizeof *committed);
+  a->trial.block = calloc((size_t)a->storage.size, sizeof(double));
+  a->committed.block = calloc((size_t)a->storage.size, sizeof(double));
   a->storage.block_backup = malloc((size_t)a->storage.size * sizeof(double));
   a->storage.layers = calloc((size_t)layers + 1, sizeof(double));
   a->storage.records = calloc((size_t)records + 1, sizeof(double));
   a->storage.layers_backup = malloc(((size_t)layers + 1) * sizeof(double));
-  point_into(&a->trial, trial, a);
-  point_into(&a->committed, committed, a);
-  if (!trial || !committed || !a->storage.block_backup || !a->storage.layers || !a->storage.layers_backup || !a->storage.records)
+  if (!a->trial.block || !a->committed.block || !a->storage.block_backup || !a->storage.layers || !a->storage.layers_backup || !a->storage.records)
     return ED_E_MEMORY;
+  point_into_block(&a->trial, a);
+  point_into_block(&a->committed, a);
   double *next = a->storage.records;
   for (int m = 0; m < a->model->n_members; m++) {
     ed_element *e = &a->members.element[m];

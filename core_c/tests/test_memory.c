@@ -1,0 +1,73 @@
+/* Running out of memory: the random calls (random_calls.h) of some seeds with sound numbers, in each of which one allocation of the core
+ * fails, or all from it on. What must hold: some call says ED_E_MEMORY, the others what they say at any time, and nothing is lost. The
+ * Makefile links this program with a core whose malloc, calloc and realloc are those below. */
+#include "checks.h"
+#include "random_calls.h"
+
+#include <limits.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+void *failing_malloc(size_t size);
+void *failing_calloc(size_t count, size_t size);
+void *failing_realloc(void *block, size_t size);
+
+static long allocations, first_to_fail, last_to_fail;
+
+static int fails(void)
+{
+  allocations++;
+  return allocations >= first_to_fail && allocations <= last_to_fail;
+}
+
+void *failing_malloc(size_t size)
+{
+  return fails() ? NULL : malloc(size);
+}
+
+void *failing_calloc(size_t count, size_t size)
+{
+  return fails() ? NULL : calloc(count, size);
+}
+
+void *failing_realloc(void *block, size_t size)
+{
+  return fails() ? NULL : realloc(block, size);
+}
+
+/* Seeds a life cycle, and failures a seed, spread over its allocations. */
+enum { SEEDS = 12, FAILURES = 25 };
+
+/* How often a call said that memory was out. */
+static long live(void (*life)(caller *), unsigned long long seed, long first, long last)
+{
+  caller c = {.source = {seed * 0x9e3779b97f4a7c15ULL}};
+  allocations = 0;
+  first_to_fail = first;
+  last_to_fail = last;
+  life(&c);
+  return c.out_of_memory;
+}
+
+int main(void)
+{
+  void (*const lives[])(caller *) = {call_signals, call_damper, call_frame, call_space};
+  long failures = 0;
+  for (int kind = 0; kind < 4; kind++)
+    for (unsigned long long seed = 1; seed <= SEEDS; seed++) {
+      CHECK_INT(live(lives[kind], seed, LONG_MAX, LONG_MAX), 0);
+      const long all = allocations;
+      for (long i = 0; i < FAILURES && i < all; i++) {
+        const long failing = all <= FAILURES ? i + 1 : 1 + i * (all - 1) / (FAILURES - 1);
+        for (int on = 0; on < 2; on++) {
+          const long before = checks_failed();
+          CHECK(live(lives[kind], seed, failing, on ? LONG_MAX : failing) > 0);
+          if (checks_failed() > before)
+            printf("life cycle %d, seed %llu, allocation %ld of %ld%s\n", kind, seed, failing, all, on ? " and all after it" : "");
+          failures++;
+        }
+      }
+    }
+  CHECK(failures > 1000);
+  return checks_end("out of memory");
+}
