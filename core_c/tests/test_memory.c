@@ -1,6 +1,6 @@
 /* Running out of memory: the random calls (random_calls.h) of some seeds with sound numbers, in each of which one allocation of the core
  * fails, or all from it on. What must hold: some call says ED_E_MEMORY, the others what they say at any time, and nothing is lost. The
- * Makefile links this program with a core whose malloc, calloc and realloc are those below. */
+ * Makefile links this program with a core whose malloc, calloc, realloc and aligned_alloc are those below. */
 #include "checks.h"
 #include "random_calls.h"
 
@@ -11,6 +11,7 @@
 void *failing_malloc(size_t size);
 void *failing_calloc(size_t count, size_t size);
 void *failing_realloc(void *block, size_t size);
+void *failing_aligned_alloc(size_t alignment, size_t size);
 
 static long allocations, first_to_fail, last_to_fail;
 
@@ -33,6 +34,11 @@ void *failing_calloc(size_t count, size_t size)
 void *failing_realloc(void *block, size_t size)
 {
   return fails() ? NULL : realloc(block, size);
+}
+
+void *failing_aligned_alloc(size_t alignment, size_t size)
+{
+  return fails() ? NULL : aligned_alloc(alignment, size);
 }
 
 /* Seeds a life cycle, and failures a seed, spread over its allocations. */

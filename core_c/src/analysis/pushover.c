@@ -18,6 +18,9 @@ static void reference_load(const ed_analysis *a, int pattern, double *load)
   }
 }
 
+/* Of the largest displacement under the loads: one below it is rounding. */
+static const double NO_MOTION = 1e-12;
+
 /* Do the loads move the degree at all? */
 static int moves(ed_analysis *a, int pattern, int control)
 {
@@ -27,7 +30,7 @@ static int moves(ed_analysis *a, int pattern, int control)
     return 1; /* a state at its limit: the run will tell */
   for (int i = 0; i < a->numbering.n; i++)
     largest = fmax(largest, fabs(x[i]) * (a->numbering.rotational[i] ? a->numbering.length : 1.0));
-  return fabs(x[control]) * (a->numbering.rotational[control] ? a->numbering.length : 1.0) > 1e-12 * largest;
+  return fabs(x[control]) * (a->numbering.rotational[control] ? a->numbering.length : 1.0) > NO_MOTION * largest;
 }
 
 int ed_pushover_begin(ed_analysis *a, int pattern, int node, int degree, double target, int steps)

@@ -17,7 +17,7 @@ typedef sunbooleantype ed_sun_boolean;
 /* Order 3, stiffly accurate and L-stable, stage order 2. At the tolerances in use higher orders cost the same, and their embedded
  * errors guide them worse past the kinks of these laws. */
 static const ARKODE_DIRKTableID method = ARKODE_ESDIRK325L2SA_5_2_3;
-enum { MOST_STEPS = 20000 };
+enum { MOST_STEPS = 20000, FALLING = -1 };
 static const double newton_share = 1e-2; /* of the tolerance, in the last change of Newton's method */
 
 static const double sensitivity_share = 1000.0; /* of the tolerance: a tangent needs no more */
@@ -60,6 +60,9 @@ static int weights(N_Vector y, N_Vector weight, void *data)
   return 0;
 }
 
+/* An error, over its tolerance, with which a step fails: in the place of one that is not finite, which would compare with nothing. */
+static const double HOPELESS = 1e10;
+
 /* The largest error counts: what one damper may err does not depend on how many there are. */
 static double largest(N_Vector x, N_Vector weight)
 {
@@ -69,7 +72,7 @@ static double largest(N_Vector x, N_Vector weight)
   for (long i = 0; i < n; i++) {
     const double value = fabs(values[i]) * w[i];
     if (!(value <= result))
-      result = isfinite(value) ? value : 1e10;
+      result = isfinite(value) ? value : HOPELESS;
   }
   return result;
 }
@@ -191,10 +194,9 @@ int ed_ode_integrator_new(ed_ode_integrator *integrator, SUNContext context, int
   refused |= ARKStepSetMaxNumSteps(arkode, MOST_STEPS);
   if (turning > 0) {
     refused |= ARKStepRootInit(arkode, turning, turns);
-    int falling[turning];
-    for (int i = 0; i < turning; i++)
-      falling[i] = -1;
-    refused |= ARKStepSetRootDirection(arkode, falling);
+    for (int i = 0; i < turning; i++) /* room for a moment: SUNDIALS keeps a copy */
+      integrator->found[i] = FALLING;
+    refused |= ARKStepSetRootDirection(arkode, integrator->found);
     refused |= ARKStepSetNoInactiveRootWarn(arkode);
   }
   return refused ? ED_E_STATE : ED_OK;

@@ -28,6 +28,11 @@ void ed_path_piece(const ed_path *path, double s0, double s1, ed_path *piece)
   piece->c[3] = c[3];
 }
 
+/* Below this share of the other terms the square is their rounding, and its second root lies far outside. */
+static const double NO_SQUARE = 1e-14;
+/* Two roundings of a place at the end of the path: halving gains nothing more. */
+static const double SAME_PLACE = 4e-16;
+
 /* Places where a + b s + c s^2 changes sign in (0, h), ascending. */
 static int quadratic(double a, double b, double c, double h, double at[2])
 {
@@ -35,7 +40,7 @@ static int quadratic(double a, double b, double c, double h, double at[2])
   double root[2];
   int roots = 0;
   const double large = fabs(b) + fabs(c) * h;
-  if (fabs(c) * h <= 1e-14 * large || c == 0.0) {
+  if (fabs(c) * h <= NO_SQUARE * large || c == 0.0) {
     if (b != 0.0)
       root[roots++] = -a / b;
   } else {
@@ -78,7 +83,7 @@ double ed_path_crossing(const ed_path *path, double level, double low, double hi
     double next = slope > 0.0 ? s - value / slope : low;
     if (!(next > low && next < high) || i >= NEWTON)
       next = 0.5 * (low + high);
-    if (fabs(next - s) <= 4e-16 * path->h)
+    if (fabs(next - s) <= SAME_PLACE * path->h)
       return next;
     s = next;
   }

@@ -153,6 +153,9 @@ static int check(int n, const double *time, const double *u, const double *v, co
   return n >= 1 ? ED_OK : ED_E_ARGUMENT;
 }
 
+/* How many times as long as the samples the way to the first of them takes. */
+static const double SLOWLY = 1e6;
+
 /* From rest to the first deformation so slowly that nothing viscous is left of the way. */
 static int begin(series *in, const double *state, double *trial, double slowly, double u, beside here, double *stretch)
 {
@@ -232,7 +235,8 @@ static int run(series *in, double *state, double *trial, int n, const double *ti
   double stretch, speed = 0.0, speeding = 0.0;
   past before = NO_PAST;
   beside ends[2] = {at(factor, added, spring, 0)};
-  int status = begin(in, state, trial, 1e6 * (time[n - 1] - time[0] + 1.0), u[0], ends[0], &stretch);
+  const double slowly = SLOWLY * (time[n - 1] - time[0] + 1.0); /* a single sample has no length */
+  int status = begin(in, state, trial, slowly, u[0], ends[0], &stretch);
   for (int i = 0; status == ED_OK; i++) {
     double *swap = state;
     state = trial;

@@ -7,6 +7,8 @@
 #include <math.h>
 #include <string.h>
 
+/* Where the search for a shift begins, over the unloaded diagonal: it doubles from there. */
+static const double LEAST_SHIFT = 1e-6;
 /* Of the shift that makes a tangent definite, over the unloaded diagonal: what needs more is no number. */
 static const double LARGEST_SHIFT = 1e12;
 
@@ -209,7 +211,7 @@ int ed_strut_equilibrate(const ed_strut *s, double elongation, const double *lay
     if (iteration == MAX_ITERATIONS)
       return ED_E_ELEMENT;
     control->iterations++;
-    shift = stable ? 0.0 : fmax(0.25 * shift, 1e-6);
+    shift = stable ? 0.0 : fmax(0.25 * shift, LEAST_SHIFT);
     if (!stable) {
       block[SNAPPED] = 1.0;
       while (!factor(n, K, shift, rigid, F))

@@ -493,13 +493,13 @@ ED_INLINE double safe_strain(const ed_menegotto_pinto *law, const evaluations *l
 /* Where fibres of a group turn the branch followed is remembered, and another begins. */
 ED_INLINE void reverse(const ed_menegotto_pinto *law, double *state, int i, int reversed)
 {
-  double *group = state + fields_at(i);
+  double *fields = state + fields_at(i);
   ed_lanes span, exponent, straight;
-  reversal_branch(law, group, i, &span, &exponent);
+  reversal_branch(law, fields, i, &span, &exponent);
   straight_length(&span, &exponent, &straight);
   for (; reversed; reversed &= reversed - 1) {
     const int k = __builtin_ctz((unsigned)reversed);
-    double *at = group + k;
+    double *at = fields + k;
     branches *leaving = (branches *)(void *)(state + branches_at(law->n, i + k, at[AT(SPAN)]));
     int left = (int)at[AT(AHEAD)];
     if (left == DEPTH)

@@ -218,6 +218,9 @@ void ed_space_assemble(ed_space *s, int springs, double *result)
   result[s->nnz] = 0.0;
 }
 
+/* As of plane frames (system/check.c). */
+static const double STIFFENING = 1e-9, STIFFENING_OF_NONE = 1e-18;
+
 /* The degrees that move most in the softest motion, by inverse iteration on a slightly stiffened matrix. */
 static void name_mechanism(ed_space *s, char *buffer, size_t size)
 {
@@ -226,7 +229,7 @@ static void name_mechanism(ed_space *s, char *buffer, size_t size)
   for (int i = 0; i < s->n; i++)
     largest = fmax(largest, s->matrix[s->diagonal[i]] * s->scale[i] * s->scale[i]);
   for (int i = 0; i < s->n; i++) { /* degrees without any stiffness get some */
-    s->matrix[s->diagonal[i]] += 1e-9 * s->matrix[s->diagonal[i]] + 1e-18 * largest / (s->scale[i] * s->scale[i]);
+    s->matrix[s->diagonal[i]] += STIFFENING * s->matrix[s->diagonal[i]] + STIFFENING_OF_NONE * largest / (s->scale[i] * s->scale[i]);
     x[i] = (1.0 + 0.1 * ((i * 7L) % 11)) * s->scale[i];
   }
   if (ed_cholesky_factor(s->factors, s->matrix) != ED_OK)

@@ -12,6 +12,8 @@ enum { STEPS = 300, PROOFS = 8 };
  * smallest pivot is still far from rounding, and no engineer minds a factor passed over so close to the other. Below NONE of the
  * largest eigenvalue of either sign there is only rounding. */
 static const double SETTLED = 1e-12, PROVED = 1e-4, NONE = 1e-8;
+/* Of a vector before it was made orthogonal to the basis: what is left is rounding, and the basis holds all that can be reached. */
+static const double EXHAUSTED = 1e-13;
 
 typedef struct {
   int n, steps;
@@ -47,7 +49,7 @@ static int above(const lanczos *l, double x)
     const double coupling = j ? l->beta[j - 1] * l->beta[j - 1] : 0.0;
     pivot = l->alpha[j] - x - (coupling > 0.0 ? coupling / pivot : 0.0);
     if (pivot == 0.0)
-      pivot = -1e-300;
+      pivot = -1e-300; /* an eigenvalue on x itself counts as below it, and the next quotient stays finite */
     count += pivot > 0.0;
   }
   return count;
@@ -147,7 +149,7 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
     const double whole = sqrt(fmax(dot(l->n, l->next, l->image), 0.0));
     make_orthogonal(l);
     const double rest = sqrt(fmax(dot(l->n, l->next, l->image), 0.0)), theta = largest_eigenvalue(l);
-    const int ended = l->steps == most || rest <= 1e-13 * whole;
+    const int ended = l->steps == most || rest <= EXHAUSTED * whole;
     if (!isfinite(theta) || !isfinite(rest))
       return ed_space_fail(s, ED_E_NOT_FINITE, "the critical load factor is not a finite number");
     if (ended || (j > 0 && fabs(theta - before) <= SETTLED * bound(l))) {

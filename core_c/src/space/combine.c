@@ -32,13 +32,16 @@ ED_CLONES static void combine_lanes(int n_modes, const double *restrict values, 
     root[l] = sqrt(sum[l] <= 0.0 ? 0.0 : 2.0 * sum[l]);
 }
 
+/* Of two coefficients: formulas for rho differ by their rounding from one side to the other, wrong input by its digits. */
+static const double SYMMETRIC = 1e-9;
+
 /* Finite, and symmetric but for rounding. */
 static int usable(int n_modes, const double *rho)
 {
   for (int i = 0; i < n_modes; i++)
     for (int j = 0; j <= i; j++) {
       const double a = rho[(size_t)i * (size_t)n_modes + (size_t)j], b = rho[(size_t)j * (size_t)n_modes + (size_t)i];
-      if (!(fabs(a - b) <= 1e-9 * (fabs(a) + fabs(b))))
+      if (!(fabs(a - b) <= SYMMETRIC * (fabs(a) + fabs(b))))
         return 0;
     }
   return 1;

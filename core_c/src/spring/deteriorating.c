@@ -3,6 +3,9 @@
 #include <math.h>
 #include <string.h>
 
+/* Of the elastic stiffness: by how much unloading stays steeper than the bounds it has to meet. */
+static const double STEEPER = 1e-6;
+
 /* A state as its law reads it; it lies in doubles so that states are copied whole. */
 typedef struct {
   double deformation, force;
@@ -131,7 +134,7 @@ static void move(const ed_deteriorating *law, state_of *s, double deformation)
       s->failed = 1.0;
     /* never below the slope of a bound, which the path would then not meet */
     const double steepest = fmax(s->hardening[0], s->hardening[1]);
-    s->unloading = fmax(s->unloading * (1.0 - share), steepest + 1e-6 * law->stiffness);
+    s->unloading = fmax(s->unloading * (1.0 - share), steepest + STEEPER * law->stiffness);
     s->at_reversal = dissipated;
     s->bound = 0.0;
   }

@@ -7,6 +7,11 @@
 #include <string.h>
 
 enum { NAMED = 8 }; /* degrees in a message */
+/* Smallest |pivot| / |diagonal term| of a structure that stands; of a mechanism only the rounding of a sum is left, 1e-16 a term. */
+static const double LEAST_PIVOT = 1e-12;
+/* What makes a mechanism's matrix regular: a share of each diagonal term, well above its rounding, and one of the largest term for
+ * degrees that have no stiffness at all. */
+static const double STIFFENING = 1e-9, STIFFENING_OF_NONE = 1e-18;
 
 static int find(int *parent, int i)
 {
@@ -68,7 +73,8 @@ void ed_name_mechanism(ed_analysis *a, char *buffer, int size)
   ed_add_device_tangent(a, 1.0, a->factors.effective);
   for (int i = 0; i < n; i++) {
     const double scale = numbering->rotational[i] ? numbering->length * numbering->length : 1.0;
-    a->factors.effective[a->matrix.diagonal[i]] += 1e-9 * fabs(a->matrix.tangent[a->matrix.diagonal[i]]) + 1e-18 * largest * scale;
+    a->factors.effective[a->matrix.diagonal[i]] +=
+        STIFFENING * fabs(a->matrix.tangent[a->matrix.diagonal[i]]) + STIFFENING_OF_NONE * largest * scale;
   }
   int repivoted;
   if (ed_solver_factor(a->factors.solver, a->factors.effective, &repivoted) != ED_OK)
@@ -116,7 +122,7 @@ int ed_check_structure(ed_analysis *a)
   }
   int repivoted;
   const int factored = ed_solver_factor(a->factors.solver, matrix, &repivoted);
-  if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->factors.solver) > 1e-12))
+  if (factored == ED_E_MEMORY || (factored == ED_OK && ed_solver_pivot_ratio(a->factors.solver) > LEAST_PIVOT))
     return factored;
   char names[400];
   ed_name_mechanism(a, names, sizeof names);

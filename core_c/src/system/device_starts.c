@@ -38,7 +38,10 @@ int ed_first_slopes(ed_analysis *a)
   return ED_OK;
 }
 
-/* Forces that the present velocities bring at once, when a history begins: a step too short to deform anything. */
+/* A share of a step too short to deform anything, and long against the rounding of its own length. */
+static const double AT_ONCE = 1e-6;
+
+/* Forces that the present velocities bring at once, when a history begins. */
 int ed_start_devices(ed_analysis *a)
 {
   if (!ed_installed(a))
@@ -49,7 +52,7 @@ int ed_start_devices(ed_analysis *a)
              fabs(ed_device_block(&a->devices, &a->committed, i)[ED_DEVICE_VELOCITY]);
   if (speed == 0.0)
     return ED_OK;
-  a->devices.duration = 1e-6 * a->run.dt;
+  a->devices.duration = AT_ONCE * a->run.dt;
   for (int i = 0; i < a->numbering.n; i++)
     a->trial.u[i] += a->devices.duration * a->trial.v[i];
   const int status = ed_update_devices(a, 0);

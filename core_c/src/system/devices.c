@@ -67,9 +67,12 @@ void ed_devices_free(ed_devices *devices)
     free(blocks[i]);
 }
 
+/* Three years in seconds: nothing is left then of what the slowest laws remember, 2e3 s (edcore.h). */
+static const double SLOWLY = 1e8;
+
 void ed_slowly(ed_devices *devices)
 {
-  devices->duration = 1e8;
+  devices->duration = SLOWLY;
   devices->velocity_factor = 0.0;
 }
 

@@ -149,6 +149,7 @@ int ed_model_fibre_section(ed_model *model, int n, const double *y, const double
     model->n_sections--;
     return ed_model_refuse(model, ED_E_MEMORY, "out of memory");
   }
+  /* relative, it is variance / (mean square) of the depths: fibres must spread over a millionth of their distance from the axis */
   if (!(section->k11 * section->k22 - section->k12 * section->k12 > 1e-12 * section->k11 * section->k22)) {
     model->n_sections--;
     ed_section_free(section);

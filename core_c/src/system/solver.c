@@ -55,7 +55,7 @@ ed_solver *ed_solver_new(int n, int *column_start, int *row, int *diagonal, cons
   klu_defaults(&solver->common);
   solver->common.btf = 0;   /* one block: the structure is connected */
   solver->common.scale = 0; /* stiffness is symmetric, its diagonal a good pivot, also where units differ a lot */
-  solver->common.tol = 1e-6;
+  solver->common.tol = 1e-6; /* for the same reason: one elsewhere only where the diagonal is less than that share of its column */
   solver->symbolic = klu_analyze(n, column_start, row, &solver->common);
   if (!solver->symbolic || !solver->scaled) {
     ed_solver_free(solver);
