@@ -17,7 +17,7 @@ PAGE = ROOT / "docs" / "develop" / "map.md"
 PACKAGES = ("edesign", "blind", "benchmarks")
 FOLDERS = {
     "core_c": "The numerical core in C11.",
-    "core_c/include": "Its one public header, `edcore.h`.",
+    "core_c/include": "Its public headers; `edcore.h` includes them all.",
     "core_c/src/analysis": "Static and modal analysis, pushovers, time histories, spectra.",
     "core_c/src/base": "Contexts, status codes with their messages, small dense kernels.",
     "core_c/src/damper": "Damper laws, one file each, their amendments, the differential equations for SUNDIALS.",
