@@ -32,6 +32,10 @@ const char *ed_status_name(int status);
 const char *ed_status_text(int status);
 const char *ed_version(void);
 
+/* The versions of SuiteSparse and SUNDIALS as loaded, "5.12.0", each into room for `size` characters; "" where a library does not
+ * tell. Longer texts are cut. ED_E_ARGUMENT: no room. */
+int ed_library_versions(int size, char *suitesparse, char *sundials);
+
 /* Whether a long call shall end. `asked` is called with `data` in the thread of the call, about five times a second, and never by
  * calls that last less than that. Another answer than 0 ends the call with ED_E_STOPPED. It must not use the object that is busy. */
 typedef struct {

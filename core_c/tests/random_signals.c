@@ -68,4 +68,6 @@ void call_signals(caller *c)
   call_peaks(c);
   call_fading(c);
   CHECK(ed_status_name(whole(c, -20, 100)) && ed_status_text(whole(c, -20, 100)) && ed_version());
+  char versions[2][8];
+  expect_listed(c, ed_library_versions(whole(c, -1, 8), versions[0], versions[1]));
 }

@@ -2,7 +2,10 @@
 #include "checks.h"
 #include "edcore.h"
 
+#include <SuiteSparse_config.h>
+#include <stdio.h>
 #include <string.h>
+#include <sundials/sundials_config.h>
 
 #define NAME(name, value, text) #name,
 #define VALUE(name, value, text) value,
@@ -26,5 +29,14 @@ int main(void)
   CHECK_CONTAINS(ed_status_name(-12345), "UNKNOWN");
   CHECK_CONTAINS(ed_status_text(-12345), "unknown");
   CHECK(strlen(ed_version()) > 0);
+  char suitesparse[32] = "", sundials[32] = "";
+  CHECK(ed_library_versions(32, suitesparse, sundials) == ED_OK);
+  char expected[32];
+  snprintf(expected, sizeof expected, "%d.%d.%d", SUITESPARSE_MAIN_VERSION, SUITESPARSE_SUB_VERSION, SUITESPARSE_SUBSUB_VERSION);
+  CHECK(strcmp(suitesparse, expected) == 0);
+  CHECK(strcmp(sundials, SUNDIALS_VERSION) == 0);
+  CHECK(ed_library_versions(2, suitesparse, sundials) == ED_OK && strlen(suitesparse) == 1 && strlen(sundials) == 1);
+  CHECK(ed_library_versions(0, suitesparse, sundials) == ED_E_ARGUMENT);
+  CHECK(ed_library_versions(2, NULL, sundials) == ED_E_ARGUMENT);
   return checks_end("status");
 }

@@ -32,6 +32,7 @@ __all__ = [
     "Model",
     "Modes",
     "damped_eigenvalue",
+    "library_versions",
     "MultilinearSpring",
     "Newmark",
     "Response",
@@ -46,3 +47,11 @@ __all__ = [
 def version() -> str:
     """Return the version of the C core."""
     return str(ffi.string(lib.ed_version()).decode())
+
+
+def library_versions() -> dict[str, str]:
+    """Return the versions of the libraries that the core has loaded, by name: SuiteSparse and SUNDIALS."""
+    size = 64
+    texts = {name: ffi.new("char[]", size) for name in ("SuiteSparse", "SUNDIALS")}
+    lib.ed_library_versions(size, *texts.values())
+    return {name: str(ffi.string(text).decode()) or "unknown" for name, text in texts.items()}

@@ -147,6 +147,7 @@ def versions() -> dict[str, str]:
 def libraries() -> dict[str, str]:
     """Return the versions of numerical libraries, which may change the last digits of results."""
     return {
+        **core.library_versions(),
         "numpy": np.__version__,
         "scipy": scipy.__version__,
         "pint": metadata.version("pint"),
