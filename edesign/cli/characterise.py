@@ -51,7 +51,7 @@ def characterise(
     from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
     from edesign.damper.property_table import from_properties, usable, write_property_table
     from edesign.report.damper.measured_figures import draw_tests
-    from edesign.report.damper.measured_tables import cycles_table, properties_data, properties_table
+    from edesign.report.damper.measured_tables import cycle_properties_table, properties_data, properties_table
     from edesign.report.drawing.style import check_format
     from edesign.report.tables.text import print_tables
 
@@ -89,7 +89,7 @@ def characterise(
             f"{1e3 * specimen.layer_thickness:.6g} mm thick"
         )
         tables = [properties_table(title, found, notes)]
-        print_tables([*tables, *(cycles_table(name, columns) for name, columns in each.items())])
+        print_tables([*tables, *(cycle_properties_table(name, columns) for name, columns in each.items())])
     table = from_properties(rows, str(output or inputs[0])) if rows else None
     if output is not None:
         if table is None:

@@ -103,7 +103,7 @@ def details(archive: str | os.PathLike[str] | Archive, name: str) -> list[Table]
     entries = [entry(name, group)]
     tables = [
         analyses_table(entries),
-        Table("Warnings", notes=[warning.text for warning in warnings_of(group)]),
+        Table("Warnings", notes=[warning.text for warning in warnings_of(group)], name="warnings"),
         periods_table(name, group),
         damper_stiffness_table(name, group),
         isolation_estimate_table(name, group),
@@ -127,7 +127,7 @@ def warnings_table(archive: Archive, groups: Mapping[str, Group] | None = None) 
         archive: the open archive.
         groups: results of analyses by name, whose warnings the table has too; None: none.
     """
-    return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})])
+    return Table("Warnings", notes=[*input_warnings(archive), *warning_lines(groups or {})], name="warnings")
 
 
 KINDS = {"target": "target displacement"}
@@ -136,7 +136,7 @@ KINDS = {"target": "target displacement"}
 
 def analyses_table(entries: list[dict[str, Any]]) -> Table:
     """Return name, kind, labels and status of each analysis; reasons of failures stand below."""
-    table = Table("Analyses", ("analysis", "kind", "variant", "record", "level", "status"), left=6)
+    table = Table("Analyses", ("analysis", "kind", "variant", "record", "level", "status"), left=6, name="analyses")
     for item in entries:
         kind = KINDS.get(str(item["kind"]), str(item["kind"] or "-"))
         labels = [kind, *(str(item[label] or "-") for label in ("variant", "record", "level"))]
@@ -154,7 +154,11 @@ def measures_table(entries: list[dict[str, Any]]) -> Table:
         for column in (*FRAME_COLUMNS, *BRACE_COLUMNS)
         if any(item["measures"][column[1]] is not None for item in rows)
     ]
-    table = Table("Response measures (largest absolute values)", ("analysis", *(header for header, _, _ in shown)))
+    table = Table(
+        "Response measures (largest absolute values)",
+        ("analysis", *(header for header, _, _ in shown)),
+        name="response_measures",
+    )
     for item in rows:
         mark = "" if item["status"] == "completed" else " *"
         cells = [number(item["measures"][measure], scale=unit, negligible=ROUNDING) for _, measure, unit in shown]
@@ -167,7 +171,9 @@ def measures_table(entries: list[dict[str, Any]]) -> Table:
 def statistics_table(entries: list[dict[str, Any]]) -> Table:
     """Return the computing effort of each analysis, and the error of its energy balance."""
     table = Table(
-        "Statistics", ("analysis", "steps", "iterations", "refactorisations", "fallbacks", "CPU [s]", "energy error")
+        "Statistics",
+        ("analysis", "steps", "iterations", "refactorisations", "fallbacks", "CPU [s]", "energy error"),
+        name="statistics",
     )
     for item in entries:
         found = item["statistics"]
@@ -188,6 +194,7 @@ def periods_table(name: str, group: Group, most: int | None = None) -> Table:
     """
     table = Table(f"{name}: periods", ("mode", "T [s]", "f [Hz]", "effective mass [%]", "sum [%]"), left=0)
     table.each = ("Periods", name)
+    table.name = "periods"
     period = group.variables.get("period")
     if period is None:
         return table
@@ -218,6 +225,7 @@ def profile_table(name: str, group: Group) -> Table:
         f"{name}: storeys (largest absolute values)", ("storey", *(header for header, _, _ in columns)), left=0
     )
     table.each = ("Storeys (largest absolute values)", name)
+    table.name = "storey_response"
     if not columns:
         return table
     for storey in range(len(columns[0][2]), 0, -1):
@@ -238,7 +246,9 @@ def fallbacks_table(name: str, group: Group) -> Table:
         group: results of the analysis.
     """
     abscissa = ABSCISSAE.get(str(group.attributes.get("kind")), "time [s]")
-    table = Table(f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0, each=("Fallbacks", name))
+    table = Table(
+        f"{name}: fallbacks", ("step", abscissa, "rung", "detail"), left=0, each=("Fallbacks", name), name="fallbacks"
+    )
     events = group.attributes.get("events")
     listed = [event for event in events if isinstance(event, Mapping)] if isinstance(events, list) else []
     for event in listed[:EVENTS_SHOWN]:

@@ -22,7 +22,7 @@ def check_table(verdicts: Sequence[Verdict], criteria: Sequence[Criterion]) -> T
     """
     sources = {criterion.name: source_of(criterion) for criterion in criteria}
     columns = ("check", "requirement", "source", "variant", "level", "demand", "capacity", "D/C", "verdict", "governs")
-    table = Table("Checks", columns, left=5, sentences=(1, 9, 2))
+    table = Table("Checks", columns, left=5, sentences=(1, 9, 2), name="checks")
     for verdict in verdicts:
         cells = [verdict.name, verdict.requirement, sources.get(verdict.name, "") or "-"]
         cells += [verdict.variant or "-", verdict.level or "-", _demand(verdict)]

@@ -41,6 +41,7 @@ def record_measures_table(found: HistorySet) -> Table:
     shown = [c for c in MEASURE_COLUMNS if any(item[c[1]] is not None for item in measures.values())]
     table = Table(f"{label(found)}: response measures (largest absolute values)", ("record", *(c[0] for c in shown)))
     table.each = ("Response measures of each record (largest absolute values)", label(found))
+    table.name = "record_response"
     records = {name: str(found.histories[name].attributes.get("record") or name) for name in measures}
     unique = len(set(records.values())) == len(records)
     for name, item in measures.items():

@@ -21,10 +21,10 @@ def quantities_table() -> Table:
     ]
     columns = ("quantity", "unit", "keys", "histories", "meaning")
     note = "histories: what `outputs: histories` of the study must keep for it"
-    return Table("Quantities of criteria", columns, rows, [note], left=5, sentences=4)
+    return Table("Quantities of criteria", columns, rows, [note], left=5, sentences=4, name="quantities_of_criteria")
 
 
 def measures_table() -> Table:
     """Return all response measures that a criterion may limit; they are of the whole frame unless places are chosen."""
     rows = [[short_name(name), "-" if kind.unit == "1" else kind.unit] for name, kind in MEASURE_KINDS.items()]
-    return Table("Measures of criteria", ("measure", "unit"), rows, left=2)
+    return Table("Measures of criteria", ("measure", "unit"), rows, left=2, name="measures_of_criteria")

@@ -80,7 +80,11 @@ def plan_table(archive: Archive, groups: Mapping[str, Group] | None = None) -> T
     """
     stripes = _stripe_entries(archive)
     ends = (COMPLETED, *(EXPECTED if stripes else ()))
-    table = Table("Analyses", ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"))
+    table = Table(
+        "Analyses",
+        ("analyses", "planned", *ends, "steps", "fallbacks", "CPU [s]", "largest energy error"),
+        name="analyses",
+    )
     by_entry: dict[str, dict[str, Group]] = defaultdict(dict)
     for name, group in (all_results(archive) if groups is None else groups).items():
         by_entry[_entry_of(name, group, stripes)][name] = group

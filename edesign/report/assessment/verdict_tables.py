@@ -33,9 +33,13 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
     Each fits a page; those that would be empty are left out.
     """
     name = ("criterion", "variant", "level")
-    answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1))
+    answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1), name="criteria")
     governs = Table(
-        "What governs the criteria", (*name, "place", "motion", "statistic", "of"), left=6, sentences=(0, 1, 4)
+        "What governs the criteria",
+        (*name, "place", "motion", "statistic", "of"),
+        left=6,
+        sentences=(0, 1, 4),
+        name="governing",
     )
     remarks = Table(REMARKS, (*name, "remark"), left=4, sentences=(3, 0))
     required = dict.fromkeys((verdict.name, verdict.requirement) for verdict in verdicts)
@@ -45,6 +49,7 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
         [list(pair) for pair in required],
         left=2,
         sentences=(1, 0),
+        name="requirements",
     )
     for verdict in verdicts:
         about = [verdict.name, verdict.variant or "-", verdict.level or "-"]
@@ -92,8 +97,10 @@ def performance_tables(sets: Sequence[HistorySet], members: VariantMembers, stat
     """
     title, under = "FEMA 356 performance levels", f"({statistic}, and histories at each)"
     columns = ("variant", "level", "reached", "IO", "LS", "CP", "beyond", "of", "governs")
-    by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8)
-    by_members = Table(f"{title} by plastic rotation {under}", columns, left=2, sentences=8)
+    by_drift = Table(f"{title} by drift {under}", columns, left=2, sentences=8, name="performance_by_drift")
+    by_members = Table(
+        f"{title} by plastic rotation {under}", columns, left=2, sentences=8, name="performance_by_rotation"
+    )
     for found in sets:
         p = set_performance(found, members(found.variant), statistic)
         for table, level, number, worst in (
@@ -139,7 +146,12 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
         "histories",
         "governs",
     )
-    table = Table("Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)", columns, left=7)
+    table = Table(
+        "Rehabilitation objectives (mean D/C, demand over capacity, met up to 1)",
+        columns,
+        left=7,
+        name="rehabilitation_objectives",
+    )
     for letter in objectives:
         objective = OBJECTIVES[letter]
         hazard = f"{100 * objective.probability:g} % in 50 years"

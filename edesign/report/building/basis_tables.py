@@ -6,15 +6,15 @@ import numpy as np
 
 from edesign.codes.criterion import ROUNDING
 from edesign.codes.ec8.strong_column import LEAST_RATIO
-from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.table import Table, finite, formatted, number, whole
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES
 
 
 def materials_table(results: BuildingResults) -> Table:
     """Return the steels."""
-    table = Table("Steel", ("name", "f_y [MPa]", "E [GPa]", "nu", "density [kg/m³]"), formulas=())
+    table = Table("Steel", ("name", "f_y [MPa]", "E [GPa]", "nu", "density [kg/m³]"), formulas=(), name="steel")
     columns = [results.values("materials", name) for name in ("material", "fy", "E", "nu", "density")]
     for name, fy, E, nu, density in zip(*columns, strict=True):
         cells = [number(fy, 4, 1e6), number(E, 4, 1e9), number(nu, 2), number(density, 4)]
@@ -26,7 +26,7 @@ def floors_table(results: BuildingResults) -> Table:
     """Return load and mass of each floor, from the roof down, and of the building."""
     cases = [str(case) for case in results.values("floors", "case")]
     headers = ("floor", "level [m]", *(f"{case} [kN]" for case in cases), "mass [t]", "x [m]", "y [m]", "radius [m]")
-    table = Table("Loads and masses of the floors", headers)
+    table = Table("Loads and masses of the floors", headers, name="floor_loads")
     loads, mass = results.values("floors", "load"), results.values("floors", "mass")
     columns = [results.values("floors", name) for name in ("floor", "level", "x", "y", "gyration")]
     for floor, level, x, y, gyration in reversed(list(zip(*columns, strict=True))):
@@ -79,7 +79,11 @@ def overstrength_table(results: BuildingResults) -> Table:
 
 def selection_table(results: BuildingResults) -> Table:
     """Return the section that `edesign design` chose for each group of members, and the check that governs it."""
-    table = Table("Sections chosen", ("group", "before", "chosen", "mass [t]", "its next lighter section would break"))
+    table = Table(
+        "Sections chosen",
+        ("group", "before", "chosen", "mass [t]", "its next lighter section would break"),
+        name="sections_chosen",
+    )
     table.left, table.sentences, table.formulas = 3, 4, (4,)
     if not results.has(SELECTION):
         return table
@@ -96,7 +100,7 @@ def selection_table(results: BuildingResults) -> Table:
 def joints_table(results: BuildingResults) -> Table:
     """Return the weakest joint of each floor in each direction of a moment frame, from the roof down."""
     headers = ("floor", "direction", "node", "sum M_Rc [kN*m]", "sum M_Rb [kN*m]", "ratio", "")
-    table = Table("Joints: the weakest of each floor", headers, left=3, formulas=())
+    table = Table("Joints: the weakest of each floor", headers, left=3, formulas=(), name="joints")
     if not results.has("joints"):
         return table
     names = ("node", "axis", "M_Rc", "M_Rb", "ratio", "exempt")

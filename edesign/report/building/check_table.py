@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, formatted, number, whole
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.table import Table, finite, formatted, number, whole
 
 
 def group_checks_table(results: BuildingResults) -> Table:
@@ -21,6 +21,7 @@ def group_checks_table(results: BuildingResults) -> Table:
         ("group", "section", "check", "clause", "D/C", "verdict", "member", "combination", "x / L"),
         left=4,
         sentences=3,
+        name="checks_of_members",
     )
     groups, utilisation = results.values("members", "group"), results.values("members", "utilisation")
     names, clauses = results.values("members", "check"), results.values("members", "clause")

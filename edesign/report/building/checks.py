@@ -11,9 +11,9 @@ from edesign.building.steel_member import Stability, SteelMember
 from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
-from edesign.report.building.results import UNITS, BuildingResults, finite
+from edesign.report.building.results import UNITS, BuildingResults
 from edesign.report.building.tables import Worst, worst_of_groups
-from edesign.report.tables.table import NumberText, Table, formatted, marked, number, whole
+from edesign.report.tables.table import NumberText, Table, finite, formatted, marked, number, whole
 from edesign.space.checks.written_checks import written_check
 from edesign.space.checks.written_steps import ForcesAlong, FreeBeam, Step
 
@@ -103,6 +103,7 @@ def written_table(found: WrittenCheck) -> Table:
     )
     table = Table(title, ("quantity", "from", "clause", "value"), left=3, sentences=1, formulas=(0, 1, 3))
     table.each = ("Checks written out", f"{found.group}: {found.member}, {found.check}")
+    table.name = "member_checks_in_numbers"
     for step in found.steps:
         table.rows.append([step.symbol, step.expression, step.clause, _shown(step)])
     if not found.number:
@@ -169,7 +170,9 @@ def member_tables(results: BuildingResults, name: str) -> list[Table]:
     """
     member = _member_number(results, name)
     columns = [results.values("members", of)[member] for of in ("utilisation", "combination", "station")]
-    table = Table(f"{name}: checks", ("check", "use", "combination", "x / L", "clause"), each=("Checks", name))
+    table = Table(
+        f"{name}: checks", ("check", "use", "combination", "x / L", "clause"), each=("Checks", name), name="checks"
+    )
     names, clauses = results.values("members", "check"), results.values("members", "clause")
     for check, clause, use, row, place in zip(names, clauses, *columns, strict=True):
         if row:
@@ -197,6 +200,7 @@ def effects_table(results: BuildingResults, member: int, check: int) -> Table:
     columns = [f"{of} [{unit}]" for of, unit in zip(forces, units, strict=True)]
     table = Table(f"{name}: internal forces of each action at x = {place:.3g} L", ("action", *columns))
     table.each = ("Internal forces of each action where a check governs", str(name))
+    table.name = "member_forces"
     table.formulas = tuple(range(len(columns) + 1))
     every = np.concatenate([results.values("forces", name)[:, member, station] for name in ("static", "seismic")])
     moments = np.array([unit != "kN" for unit in units])

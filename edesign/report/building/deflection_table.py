@@ -58,6 +58,7 @@ def deflection_table(deflections: Group) -> Table:
         "Deflections of beams, characteristic combinations",
         ("group", "loads", "beam", "span [m]", "deflection [mm]", "span over it", "limit"),
         left=3,
+        name="beam_deflections",
     )
     for worst in worst_beams(deflections):
         times = worst.span / worst.deflection if worst.deflection > 0.0 else None

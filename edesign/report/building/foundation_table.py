@@ -13,7 +13,9 @@ def reaction_table(of: Group) -> Table:
     """Return the vertical reactions of the supports by action."""
     static, seismic = of.variables["static"].values, of.variables["seismic"].values
     cases = [str(case) for case in of.coords["case"].values]
-    table = Table("Supports: F_z on the frame by action, upwards, kN", ("support", *cases, "E_x", "E_y"))
+    table = Table(
+        "Supports: F_z on the frame by action, upwards, kN", ("support", *cases, "E_x", "E_y"), name="supports"
+    )
     table.units = ("", *("kN" for _ in table.columns[1:]))
     for k, support in enumerate(of.coords["support"].values):
         table.rows.append([str(support), *map(_force, (*static[:, k, 2], *seismic[:, k, 2]))])
@@ -30,6 +32,7 @@ def foundation_table(of: Group) -> Table:
         "Foundations: design actions, kN and kNm",
         ("support", "f_x", "f_y", "F_z,d", "to", "F_x,d", "F_y,d", "M_x,d", "M_y,d"),
         units=("", "", "", "kN", "kN", "kN", "kN", "kNm", "kNm"),
+        name="foundations",
     )
     for k, support in enumerate(of.coords["support"].values):
         factors = [marked(number(factor[axis, k], 3), "*" * bool(of_foot[axis, k])) for axis in (0, 1)]

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from edesign.archive.dataset import Variable
-from edesign.report.building.results import UNITS, BuildingResults, finite
-from edesign.report.tables.table import Table, number
+from edesign.report.building.results import UNITS, BuildingResults
+from edesign.report.tables.table import Table, finite, number
 from edesign.space.archived import PLACE, SELECTION
 
 KNOWN = {

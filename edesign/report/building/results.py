@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import Protocol
 
 import numpy as np
@@ -123,8 +122,3 @@ def building_results(archive: Archive) -> BuildingResults:
 
 def _place(name: str) -> str:
     return f"{PLACE}/{name}" if name else PLACE
-
-
-def finite(value: float) -> float | None:
-    """Return a number, None in place of one that is not finite."""
-    return float(value) if math.isfinite(value) else None

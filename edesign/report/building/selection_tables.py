@@ -18,6 +18,7 @@ def _groups(selection: Selection) -> Table:
         ("group", "members", "before", "chosen", "mass [t]", "use", "most used check"),
         left=4,
         sentences=6,
+        name="sections",
     )
     clauses: dict[str, str] = {}
     for row in selection.groups:
@@ -40,7 +41,11 @@ def _groups(selection: Selection) -> Table:
 
 def _held(selection: Selection) -> Table:
     table = Table(
-        "What holds each group up: what its next lighter section would break", ("group", "broken"), left=2, sentences=1
+        "What holds each group up: what its next lighter section would break",
+        ("group", "broken"),
+        left=2,
+        sentences=1,
+        name="selection_limits",
     )
     table.rows += [[row.group.name, row.held_by] for row in selection.groups]
     return table
@@ -55,7 +60,7 @@ def _whole(selection: Selection) -> Table:
         if selection.certified
         else f"no certificate: the evaluations of design.select were used up; {less} sections may meet all checks"
     )
-    table = Table("Design", notes=[f"steel: {after} t, with the sections of the file {before} t"])
+    table = Table("Design", notes=[f"steel: {after} t, with the sections of the file {before} t"], name="design")
     if priced:
         table.notes.append(f"price, which was to be least: {number(selection.cost, 4)}")
     table.notes.append(f"{selection.evaluations} designs were analysed; {selection.starts} starts met all checks")

@@ -6,7 +6,8 @@ from edesign.archive.reader import Archive
 from edesign.report.building.checks import written_data, written_worst
 from edesign.report.building.deflection_table import worst_beams
 from edesign.report.building.foundation_table import foundation_summary
-from edesign.report.building.results import BuildingResults, finite
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.table import finite
 from edesign.space.archived import SELECTION
 from edesign.space.structure.frame import AXES
 

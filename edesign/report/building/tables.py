@@ -15,8 +15,8 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.building.check_table import check_words
 from edesign.report.building.deflection_table import deflection_table
 from edesign.report.building.foundation_table import foundation_table, reaction_table
-from edesign.report.building.results import BuildingResults, finite
-from edesign.report.tables.table import Table, marked, number, whole
+from edesign.report.building.results import BuildingResults
+from edesign.report.tables.table import Table, finite, marked, number, whole
 from edesign.space.structure.frame import AXES
 
 MODES_SHOWN = 12
@@ -44,7 +44,7 @@ def short_building_tables(archive: Archive) -> list[Table]:
 def _made(archive: Archive, makes: tuple[Make, ...]) -> list[Table]:
     results = BuildingResults(archive)
     results.group()
-    missing = Table("Missing")
+    missing = Table("Missing", name="missing")
     tables = [table for make in makes for table in or_missing(make, results, missing)]
     return [*tables, missing] if missing.notes else tables
 
@@ -122,7 +122,9 @@ def modes_table(results: BuildingResults) -> Table:
     S_d = [results.values("modes", f"design_acceleration_{axis}") for axis in AXES]
     bound = [results.values("modes", f"lower_bound_{axis}") for axis in AXES]
     table = Table(
-        "Natural modes", ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x", "S_d y [m/s2]")
+        "Natural modes",
+        ("mode", "T [s]", "mass x [%]", "mass y [%]", "mass rz [%]", "S_d x [m/s2]", "S_d y [m/s2]"),
+        name="natural_modes",
     )
     table.units = ("",) * 5 + ("m/s2", "m/s2")
     table.formulas = ()
@@ -145,7 +147,11 @@ def modes_table(results: BuildingResults) -> Table:
 def base_shear_table(results: BuildingResults) -> Table:
     """Return base shear and overstrength of both directions."""
     mass = results.number("mass_kg")
-    table = Table("Seismic action", ("direction", "q", "base shear [kN]", "by weight", "without beta", "Omega", "of"))
+    table = Table(
+        "Seismic action",
+        ("direction", "q", "base shear [kN]", "by weight", "without beta", "Omega", "of"),
+        name="seismic_action",
+    )
     table.formulas = ()
     for axis in AXES:
         shear = results.number(f"base_shear_{axis}_N")
@@ -186,9 +192,9 @@ def storeys_table(results: BuildingResults, axis: str) -> Table:
     found = [(results.values(name, variable), digits, unit) for _, variable, digits, unit in columns]
     for k in reversed(range(found[0][0].size)):
         table.rows.append([whole(k + 1), *(number(of[k], digits, unit) for of, digits, unit in found)])
-    table.notes.append("theta_q: with q d_e; factor: on the effects of the action, for second order")
+    table.notes.append("theta_q: with q d_e; factor: on the effects of the action, for second order.")
     if (limit := results.group(name).attributes.get("limit")) is not None:
-        table.notes.append(f"limit of nu d_r/h: {number(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))")
+        table.notes.append(f"Limit of nu d_r/h: {number(float(str(limit)), 3)} (EN 1998-1, 4.4.3.2(1))")
     return table
 
 
@@ -198,6 +204,7 @@ def criteria_table(results: BuildingResults) -> Table:
         "Rules for the building, clauses of EN 1998-1 where no other code is named",
         ("clause", "rule", "value", "limit", ""),
         left=2,
+        name="building_rules",
     )
     table.sentences, table.formulas = 1, (1,)
     columns = [results.values("criteria", of) for of in ("clause", "text", "detail", "value", "required", "passed")]
@@ -219,6 +226,7 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
         "Members: the governing check of each group",
         ("group", "section", "members", "use", "check", "member", "combination"),
         left=2,
+        name="members",
     )
     clauses: dict[str, str] = {}
     for worst in worst_of_groups(results):
@@ -237,7 +245,12 @@ def groups_table(results: BuildingResults, say: Callable[[str], str] = str) -> T
 
 def combinations_table(results: BuildingResults) -> Table:
     """Return the combinations of actions; those that differ in signs of horizontal actions stand in one row."""
-    table = Table("Combinations of actions", ("no.", "combination", "situation", "EN 1990"), left=4)
+    table = Table(
+        "Combinations of actions",
+        ("no.", "combination", "situation", "EN 1990"),
+        left=4,
+        name="combinations",
+    )
     table.sentences, table.formulas = 1, (1, 2)
     columns = [results.values("combinations", of) for of in ("name", "set", "equation", "static", "seismic")]
     alike: dict[tuple[object, ...], list[int]] = {}
@@ -268,7 +281,7 @@ def verdict_table(results: BuildingResults) -> Table:
     verdict = [f"not met: {text}" for text in failures(results)]
     if results.number("passed"):
         verdict = ["all checks and rules are met"]
-    return Table("Verdict", notes=[*verdict, *remarks(results)])
+    return Table("Verdict", notes=[*verdict, *remarks(results)], name="verdict")
 
 
 def remarks(results: BuildingResults) -> list[str]:

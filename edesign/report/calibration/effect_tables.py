@@ -34,7 +34,7 @@ def effect_tables(calibration: Calibration) -> list[Table]:
 def effects_table(calibration: Calibration) -> Table:
     """Each effect with its kind, what it removes, and what the tests cannot tell from it; evidence below."""
     columns = ("effect", "name", "kind", "validation NRMS without it [%]", "reduction [%]", "of the excess [%]")
-    table = Table("Effects found", (*columns, "cannot be told from"), left=3)
+    table = Table("Effects found", (*columns, "cannot be told from"), left=3, name="effects_found")
     with_it = calibration.errors["corrected"].validate
     none = "nothing known" if calibration.ending == "complete" else NOT_ASKED
     for effect in calibration.effects:
@@ -61,7 +61,12 @@ def effect_parameters_table(calibration: Calibration) -> Table:
     """
     columns = ("effect", "parameter", "value", "std. error", "95 % interval", "unit")
     known = any(_parameters(effect) for effect in calibration.effects)
-    table = Table("Parameters of the effects", (*columns, "meaning") if known else columns, left=2)
+    table = Table(
+        "Parameters of the effects",
+        (*columns, "meaning") if known else columns,
+        left=2,
+        name="parameters_of_the_effects",
+    )
     for effect in calibration.effects:
         meanings = _parameters(effect)
         for name, estimate in (dict(effect.parameters) | _fixed(effect)).items():
@@ -74,7 +79,12 @@ def effect_parameters_table(calibration: Calibration) -> Table:
 
 def hypotheses_table(calibration: Calibration) -> Table:
     """Effects that were found and are no part of the corrected law, with their parameters and the reason."""
-    table = Table("Hypotheses: found, no part of the law", ("effect", "parameters", "why it is no part"), left=3)
+    table = Table(
+        "Hypotheses: found, no part of the law",
+        ("effect", "parameters", "why it is no part"),
+        left=3,
+        name="hypotheses",
+    )
     for one in calibration.hypotheses:
         effect = one.effect
         shown = {name: plus_minus(practical(value, effect.parameters)) for name, value in effect.parameters.items()}
@@ -86,7 +96,7 @@ def hypotheses_table(calibration: Calibration) -> Table:
 
 def refused_table(calibration: Calibration) -> Table:
     """Candidates that came nearest to being adopted, and what spoke against them."""
-    table = Table("Candidates not adopted", ("effect", "evidence"), left=2)
+    table = Table("Candidates not adopted", ("effect", "evidence"), left=2, name="candidates_not_adopted")
     table.rows += [[label, evidence] for label, evidence in calibration.refused]
     return table
 

@@ -49,7 +49,7 @@ def property_tables(calibration: PropertyCalibration) -> list[Table]:
 def property_errors_table(calibration: PropertyCalibration) -> Table:
     """Root mean square of the relative errors of each property before and after."""
     columns = ("law", "rows", *(name for name, _, _ in QUANTITIES.values()), "all")
-    table = Table("Relative errors of the properties, rms [%]", columns, left=2)
+    table = Table("Relative errors of the properties, rms [%]", columns, left=2, name="property_errors")
     for stage, label in STAGES.items():
         residuals = relative(calibration.rows[stage], calibration.campaign.table)
         for use, words in (("fit", "fitted"), ("validate", "held out")):
@@ -64,7 +64,12 @@ def property_errors_table(calibration: PropertyCalibration) -> Table:
 
 def each_group_table(calibration: PropertyCalibration) -> Table:
     """Root mean square of the relative errors of each group of rows."""
-    table = Table("Relative errors of each temperature and strain, rms [%]", ("rows", "use", *STAGES.values()), left=2)
+    table = Table(
+        "Relative errors of each temperature and strain, rms [%]",
+        ("rows", "use", *STAGES.values()),
+        left=2,
+        name="property_errors_by_condition",
+    )
     for group in calibration.campaign.groups:
         errors = [calibration.found.errors[stage].tests[group.name] for stage in STAGES]
         table.rows.append([group.name, group.use, *(percent(float(np.sqrt(e))) for e in errors)])

@@ -48,7 +48,9 @@ def tables_of(calibration: Calibration) -> list[Table]:
 
 def errors_table(calibration: Calibration) -> Table:
     """Errors of the law before and after, and the noise floor."""
-    table = Table("Errors", (MODELS[calibration.subject], "fitted tests: NRMS [%]", "validation tests: NRMS [%]"))
+    table = Table(
+        "Errors", (MODELS[calibration.subject], "fitted tests: NRMS [%]", "validation tests: NRMS [%]"), name="errors"
+    )
     for stage, label in STAGES.items():
         errors = calibration.errors[stage]
         table.rows.append([label, percent(errors.fit), percent(errors.validate)])
@@ -89,6 +91,7 @@ def starts_table(calibration: Calibration) -> Table:
     table = Table(
         "Tests that start away from rest",
         ("test", "first sample [mm]", "[mm/s]", "judged from [s]", "before: largest [mm]", "largest [mm/s]"),
+        name="displaced_starts",
     )
     started = [(series.name, series.start) for series in calibration.series if series.start is not None]
     for name, start in started:

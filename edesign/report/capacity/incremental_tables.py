@@ -45,6 +45,7 @@ def exceedance_table(results: IncrementalResults) -> Table:
     columns = ["variant", "limit", "rate [1/year]", "return period [years]", f"P in {number(years, 3)} years [%]"]
     table = Table(f"{results.name}: exceedance of limits", columns, left=2)
     table.each = ("Exceedance of limits", results.name)
+    table.name = "limit_exceedance"
     for one in results.life_cycle:
         for limit, found in one.exceedances.items():
             cells = [
@@ -77,6 +78,7 @@ def loss_tables(results: IncrementalResults) -> list[Table]:
     columns += [f"of which {limit} [%]" for limit in limits]
     table = Table(f"{results.name}: expected loss, of the value of the building", columns)
     table.each = ("Expected loss, of the value of the building", results.name)
+    table.name = "expected_loss"
     for one in having:
         loss = one.loss
         assert loss is not None

@@ -61,7 +61,7 @@ STATE = ("roof_drift", "interstorey_drift", "base_shear_N", "beam_plastic_rotati
 def events_table(groups: Mapping[str, Group]) -> Table:
     """Return the events of pushovers, each with the displacement of the control node since gravity."""
     columns = ("pushover", "event", "where", "displacement [mm]", "of the height [%]", "base shear [kN]")
-    table = Table("Events along the capacity curves", columns, left=3)
+    table = Table("Events along the capacity curves", columns, left=3, name="capacity_events")
     for name, group in groups.items():
         if "capacity_event_what" not in group.variables:
             continue
@@ -85,9 +85,8 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
     targets = {name: group for name, group in groups.items() if group.attributes.get("kind") == TARGET}
     tables = []
     for method, columns in COLUMNS.items():
-        table = Table(
-            f"Target displacements, {METHODS[method]}", ("pushover", "level", *(header for header, _, _ in columns))
-        )
+        headers = ("pushover", "level", *(header for header, _, _ in columns))
+        table = Table(f"Target displacements, {METHODS[method]}", headers, name=f"target_displacements_{method}")
         table.left = 2
         for name, group in targets.items():
             if group.attributes.get("method") != method or f"{method}_d_t" not in group.variables:
@@ -105,7 +104,7 @@ def _states(targets: Mapping[str, Group], project: Project | None, study: Study 
     shown = [column for column in FRAME_COLUMNS if column[1] in STATE]
     levels = ("level by drift", "level by members") if project is not None else ()
     columns = ("target", *(header for header, _, _ in shown), *levels)
-    table = Table("Response at the target displacements", columns)
+    table = Table("Response at the target displacements", columns, name="target_response")
     members = VariantMembers(project, study) if project is not None else None
     of = {name: found for found in target_sets(targets) for name in found.histories}
     for name, group in targets.items():

@@ -91,7 +91,7 @@ def error_table(fit: Fit, held_out: CrossValidation | None, validated: Mapping[s
 def comparison_table(comparison: Comparison) -> Table:
     """Return several laws side by side, and which one suffices."""
     columns = ("law", "fitted", "NRMS [%]", "held out [%]", "worst held out [%]", "AIC", "BIC", "starts at minimum")
-    table = Table("Laws compared", columns)
+    table = Table("Laws compared", columns, name="laws_compared")
     for item in comparison.laws:
         out = item.held_out
         cells = [_percent(out.mean), f"{_percent(out.worst[1])}"] if out else ["-", "-"]

@@ -28,7 +28,7 @@ def properties_table(title: str, found: Mapping[str, Properties], notes: list[st
     return Table(title, columns if rows else (), rows, notes or [])
 
 
-def cycles_table(title: str, each: CycleProperties) -> Table:
+def cycle_properties_table(title: str, each: CycleProperties) -> Table:
     """Return the properties of each full cycle of a test."""
     columns = ("block", "cycle", "start [s]", *_COLUMNS)
     rows = [

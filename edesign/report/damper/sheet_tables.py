@@ -71,7 +71,9 @@ def tests_table(runs: Sequence[Run]) -> Table:
     """Return the properties of each run in its third cycle, by which devices are accepted, and their mean."""
     shown = list(COLUMNS)[4:10]
     heads = [COLUMNS[name][0] for name in shown]
-    table = Table("Tests: third cycle, and mean of all", ("test", "cycle", "T [degC]", "f [Hz]", "x0 [mm]", *heads))
+    table = Table(
+        "Tests: third cycle, and mean of all", ("test", "cycle", "T [degC]", "f [Hz]", "x0 [mm]", *heads), name="tests"
+    )
     for run in runs:
         values = _values_of(run)
         for label, pick in (("3", lambda v: v[2]), (f"1-{run.cycles}", np.mean)):
@@ -120,6 +122,7 @@ def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
         left=4,
         sentences=(2, 6),
         formulas=(4,),
+        name="acceptance",
     )
     for group in _by_criterion(judged):
         worst, criterion = worst_of(group), group[0].criterion

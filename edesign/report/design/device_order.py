@@ -33,7 +33,7 @@ def devices_table(group: Group, sets: Sequence[HistorySet], factors: Mapping[str
         sets: histories by variant and level.
         factors: property factors of the variants that have the design, by their names.
     """
-    table = Table("Devices to order: largest values of one damper", left=1)
+    table = Table("Devices to order: largest values of one damper", left=1, name="devices_to_order")
     if "device_count" not in group.variables or group.attributes.get("status") != "completed":
         return table
     demands = [device_demand(group, found, factors[found.variant]) for found in sets if found.variant in factors]

@@ -26,6 +26,7 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
     header = ("level", "d [mm]", f"{GAMMA_X:g} d [mm]", "T_eff [s]", "xi_eff [%]", "S_e [m/s2]", "F [kN]", "F/W [%]")
     table = Table(f"{name}: isolated base, equivalent linear (EN 1998-1, 10.9)", header)
     table.each = ("Isolated base, equivalent linear (EN 1998-1, 10.9)", name)
+    table.name = "isolated_base_design"
     if "isolation_displacement" not in group.variables:
         return table
     of = {key: group.variables[f"isolation_{key}"].values for key in ("displacement", "period", "damping", "shear")}
@@ -49,7 +50,7 @@ def isolation_table(groups: Mapping[str, Group]) -> Table:
         groups: results of analyses by name; those without isolated base, and modes, are left out.
     """
     header = ("analysis", "u [mm]", "residual u [mm]", "base a [m/s2]", "base shear [kN]")
-    table = Table("Isolated base", (*header, "N max [kN]", "isolator", "N min [kN]", "isolator"))
+    table = Table("Isolated base", (*header, "N max [kN]", "isolator", "N min [kN]", "isolator"), name="isolated_base")
     for name, group in groups.items():
         if "isolator_axial_force_final" not in group.variables:
             continue
@@ -80,7 +81,7 @@ def isolation_statistics_table(sets: Sequence[HistorySet]) -> Table:
         sets: histories by variant and level; those without isolated base are left out.
     """
     header = ("variant, level", "statistic", "of", "u [mm]", "residual u [mm]", "base a [m/s2]", "base shear [kN]")
-    table = Table("Isolated base", (*header, "N max [kN]", "N min [kN]"), left=2)
+    table = Table("Isolated base", (*header, "N max [kN]", "N min [kN]"), left=2, name="isolated_base")
     told = []
     for found in sets:
         groups = {n: group for n, group in found.completed.items() if "isolator_axial_force_max" in group.variables}

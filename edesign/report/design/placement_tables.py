@@ -67,7 +67,9 @@ def _layout(group: Group) -> Table:
 
 def _order(group: Group) -> Table:
     """How many of each item there are, and what they cost."""
-    table = Table("Devices to order", ("item", "law", "places", "dampers", "cost of one", "cost"), left=2)
+    table = Table(
+        "Devices to order", ("item", "law", "places", "dampers", "cost of one", "cost"), left=2, name="devices_to_order"
+    )
     values = {key: group.variables[f"item_{key}"].values for key in ("law", "places", "number", "cost")}
     for i, name in enumerate(names_of(group, "item")):
         places, count, cost = int(values["places"][i]), int(values["number"][i]), float(values["cost"][i])
@@ -87,7 +89,7 @@ def _order(group: Group) -> Table:
 def _demand(group: Group, sets: Sequence[HistorySet], factors: Mapping[str, float]) -> Table:
     """Largest force and stroke of one damper of each item in the histories of the variants that have the design."""
     columns = ("item", "variant, level", "of", "F mean [kN]", "F max [kN]", "stroke mean [mm]", "stroke max [mm]")
-    table = Table("Devices to order: largest values of one damper", columns, left=2)
+    table = Table("Devices to order: largest values of one damper", columns, left=2, name="devices_to_order")
     if "damper" not in group.coords:
         return table
     of = dict(zip(names_of(group, "damper"), group.variables["damper_item"].values.tolist(), strict=True))
@@ -119,7 +121,11 @@ def _front(group: Group) -> Table:
     """The analysed layouts on the Pareto front of cost and worst ratio."""
     criteria = names_of(group, "criterion") if "criterion" in group.coords else []
     columns = ("layout", "cost", "dampers", "places", "worst ratio", "met")
-    table = Table("Cost against worst ratio of demand to limit: no layout analysed is as cheap and better", columns)
+    table = Table(
+        "Cost against worst ratio of demand to limit: no layout analysed is as cheap and better",
+        columns,
+        name="cost_against_demand",
+    )
     if not criteria:
         return table
     values, rows = group.variables, front(group)

@@ -85,7 +85,7 @@ def storeys_table(group: Group) -> Table:
         ("A_D/A_P", "area_ratio", 1.0),
         ("force [kN]", "estimated_damper_force", 1e3),
     )
-    table = Table(title)
+    table = Table(title, formulas=())
     if "storey" in group.coords:
         put_storeys(table, group, columns)
     values = group.variables
@@ -167,7 +167,7 @@ def damping_table(group: Group) -> Table:
 
 def rounds_table(group: Group) -> Table:
     """Return the rounds of sizing and verification; none if there was only one and nothing to verify."""
-    table = Table("Rounds", left=1)
+    table = Table("Rounds", left=1, name="rounds")
     count = group.coords["round"].values.size if "round" in group.coords else 0
     if count == 0 or (count == 1 and "criterion" not in group.coords):
         return table

@@ -47,7 +47,11 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
 
 
 def named_tables(titled: Sequence[tuple[str, Table]]) -> list[ExportTable]:
-    """Return tables with names made of their titles; those that each analysis or member has one of are one table."""
+    """Return tables with their names; those that each analysis or member has one of are one table.
+
+    Tables without a name have one that is made of their title. Where two have the same one, as those of several
+    designs, what their titles say further is added.
+    """
     alike: dict[str, list[tuple[str, Table]]] = {}
     for _, table in titled:
         if table.each is not None:
@@ -59,7 +63,7 @@ def named_tables(titled: Sequence[tuple[str, Table]]) -> list[ExportTable]:
         elif f"each {table.each[0]}" not in whole:
             whole[f"each {table.each[0]}"] = (table.each[0], as_one(table.each[0], alike[table.each[0]]))
     titled = list(whole.values())
-    names = table_names([title for title, _ in titled])
+    names = table_names([title for title, _ in titled], [table.name for _, table in titled])
     return [export_table(name, table, title) for name, (title, table) in zip(names, titled, strict=True)]
 
 

@@ -110,7 +110,7 @@ def as_one(common: str, tables: Sequence[tuple[str, Table]]) -> Table:
         tables: each with the name whose it is; columns that a table lacks are empty.
     """
     columns = list(dict.fromkeys(column for _, table in tables for column in table.columns))
-    made = Table(common, ("of", *columns), left=1 + tables[0][1].left)
+    made = Table(common, ("of", *columns), left=1 + tables[0][1].left, name=tables[0][1].name)
     for of, table in tables:
         for row in table.rows:
             cells = dict(zip(table.columns, row, strict=True))

@@ -27,15 +27,28 @@ def slug(text: str, longest: int = LONGEST) -> str:
     return name or "table"
 
 
-def table_names(titles: Sequence[str]) -> list[str]:
-    """Return a name for each title: its words up to the first bracket or colon.
+def table_names(titles: Sequence[str], given: Sequence[str] = ()) -> list[str]:
+    """Return a name for each table: its own, or the words of its title up to the first bracket or colon.
 
     Where these do not tell titles apart, all words are taken; titles that are the same get `_2`, `_3` in their order.
+
+    Args:
+        titles: of the tables.
+        given: their own names, "" where a table has none; () if none has one.
     """
-    found = [slug(_beginning(title)) for title in titles]
+    own = given or [""] * len(titles)
+    found = [name or slug(_beginning(title)) for name, title in zip(own, titles, strict=True)]
     for shorten in (lambda title: title.partition(" (")[0], lambda title: title):
         counts = Counter(found)
-        found = [slug(shorten(t)) if counts[name] > 1 else name for t, name in zip(titles, found, strict=True)]
+        found = [
+            slug(shorten(title)) if counts[name] > 1 and not kept else name
+            for title, name, kept in zip(titles, found, own, strict=True)
+        ]
+    counts = Counter(own)
+    for i, (title, name) in enumerate(zip(titles, own, strict=True)):
+        if name and counts[name] > 1 and len({t for t, n in zip(titles, own, strict=True) if n == name}) > 1:
+            rest = slug(title, LONGEST_FILE).removeprefix(name)
+            found[i] = slug(f"{name} {rest}", LONGEST + len(name))
     return unique_names(found)
 
 

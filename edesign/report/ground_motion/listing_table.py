@@ -19,7 +19,9 @@ _FACTS = ("event", "year", "station", "component", "rsn", "magnitude", "distance
 
 def places_table(places: Sequence[PlaceOfRecords]) -> Table:
     """Return the packages and suites that projects may name."""
-    table = Table("Recordings at hand", ("name", "kind", "what", "recordings"), left=3, sentences=2)
+    table = Table(
+        "Recordings at hand", ("name", "kind", "what", "recordings"), left=3, sentences=2, name="recordings_at_hand"
+    )
     for place in places:
         count = "-" if place.recordings is None else str(place.recordings)
         table.rows.append([place.name, place.kind, place.about, count])
@@ -60,7 +62,9 @@ def listing_tables(where: str, found: Sequence[Listed], refused: Sequence[Refusa
         table.notes.append("none")
     if not refused:
         return [table]
-    left = Table("Left out", ("what", "why"), [[one.name, one.reason] for one in refused], left=2, sentences=1)
+    left = Table(
+        "Left out", ("what", "why"), [[one.name, one.reason] for one in refused], left=2, sentences=1, name="left_out"
+    )
     if any("acceleration_unit" in one.reason for one in refused):
         left.notes.append("here `--unit g` tells the unit of all tables; other units: m/s^2, cm/s^2, mm/s^2")
     return [table, left]

@@ -101,6 +101,7 @@ def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
     """
     table = Table(f"{name}: candidates left out", ("candidate", "why"), left=2, sentences=1)
     table.each = ("Candidates left out", name)
+    table.name = "candidates_left_out"
     table.rows = [[item["name"], item["reason"]] for item in refused]
     return table
 
@@ -108,7 +109,12 @@ def refused_table(name: str, refused: Sequence[Mapping[str, str]]) -> Table:
 def origins_table(groups: Mapping[str, Group]) -> Table:
     """Return where each record comes from, and its measures as recorded; reasons of failures stand below."""
     headers = [header for header, _, _ in MATCH_COLUMNS]
-    table = Table("Records, as recorded", ("record", "origin", *headers, "end v [mm/s]", "from"), left=2)
+    table = Table(
+        "Records, as recorded",
+        ("record", "origin", *headers, "end v [mm/s]", "from"),
+        left=2,
+        name="records_as_recorded",
+    )
     for name, group in groups.items():
         about = group.attributes
         cells = [number(about["recorded"][key], DIGITS, unit) for _, key, unit in MATCH_COLUMNS]
@@ -124,7 +130,7 @@ def changes_table(groups: Mapping[str, Group]) -> Table:
     """Return the measures of the scaled original and of the matched record, before -> after."""
     headers = [header for header, _, _ in MATCH_COLUMNS]
     columns = ("record", "scale", *headers, "end v [mm/s]", "end u [mm]")
-    table = Table("Scaled original -> matched", columns)
+    table = Table("Scaled original -> matched", columns, name="record_scaling")
     for name, group in groups.items():
         before, after = group.attributes["before"], group.attributes["after"]
         cells = [_pair(before[key], after[key], unit) for _, key, unit in MATCH_COLUMNS]
@@ -143,6 +149,7 @@ def pair_table(name: str, about: Mapping[str, Any]) -> Table:
     columns = ("pair", "spectrum", "factor", "misfit rms [%]", "largest [%]", "at T [s]")
     table = Table(f"{name}: both components by one factor", columns, left=2)
     table.each = ("Both components by one factor", name)
+    table.name = "pair_factors"
     misfit = about["misfit"]
     values = [number(misfit[key], DIGITS, unit) for key, unit in (("rms", 0.01), ("largest", 0.01), ("at_period", 1.0))]
     table.rows.append([name, NAMES[about["spectrum"]], number(about["factor"], DIGITS), *values])
@@ -156,7 +163,9 @@ def scaled_table(groups: Mapping[str, Group]) -> Table:
     """Return the measures of records that were scaled only, and how near their spectra are to the target."""
     headers = [header for header, _, _ in MATCH_COLUMNS]
     columns = ("record", "scale", *headers, "misfit rms [%]", "largest [%]", "at T [s]")
-    table = Table(f"Scaled records, and their misfit to the target spectrum{_band(groups)}", columns)
+    table = Table(
+        f"Scaled records, and their misfit to the target spectrum{_band(groups)}", columns, name="record_misfit"
+    )
     for name, group in groups.items():
         about = group.attributes
         after, misfit = about["after"], about["misfit_after"]
@@ -181,7 +190,9 @@ def misfit_table(groups: Mapping[str, Group]) -> Table:
         "Husid diff.",
         "corr.",
     )
-    table = Table(f"Misfit to the target spectrum{_band(groups)}, and change of the motion", columns, left=2)
+    table = Table(
+        f"Misfit to the target spectrum{_band(groups)}, and change of the motion", columns, left=2, name="record_fit"
+    )
     for name, group in groups.items():
         about = group.attributes
         before, after, shape = about["misfit_before"], about["misfit_after"], about["shape"]
@@ -206,6 +217,7 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         left=2,
         sentences=1,
         each=("Criteria of sets of records", name),
+        name="criteria_of_sets_of_records",
     )
     for found in about["criteria"]:
         verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]

@@ -105,7 +105,9 @@ def _asking(variant: str, study: Study | None, sets: Sequence[HistorySet]) -> li
 
 def _schedule(variant: str, alike: Sequence[_Alike], project: Project) -> Table:
     columns = ("storey", "place", "stands as", "law", "places", "number", "size of one", "brace")
-    table = Table("Dampers" + (f", {variant}" if variant else ""), columns, left=4, sentences=(6, 7))
+    table = Table(
+        "Dampers" + (f", {variant}" if variant else ""), columns, left=4, sentences=(6, 7), name="damper_schedule"
+    )
     total = 0
     for group in alike:
         count = len(group.devices) * group.devices[0].size.number
@@ -174,7 +176,7 @@ def _required(
     single = all(len(histories.completed) == 1 for histories in counts.values())
     spread = ("",) if single else ("mean ", "max ")
     headers = [f"{short} {which}{unit}" for short, unit, *_ in shown for which in spread]
-    table = Table("Required of one damper" + (f", {variant}" if variant else ""), left=4)
+    table = Table("Required of one damper" + (f", {variant}" if variant else ""), left=4, name="damper_demand")
     table.columns = ("storey", "place", "law", "level", *headers, "histories", "governs")
     for at, group in enumerate(alike):
         levels = list(counts)

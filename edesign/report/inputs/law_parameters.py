@@ -51,6 +51,7 @@ def _table(name: str, values: DeviceLaw, temperature: float | None, project: Pro
     law, spec = LAWS[values.law.law], project.dampers.laws[name]
     at = "" if temperature is None else f" at {temperature:g} °C"
     table = Table(f"Law {name}{of}: {law.title}{at}", ("parameter", "value", "meaning"), left=3, sentences=2)
+    table.formulas = (0, 1)
     branches = (len(values.law.values) - len(law.parameters)) // len(law.branch) if law.branch else 0
     parameters = law.with_branches(branches)
     by_name = dict(zip((p.name for p in parameters), values.law.values, strict=True))

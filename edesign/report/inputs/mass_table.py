@@ -56,7 +56,9 @@ def _floors_of(project: Project, frame: FrameModel) -> tuple[np.ndarray, np.ndar
 
 
 def _table(floors: tuple[tuple[float, float], ...], project: Project, of: str) -> Table:
-    table = Table(f"Masses and weights of the floors{of}", ("floor", "level [m]", "mass [t]", "weight [kN]"))
+    table = Table(
+        f"Masses and weights of the floors{of}", ("floor", "level [m]", "mass [t]", "weight [kN]"), name="floor_masses"
+    )
     for floor in reversed(range(len(floors))):
         mass, weight = floors[floor]
         if floor or mass or weight:

@@ -9,7 +9,9 @@ from edesign.study.variants import bound_of
 
 def variants_table(study: Study) -> Table:
     """Return the dampers of each variant of a study, and its other changes of the project."""
-    table = Table("Variants", ("variant", "dampers", "otherwise than in the project"), left=3, sentences=2)
+    table = Table(
+        "Variants", ("variant", "dampers", "otherwise than in the project"), left=3, sentences=2, name="variants"
+    )
     for name, variant in study.variants.items():
         table.rows.append([name, _dampers(study, variant), "; ".join(_changes(study, name, variant)) or "-"])
     return table

@@ -29,7 +29,9 @@ def brace_table(groups: Mapping[str, Group]) -> Table:
     """
     found = {name: group for name, group in groups.items() if "brace_ductility_min" in group.variables}
     shown = [column for column in COLUMNS if any(column[1] in group.variables for group in found.values())]
-    table = Table("Braces that buckle", ("analysis", "brace", *(column[0] for column in shown)), left=2)
+    table = Table(
+        "Braces that buckle", ("analysis", "brace", *(column[0] for column in shown)), left=2, name="buckling_braces"
+    )
     for name, group in found.items():
         braces, every = names_of(group, "buckling_brace"), names_of(group, "brace")
         worst = int(np.argmin(group.variables["brace_ductility_min"].values))

@@ -26,7 +26,7 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
     rows = {name: group for name, group in groups.items() if peak(group, "damper_force") is not None}
     shown = [column for column in COLUMNS if any(peak(group, column[1]) is not None for group in rows.values())]
     header = ("analysis", *(title for title, _, _ in shown), "damper", "work [kJ]", "of the input [%]")
-    table = Table("Dampers (largest absolute values, and the one with the largest deformation)", header)
+    table = Table("Dampers (largest absolute values, and the one with the largest deformation)", header, name="dampers")
     for name, group in rows.items():
         cells = [_largest(peak(group, key), unit) for _, key, unit in shown]
         deformation = peak(group, "damper_deformation")
@@ -50,6 +50,7 @@ def each_damper_table(name: str, group: Group) -> Table:
         f"{name}: dampers (largest absolute values)",
         ("damper", "storey", *(title for title, _, _ in columns), "work [kJ]"),
         each=("Each damper (largest absolute values)", name),
+        name="each_damper",
     )
     if not columns or work is None:
         return table
@@ -69,6 +70,7 @@ def damper_stiffness_table(name: str, group: Group) -> Table:
     """
     table = Table(f"{name}: dampers", ("damper", "k' [kN/mm]", "loss factor", "amplitude [mm]"))
     table.each = ("Stiffness and loss factor of dampers", name)
+    table.name = "damper_stiffness"
     keys = ("damper_storage_stiffness", "damper_loss_factor", "damper_amplitude")
     if any(key not in group.variables for key in keys):
         return table

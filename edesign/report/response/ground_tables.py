@@ -58,7 +58,11 @@ def _told(group: Group) -> tuple[str, ...]:
 
 
 def _soils(group: Group) -> Table:
-    table = Table("Footings", ["footing", "static stiffness by", "G [MPa]", "G / G_0", "V_s [m/s]", "T [s]", "a_0"])
+    table = Table(
+        "Footings",
+        ["footing", "static stiffness by", "G [MPa]", "G / G_0", "V_s [m/s]", "T [s]", "a_0"],
+        name="footings",
+    )
     columns = ("shear_modulus", "modulus_ratio", "wave_velocity", "period", "a_0")
     values = [group.variables[f"footing_{name}"].values for name in columns]
     for i, name in enumerate(group.coords["footing"].values):
@@ -75,6 +79,7 @@ def _impedances(group: Group) -> Table:
     table = Table(
         "Stiffness and damping of footings",
         ["footing", "direction", "K static", "K at T", "radiation [%]", "soil [%]", "dashpot"],
+        name="footing_stiffness",
     )
     soil = group.variables["footing_soil_damping"].values
     for i, name in enumerate(group.coords["footing"].values):
@@ -106,6 +111,7 @@ def first_mode_table(groups: Mapping[str, Group]) -> Table:
     table = Table(
         "First mode on fixed feet and on footings",
         ["analysis", "T fixed [s]", "T [s]", "ratio", "one mass: ratio", "damping [%]", "one mass: damping [%]"],
+        name="footing_periods",
     )
     for name, group in groups.items():
         of = group.attributes
@@ -140,7 +146,7 @@ def _work(groups: Mapping[str, Group]) -> Table:
     """Work on the dashpots of each footing in each history; a frame of another variant may stand on others."""
     histories = {name: group for name, group in groups.items() if WORK in group.variables}
     footings = list(dict.fromkeys(footing for group in histories.values() for footing in names_of(group, "footing")))
-    table = Table("Work on the dashpots of footings, kJ", ["analysis", *footings])
+    table = Table("Work on the dashpots of footings, kJ", ["analysis", *footings], name="footing_work")
     table.units = ("", *("kJ" for _ in footings))
     for name, group in histories.items():
         work = dict(zip(names_of(group, "footing"), group.variables[WORK].values.tolist(), strict=True))
@@ -155,6 +161,7 @@ def _passage(groups: Mapping[str, Group]) -> Table:
         "Feet under a wave that passes",
         ["analysis", "foot", "delay [ms]", "largest displacement [mm]", "at the end [mm]"],
         left=2,
+        name="wave_passage",
     )
     for name, group in groups.items():
         if "foot_delay" not in group.variables:

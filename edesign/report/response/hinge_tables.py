@@ -89,6 +89,7 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
             "strength left [%]",
             "analysis",
         ],
+        name="plastic_hinges",
     )
     theta_p = {name: float(np.asarray(facts[name][1])) for name in turned}
     order = sorted(turned, key=lambda name: (-turned[name][0] / theta_p[name], name))
@@ -136,7 +137,7 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
         "rotation [mrad]",
         "analysis",
     ]
-    table = Table("Joints", columns)
+    table = Table("Joints", columns, name="joints")
     for name, (rotation, analysis) in _most(turned):
         stiffness, resistance, ratio, word = facts[name]
         capacity = float(np.asarray(resistance))
@@ -172,7 +173,7 @@ def _panels(groups: Mapping[str, Group]) -> Table | None:
         "distortion / yield",
         "analysis",
     ]
-    table = Table("Panel zones", columns)
+    table = Table("Panel zones", columns, name="panel_zones")
     for name, (distortion, analysis) in _most(distorted):
         stiffness, moment = (float(np.asarray(value)) for value in facts[name])
         at_yield = moment / stiffness
@@ -195,7 +196,9 @@ _OF_SUPPORTS = (
 
 
 def _supports(groups: Mapping[str, Group]) -> Table | None:
-    table = Table("Springs at supports", ("support", "quantity", "largest", "analysis"), left=2)
+    table = Table(
+        "Springs at supports", ("support", "quantity", "largest", "analysis"), left=2, name="springs_at_supports"
+    )
     found = {name: _worst(groups, name, "sprung_support") for name, _, _ in _OF_SUPPORTS}
     for node in dict.fromkeys(node for of in found.values() for node in of):
         for name, label, scale in _OF_SUPPORTS:

@@ -102,7 +102,11 @@ def demand_table(groups: Mapping[str, Group]) -> Table:
 def strength_table(group: Group) -> Table:
     """Return yield force and adjusted strengths of each brace, for its connections, the beams and the columns."""
     columns = ("brace", "L_wp [m]", "P_ysc [kN]", "u_y [mm]", "T_adj [kN]", "C_adj [kN]")
-    table = Table("Buckling-restrained braces: strengths for the design of connections, beams and columns", columns)
+    table = Table(
+        "Buckling-restrained braces: strengths for the design of connections, beams and columns",
+        columns,
+        name="restrained_braces",
+    )
     for i, name in _braces(group):
         cells = [number(float(_values(group, variable)[i]), scale=unit) for variable, unit in STRENGTHS]
         table.rows.append([name, *cells])
@@ -113,7 +117,11 @@ def strength_table(group: Group) -> Table:
 def beam_table(group: Group) -> Table:
     """Return the forces of adjusted braces on the beams that they meet in the middle."""
     columns = ("beam", "up [kN]", "along [kN]", "moment [kN m]")
-    table = Table("Beams above chevrons of buckling-restrained braces, with both braces at adjusted strength", columns)
+    table = Table(
+        "Beams above chevrons of buckling-restrained braces, with both braces at adjusted strength",
+        columns,
+        name="chevron_beams",
+    )
     braces, heights = dict((name, i) for i, name in _braces(group)), _values(group, "storey_height")
     tension, compression = (_values(group, f"damper_adjusted_{side}") for side in ("tension", "compression"))
     for name, i in braces.items():
@@ -146,6 +154,7 @@ def column_table(group: Group) -> Table:
     table = Table(
         "Columns with all buckling-restrained braces at adjusted strength, gravity not included",
         ("column", "compression [kN]", "tension [kN]"),
+        name="restrained_brace_columns",
     )
     columns = [name.split("_") for name in names_of(group, "column")]
     heights, lengths = _values(group, "storey_height"), _values(group, "damper_length")

@@ -187,6 +187,7 @@ def expected_table(advice: Advice) -> Table:
         "Expected errors",
         ("test", "compensator", "tracking rms [%]", "peak [%]", "response rms [%]", "peak [%]"),
         left=2,
+        name="expected_errors",
     )
     for test in advice.tests:
         for one in test.expected:
@@ -212,7 +213,11 @@ def expected_table(advice: Advice) -> Table:
 
 def needs_table(advice: Advice) -> Table:
     """Return the displacement, velocity and force that tests need, with their percentage of the rig's limits."""
-    table = Table("What the rig must do", ("test", "specimen [mm]", "stroke [mm]", "velocity [m/s]", "force [kN]"))
+    table = Table(
+        "What the rig must do",
+        ("test", "specimen [mm]", "stroke [mm]", "velocity [m/s]", "force [kN]"),
+        name="rig_demand",
+    )
     for need in advice.needs:
         table.rows.append(
             [
@@ -235,7 +240,7 @@ def conclusion(advice: Advice) -> Table:
     said = [choice, advice.recommendation.reason]
     if advice.abort is not None:
         said.append(f"abort at {number(advice.abort.displacement, 3, 1e-3)} mm: {advice.abort.reason}")
-    return Table("Advice", notes=[line for text in (*said, *advice.warnings) for line in wrapped(text)])
+    return Table("Advice", notes=[line for text in (*said, *advice.warnings) for line in wrapped(text)], name="advice")
 
 
 def _used(share: float) -> str:

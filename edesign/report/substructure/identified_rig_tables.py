@@ -34,7 +34,7 @@ def _row(name: str, one: RigParameter) -> list[str]:
 
 def _orders(found: IdentifiedRig) -> Table:
     columns = ("order", "delay of slow motions [ms]", "error [%]", "independent [%]", "criterion")
-    table = Table("Orders that were tried", columns)
+    table = Table("Orders that were tried", columns, name="orders_tried")
     for fit, value in zip(found.tried, found.criteria, strict=True):
         table.rows.append(_order_row(fit, value))
     table.notes += wrapped(
@@ -50,7 +50,11 @@ def _order_row(fit: RigFit, criterion: float) -> list[str]:
 
 
 def _alphas(found: IdentifiedRig) -> Table:
-    table = Table("Coefficients of the inverse rig", ("from", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"))
+    table = Table(
+        "Coefficients of the inverse rig",
+        ("from", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]"),
+        name="inverse_rig_coefficients",
+    )
     for name, (a0, a1, a2) in (
         ("the record, by least squares", found.alpha),
         ("the rig, by its series", found.alpha_of_rig),

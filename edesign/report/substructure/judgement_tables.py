@@ -98,7 +98,7 @@ def _response(found: JudgedResponse) -> Table:
 
 
 def _criteria(found: Judgement) -> Table:
-    table = Table("Criteria", ("criterion", "value", "limit", "met"), sentences=0)
+    table = Table("Criteria", ("criterion", "value", "limit", "met"), sentences=0, name="criteria")
     table.rows += [_criterion(one) for one in found.criteria]
     return table
 

@@ -22,6 +22,7 @@ def limits_table(results: SubstructureResults) -> Table:
         "Limits that were met",
         ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
         left=3,
+        name="limits_met",
     )
     for test in results.tests:
         for name in results.compensators(test):
@@ -66,7 +67,13 @@ def _series(results: SubstructureResults, test: str, name: str) -> list[list[str
 
 def untold_table(results: SubstructureResults) -> Table:
     """Return the indicators that could not be computed for a run, with the reason; no rows if all could."""
-    table = Table("Indicators that could not be told", ("test", "compensator", "indicator", "why"), left=4, sentences=3)
+    table = Table(
+        "Indicators that could not be told",
+        ("test", "compensator", "indicator", "why"),
+        left=4,
+        sentences=3,
+        name="indicators_missing",
+    )
     said = results.runs[0].group.attributes.get("untold") if results.runs else None
     for line in said if isinstance(said, list) else []:
         place, _, rest = str(line).partition(": ")
@@ -78,7 +85,7 @@ def untold_table(results: SubstructureResults) -> Table:
 
 def runs_so_far_table(results: SubstructureResults) -> Table:
     """Return the outcome of runs whose indicators are not archived, as in an interrupted archive."""
-    table = Table("Runs so far", ("test", "compensator", "outcome", "why"), left=4, sentences=3)
+    table = Table("Runs so far", ("test", "compensator", "outcome", "why"), left=4, sentences=3, name="runs_so_far")
     for test in results.tests:
         for name in results.compensators(test):
             group = results.histories(test, name)

@@ -100,7 +100,13 @@ def other_methods(archive: Archive) -> Table:
         ArchiveError: a group is damaged.
     """
     most = response_error_limit(archive)
-    table = Table("Tests by other methods", ("test", "method", "quantity", "value", "verdict"), left=3, sentences=4)
+    table = Table(
+        "Tests by other methods",
+        ("test", "method", "quantity", "value", "verdict"),
+        left=3,
+        sentences=4,
+        name="tests_by_other_methods",
+    )
     told: list[str] = []
     for test in archive.names(PLACE):
         group = archive.group(f"{PLACE}/{test}").without("time")
@@ -138,6 +144,7 @@ def _tracking(found: list[Run]) -> Table:
             "target; work: interface energy error, which the tracking error feeds into the structure (Mosqueda et al. "
             "2007)"
         ),
+        name="tracking",
     )
     for run in found:
         if run.text("outcome") == "done":
@@ -170,6 +177,7 @@ def _response(archive: Archive, found: list[Run]) -> Table:
             "the force is corrected), root mean square and of its largest value, against the direct analysis of the "
             "same structure; storeys: rms of the drift of the storey where it is largest; " + _accepted(most)
         ),
+        name="response_errors",
     )
     for run in found:
         error = run.value("response_error")
@@ -218,6 +226,7 @@ def rig_limits(found: list[Run]) -> Table:
         ("test", "compensator", "limit", "first [s]", "last [s]", "in all [s]"),
         left=3,
         notes=wrapped(f"in all: main steps in which it was met. {HELD_THERE}"),
+        name="rig_limits",
     )
     for run in found:
         table.rows += [[run.test, run.compensator, *cells] for cells in limit_cells(run)]
@@ -234,6 +243,7 @@ def _alphas(found: list[Run]) -> Table:
         "Means of what adaptive compensators find while the specimen moves",
         ("test", "compensator", "alpha_0", "alpha_1 [ms]", "alpha_2 [1e-6 s2]", "delay [ms]"),
         left=2,
+        name="adaptive_compensators",
     )
     for run in found:
         values = [run.value(f"mean_alpha_{i}") for i in range(3)]

@@ -51,6 +51,7 @@ class Table:
         headings: lines across the whole table, each by the number of the row that it stands above.
         each: of a table that each analysis or member has one of: what such tables have in common, and whose this is. In
             files they are one table.
+        name: of the table in files; it stays when the title changes. "": it is made of the title.
         units: of the columns whose headers name none, where the title says it to people; () if there are none.
     """
 
@@ -65,6 +66,7 @@ class Table:
     headings: dict[int, str] = field(default_factory=dict)
     each: tuple[str, str] | None = None
     units: Sequence[str] = ()
+    name: str = ""
 
     def _repr_html_(self) -> str:
         return table_html(self.title, self.columns, self.rows, self.notes, self.left)

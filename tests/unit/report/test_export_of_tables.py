@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import csv
 import sys
 from pathlib import Path
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 from unit.report.figure_archive import small_archive
 
+import edesign
 from edesign.archive.dataset import Group, Variable
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
@@ -20,6 +22,7 @@ from edesign.report.export.names import LONGEST_FILE, slug, table_names
 from edesign.report.export.workbook import number_format, sheet_names
 from edesign.report.tables.table import NumberText, Table, formatted, marked, number, whole
 
+REPORT = Path(edesign.__file__).parent / "report"
 openpyxl = pytest.importorskip("openpyxl")
 parquet = pytest.importorskip("pyarrow.parquet")
 
@@ -86,6 +89,33 @@ def test_names_of_tables_and_sheets_differ() -> None:
     found = sheet_names([long, long + "b", "Contents", "history", "History"])
     assert found[0] == "a" * 31 and len({name.casefold() for name in found}) == 5
     assert all(len(name) <= 31 for name in found) and "history" not in map(str.casefold, found)
+
+
+def test_names_stay_when_titles_change() -> None:
+    assert table_names(["A new title", "Footings"], ["floor_masses", ""]) == ["floor_masses", "footings"]
+    alike = table_names(["Dampers, bare", "Dampers, damped", "Checks", "Checks"], ["dampers", "dampers", "", ""])
+    assert alike == ["dampers_bare", "dampers_damped", "checks", "checks_2"]
+
+
+def test_tables_with_a_title_have_a_name() -> None:
+    """Every `Table("...")` of the report that can be exported; a title is free to change, a name is not."""
+    without, names = [], set()
+    for path in sorted(REPORT.rglob("*.py")):
+        if path.parent.name in ("inspection", "check") or "short" in path.stem:
+            continue  # of terminals alone
+        source = path.read_text(encoding="utf-8")
+        if "edesign.report.tables.table import" not in source:
+            continue
+        for call in ast.walk(ast.parse(source)):
+            if isinstance(call, ast.Call) and isinstance(call.func, ast.Name) and call.func.id == "Table" and call.args:
+                title = call.args[0]
+                given = next((word.value for word in call.keywords if word.arg == "name"), None)
+                if isinstance(given, ast.Constant):
+                    names.add(given.value)
+                elif isinstance(title, ast.Constant) and title.value and given is None:
+                    without.append(f"{path.name}:{call.lineno}")
+    assert without == [] and {"governing", "mean_response"} - names <= {"mean_response"}
+    assert all(name == slug(name) for name in names)
 
 
 @pytest.mark.parametrize(

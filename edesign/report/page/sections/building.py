@@ -56,7 +56,7 @@ def building_sections(source: Source) -> list[Section]:
         return []
     results = BuildingResults(source.archive)
     results.group()
-    missing = Table("Missing")
+    missing = Table("Missing", name="missing")
     sections = [_section(source, results, missing, *which) for which in _SECTIONS]
     first, *others = sections
     lost = [Warnings("What cannot be read of the archive", tuple(missing.notes))] if missing.notes else []

@@ -154,7 +154,7 @@ def campaign(view: View) -> Section:
 def channels_table(found: Calibration) -> Table:
     """Largest values and noise of each channel."""
     columns = ("channel", "use", "duration [s]", "samples", "largest", "noise", "unit")
-    table = Table("Largest absolute values", columns, left=2)
+    table = Table("Largest absolute values", columns, left=2, name="largest_values")
     for one in found.series:
         scale, unit = scale_of(one)
         row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]
@@ -166,7 +166,12 @@ def channels_table(found: Calibration) -> Table:
 def tests_table(found: Calibration) -> Table:
     """Range and noise of each test."""
     columns = ("test", "use", "duration [s]", "samples", "displacement [mm]", "velocity [mm/s]", "force [kN]")
-    table = Table("Largest absolute values", (*columns, "temperature [degC]", "noise of the force [kN]"), left=2)
+    table = Table(
+        "Largest absolute values",
+        (*columns, "temperature [degC]", "noise of the force [kN]"),
+        left=2,
+        name="largest_values",
+    )
     for one in found.series:
         largest = [float(np.max(np.abs(values))) for values in (one.displacement, one.velocity, one.measured)]
         row = [label_of(one), one.use, number(float(np.ptp(one.time)), 3), whole(one.time.size)]

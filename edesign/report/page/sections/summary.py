@@ -61,7 +61,9 @@ def governing_table(sets: Sequence[Measured]) -> Table:
     members = [column for column in MEMBERS if any(found[column[1]].count for _, found in sets)]
     headers = [header for mean, largest, _, _ in GOVERNING for header in (mean, largest)]
     columns = ("variant", "level", "histories", *headers, "storey", "record")
-    table = Table("Governing response", (*columns, *(header for header, _, _ in members)), left=2)
+    table = Table(
+        "Governing response", (*columns, *(header for header, _, _ in members)), left=2, name="governing_response"
+    )
     for histories, found in sets:
         values = [value for _, _, measure, unit in GOVERNING for value in _pair(found[measure], unit)]
         name = [histories.variant or "-", histories.level or "-"]
