@@ -21,6 +21,7 @@ from edesign.report.motion.encoding import STEPS
 from edesign.report.page.render import Cover, render
 from edesign.report.page.sections.motion import motion
 from edesign.report.page.source import Source
+from edesign.study.results.motion import FINENESS
 from edesign.study.run.run import run_project
 
 PICTURES = (*range(0, 160, 8), 10_000)  # the last is beyond the end
@@ -32,6 +33,8 @@ DRIVER = """<!DOCTYPE html><html><body><iframe src="page.html" style="width: {wi
     await new Promise(done => setTimeout(done, 20));
   const shown = e => all(e, 'circle[data-end]').filter(c => c.style.display !== 'none').map(c => c.dataset.end);
   const state = root => ({{ ...root.dataset, frames: all(root, '.moving').map(e => ({{ ...e.dataset, shown: shown(e),
+    strokes: all(e, '[data-mass]').map(m => [m.dataset.mass, +m.dataset.stroke]),
+    sheared: all(e, '[data-damper^=I_]').map(i => i.getAttribute('d').match(/-?[\\d.]+/g).map(Number)),
     forces: all(e, '[data-damper]').map(d => [d.dataset.damper, +d.dataset.force]) }})),
     loop: {{ ...(root.querySelector('circle[data-x]') || {{ dataset: {{}} }}).dataset }} }});
   const press = (root, key) => root.querySelector('.live input').dispatchEvent(
@@ -144,6 +147,64 @@ def _compare(state: dict[str, Any], archive: h5py.File) -> None:
                         yielded.add(label)
         assert set(frame["shown"]) - doubtful == yielded
         assert int(frame["hinges"]) == len(frame["shown"])
+
+
+def test_isolators_shear_and_tuned_masses_swing(tmp_path: Path) -> None:
+    """Corners of an isolator: two stay on the ground, two go with the base; a mass moves against its floor."""
+    path = tmp_path / "isolated.yaml"
+    path.write_text(ISOLATED, encoding="utf-8")
+    (tmp_path / "pulse.csv").write_text(
+        "".join(f"{0.02 * i},{2.0 * np.sin(6.0 * 0.02 * i)}\n" for i in range(120)), encoding="utf-8"
+    )
+    archive = Path(run_project(load_project(path), tmp_path / "isolated.h5").archive)
+    with open_archive(archive) as opened:
+        page = render(Cover("Motion", "", ""), [motion(Source(opened))])
+    archive.with_suffix(".html").write_text(page, encoding="utf-8")
+    data = json.loads(re.findall(r'<script type="application/json">(.*?)</script>', page, re.DOTALL)[0])
+    driven = _driven(archive.with_suffix(".html"), tmp_path, 1280)
+    with h5py.File(archive) as file:
+        group = file["analyses/shake"]
+        base, stroke = (group[f"{name}_displacement"][:].astype(float).ravel() for name in ("base", "tuned_mass"))
+        time, pictures = group["time"][:], group["motion_time"][:]
+    assert np.abs(base).max() > 0.01 and np.abs(stroke).max() > 0.005
+    for state in driven["found"][0]["seen"]:
+        k = int(np.argmin(np.abs(time - pictures[int(state["picture"])])))
+        frame = state["frames"][0]
+        ((name, found),) = frame["strokes"]
+        assert name == "T_1_1" and found == pytest.approx(stroke[k], abs=np.abs(stroke).max() * (0.5 / STEPS + 1e-6))
+        for x, corners in zip((0.0, 6.0), frame["sheared"], strict=True):
+            bottom, top = corners[0:4:2], corners[4:8:2]
+            assert sum(bottom) / 2 == pytest.approx(x, abs=1e-3)  # m on the drawing, which has three decimals
+            # the nodes are kept with 2000 steps, drawn so many times larger
+            rounding = data["scale"] * np.abs(base).max() * (0.5 / FINENESS + 0.5 / STEPS) + 2e-3
+            assert sum(top) / 2 == pytest.approx(x + data["scale"] * base[k], abs=rounding)
+
+
+ISOLATED = """\
+edesign: 1
+title: Storey on isolators with a tuned mass
+frame:
+  bays: [6 m]
+  storeys: [4 m]
+  diaphragms: all
+  columns: [{storeys: all, section: HEB260, material: S275}]
+  beams: [{floors: all, section: IPE360, material: S275}]
+materials:
+  S275: {law: elastic, E: 210 GPa}
+masses: {given: [{lines: all, floors: all, mass: 20 t}]}
+dampers:
+  laws: {rubber: {type: kelvin_voigt, parameters: {k: 0.4 kN/mm, c: 0.02 kN*s/mm}}}
+  isolation:
+    isolators: [{law: rubber}]
+    base: {mass: 20 t, rotation: fixed}
+    design_displacement: 50 mm
+  attachments: [{kind: tuned_mass, floor: 1, mass: 2 t, frequency: 1 Hz, damping: 5 %}]
+damping: {kind: none}
+integration: {method: newmark, time_step: 0.02 s}
+records: {pulse: {file: pulse.csv, acceleration_unit: m/s^2}}
+analyses: [{name: shake, kind: history, record: pulse, free_vibration: 1 s}]
+outputs: {histories: [floors, storeys, dampers, motion]}
+"""
 
 
 def test_some_ends_yield_in_time(made: Path) -> None:

@@ -123,6 +123,16 @@ def base_device_name(line: str) -> str:
     return f"G_{line}"
 
 
+def tuned_mass_name(floor: int, number: int) -> str:
+    """Tuned mass or tanks on a floor, with its number in the project: T_10_1."""
+    return f"T_{floor}_{number}"
+
+
+def tuned_mass_floor(name: str) -> int:
+    """The floor that a tuned mass stands on, by its name."""
+    return int(name.split("_")[1])
+
+
 def damper_between_name(start: str, end: str) -> str:
     """Return the name of a damper between two nodes: N_A0_B1.
 

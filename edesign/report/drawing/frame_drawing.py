@@ -18,6 +18,7 @@ Point = tuple[float, float]
 Line = tuple[Point, Point]
 STEEL, DAMPER = "#8a8f98", "#3aa08f"
 GAP = 0.025  # from the base of an isolated frame to the middle of its isolators, of its height
+SUPPORTS = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D", "footing": "D"}  # their markers
 _SHAPES = {"V": "chevron", "R": "rising", "F": "falling", "S": "storey"}
 
 
@@ -90,9 +91,7 @@ def draw_frame(axes: Axes, frame: Frame, dampers: Sequence[str] = ()) -> None:
         _draw_isolation(axes, frame, dampers, below)
     for line, x in zip(frame.lines, frame.x, strict=True):
         if (line, 1) in frame.column_at and names.isolator_name(line) not in dampers:
-            marker = {"fixed": "s", "pinned": "^", "roller": "o", "springs": "D", "footing": "D"}[
-                support_name(frame.support(line))
-            ]
+            marker = SUPPORTS[support_name(frame.support(line))]
             axes.plot(x, frame.y[0], marker=marker, ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2, clip_on=False)
     margin = 0.04 * max(frame.x[-1], frame.height)
     right = frame.x[-1]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from edesign.report.drawing.captions import plain
-from edesign.report.motion.geometry import Hung, floor_shares
+from edesign.report.motion.geometry import SIGN, Hung, floor_shares
 from edesign.report.motion.moving import FINER, Loop, Moving
 from edesign.report.motion.scenes import Scene
 from edesign.report.response.frame_figures import COLORS
@@ -106,15 +106,24 @@ def _variant(one: Moving, packed: Packed) -> dict[str, Any]:
                 "braces": [[_hung(start), _hung(end)] for start, end in damper.braces],
                 "body": [_hung(point) for point in damper.body],
                 "span": damper.span,
+                "wide": round(damper.wide, DIGITS),
             }
             for damper in geometry.dampers
         ],
+        "supports": [[support.kind, support.node] for support in geometry.supports],
+        "base": list(geometry.base),
+        "ground": round(geometry.ground, DIGITS),
+        "sign": round(SIGN * geometry.size, DIGITS),
+        "masses": [[mass.name, _hung(mass.at)] for mass in geometry.masses],
+        "reach": float(f"{one.reach:.4g}"),
         "loops": [_loop(loop, packed) for loop in one.loops],
     }
     if one.nodes is None:
         found["shares"] = [[below, round(share, DIGITS)] for below, share in floor_shares(geometry.levels, places)]
     else:
         found |= {name: packed.add(one.nodes[:, :, i]) for i, name in enumerate(("ux", "uy", "rz"))}
+    if geometry.masses:
+        found["strokes"] = packed.add(one.strokes)
     if one.rotation is not None:
         found["rotation"] = packed.add(one.rotation)
     if one.force is not None and one.force.shape[1]:

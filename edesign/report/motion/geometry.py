@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.project.frame.frame import Frame
+from edesign.project.frame.supports import support_name
+from edesign.project.notation import names
+from edesign.project.notation.names import tuned_mass_floor
 from edesign.report.drawing.frame_drawing import Point, damper_drawing, member_lines
 
 SAME = 1e-6  # m, within which a point is a node
+SIGN = 0.03  # of a support or a tuned mass, of the larger side of the frame
+BELOW = 0.05  # from an isolated base to the ground, likewise
 
 
 @dataclass(frozen=True)
 class Hung:
-    """A point that moves with two nodes.
+    """A point that moves with two nodes, or one of the ground.
 
     Attributes:
         at: where it is, m.
-        nodes: their positions among `Geometry.nodes`.
+        nodes: their positions among `Geometry.nodes`; `GROUND`: it stays.
         share: 0: it moves with the first, 1: with the second, between: with both.
     """
 
@@ -27,21 +33,42 @@ class Hung:
     share: float
 
 
+GROUND = (-1, -1)
+
+
 @dataclass(frozen=True)
 class MovingDamper:
-    """A damper.
+    """A damper or an isolator.
 
     Attributes:
         name: of it.
         braces: lines that hold it.
         body: the line that it stands on; its color tells the force.
         span: the shares of this line between which the damper itself is.
+        wide: width of an isolator, whose top moves over its bottom, m; 0: it is a damper.
     """
 
     name: str
     braces: tuple[tuple[Hung, Hung], ...]
     body: tuple[Hung, Hung]
     span: tuple[float, float]
+    wide: float = 0.0
+
+
+@dataclass(frozen=True)
+class Support:
+    """What holds a foot: `fixed`, `pinned`, `roller`, `springs`, `footing`, and the position of its node."""
+
+    kind: str
+    node: int
+
+
+@dataclass(frozen=True)
+class MovingMass:
+    """A tuned mass by its name, and the point of its floor that it stands over at rest."""
+
+    name: str
+    at: Hung
 
 
 @dataclass(frozen=True)
@@ -53,27 +80,82 @@ class Geometry:
         members: first and second node of each column, beam and brace by its name.
         dampers: those whose place the frame has.
         levels: of the floors from the base, m.
+        supports: of a frame that is not isolated.
+        base: feet along an isolated base; () of a frame on supports.
+        masses: tuned masses and tanks.
     """
 
     nodes: dict[str, Point]
     members: dict[str, tuple[int, int]]
     dampers: tuple[MovingDamper, ...]
     levels: tuple[float, ...]
+    supports: tuple[Support, ...] = ()
+    base: tuple[int, ...] = ()
+    masses: tuple[MovingMass, ...] = ()
+
+    @property
+    def size(self) -> float:
+        """The larger side, m."""
+        return float(np.ptp(np.array(list(self.nodes.values())), axis=0).max())
+
+    @property
+    def ground(self) -> float:
+        """Level of the ground, m."""
+        return min(y for _, y in self.nodes.values()) - (BELOW * self.size if self.base else 0.0)
 
 
-def moving_frame(frame: Frame, dampers: tuple[str, ...]) -> Geometry:
+def moving_frame(frame: Frame, dampers: tuple[str, ...], masses: tuple[str, ...] = ()) -> Geometry:
     """Return what moves of a frame.
 
     Args:
         frame: its members.
-        dampers: names of its dampers; those in places that the frame does not have, such as isolators, are left out.
+        dampers: names of its dampers and isolators; those in places that the frame does not have are left out.
+        masses: names of its tuned masses.
     """
     at = {name: (float(x), float(y)) for name, (x, y) in frame.nodes.items()}
     members = {
         name: (_hung(at, start).nodes[0], _hung(at, end).nodes[0]) for name, (start, end) in member_lines(frame).items()
     }
-    found = (_damper(frame, at, name) for name in dampers)
-    return Geometry(at, members, tuple(damper for damper in found if damper), tuple(float(y) for y in frame.y))
+    order = {name: i for i, name in enumerate(at)}
+    feet = {line: names.node_name(line, 0) for line in frame.lines if (line, 1) in frame.column_at}
+    isolated = any(names.isolator_name(line) in dampers for line in feet)
+    supports = (
+        [] if isolated else [Support(support_name(frame.support(line)), order[foot]) for line, foot in feet.items()]
+    )
+    base = [order[foot] for foot in feet.values()] if isolated else []
+    own = Geometry(at, members, (), tuple(float(y) for y in frame.y), tuple(supports), tuple(base))
+    found = (_damper(frame, at, name) or _of_base(frame, own, name) for name in dampers)
+    return replace(own, dampers=tuple(damper for damper in found if damper), masses=tuple(_masses(frame, own, masses)))
+
+
+def _of_base(frame: Frame, own: Geometry, name: str) -> MovingDamper | None:
+    """An isolator under a foot, or what acts beside it, from the ground to the foot; None: it is neither."""
+    for line, x in zip(frame.lines, frame.x, strict=True):
+        foot = next((i for i, node in enumerate(own.nodes) if node == names.node_name(line, 0)), None)
+        if foot is None or not own.base:
+            continue
+        top = Hung((float(x), float(frame.y[0])), (foot, foot), 0.0)
+        if name == names.isolator_name(line):
+            return MovingDamper(name, (), (Hung((float(x), own.ground), GROUND, 0.0), top), (0.0, 1.0), SIGN * own.size)
+        beside = names.base_device_name(line)
+        if name == beside or name.startswith(f"{beside}_"):  # the second one at a foot is G_A_2
+            shift = 1.5 + (int(name[len(beside) + 1 :]) - 1 if name != beside else 0)
+            foot_of_it = Hung((float(x) + shift * BELOW * own.size, own.ground), GROUND, 0.0)
+            return MovingDamper(name, ((foot_of_it, top),), (foot_of_it, top), (0.3, 0.7))
+    return None
+
+
+def _masses(frame: Frame, own: Geometry, masses: tuple[str, ...]) -> Iterator[MovingMass]:
+    """Tuned masses over the middles of bays, from the left; those for which there is no bay left stand closer."""
+    count: dict[int, int] = {}
+    for name in masses:
+        floor = tuned_mass_floor(name)
+        number = count[floor] = count.get(floor, 0) + 1
+        in_all = sum(tuned_mass_floor(other) == floor for other in masses)
+        parts = max(in_all, frame.n_bays)
+        left, right = float(frame.x[0]), float(frame.x[-1])
+        x = left + (number - 0.5) / parts * (right - left)
+        yield MovingMass(name, _hung(own.nodes, (x, float(frame.y[floor]))))
 
 
 def floor_shares(levels: tuple[float, ...], places: list[Point]) -> list[tuple[int, float]]:

@@ -58,6 +58,7 @@ class Moving:
         ends: ends of members that yield, with their largest plastic rotation of the history, rad.
         limits: of each of `ends`, from which its color is the next, rad.
         force: of each damper in `geometry` at each picture, (pictures, dampers) N; None: not kept.
+        strokes: of each tuned mass in `geometry` relative to its floor at each picture, (pictures, masses) m.
         loops: that can be chosen.
     """
 
@@ -74,7 +75,18 @@ class Moving:
     ends: dict[End, float]
     limits: tuple[tuple[float, ...], ...]
     force: np.ndarray | None
+    strokes: np.ndarray
     loops: tuple[Loop, ...]
+
+    @property
+    def reach(self) -> float:
+        """The largest displacement of a floor or of a tuned mass, m."""
+        return float(np.max(np.abs(np.column_stack((self.floors, self._masses)))))
+
+    @property
+    def _masses(self) -> np.ndarray:
+        floors = [self.geometry.levels.index(mass.at.at[1]) for mass in self.geometry.masses]
+        return np.asarray(self.floors[:, floors] + self.strokes)
 
     def at(self, pictures: np.ndarray) -> Moving:
         """Return the motion at some pictures, of which the last has the largest values of all samples."""
@@ -88,6 +100,7 @@ class Moving:
             drift_min=self.drift_min[largest],
             rotation=None if self.rotation is None else self.rotation[largest],
             force=None if self.force is None else self.force[pictures],
+            strokes=self.strokes[pictures],
             loops=tuple(loop.at(pictures) for loop in self.loops),
         )
 
@@ -135,6 +148,9 @@ def read_moving(
     drift = np.diff(floors, axis=1) / heights if stored is None else np.asarray(stored.values, dtype=float)
     force, dampers = group.variables.get("damper_force"), names_of(group, "damper")
     own = [dampers.index(damper.name) for damper in geometry.dampers]
+    strokes = np.zeros((len(displacement), 0))
+    if geometry.masses:
+        strokes = np.asarray(group.variables["tuned_mass_displacement"].values, dtype=float)
     return Moving(
         history.variant,
         history.name,
@@ -149,6 +165,7 @@ def read_moving(
         ends,
         limits,
         None if force is None else np.asarray(force.values, dtype=float)[at][:, own],
+        strokes[at],
         tuple(_loops(group, nearest(group, "time", _finer(time)))),
     )
 
@@ -198,7 +215,8 @@ def _loops(group: Group, at: np.ndarray) -> Iterator[Loop]:
             if i not in chosen:
                 continue
             x, y = 1e3 * deformation.values[at, i], 1e-3 * force.values[at, i]
-            yield Loop(f"damper {name}", x, y, "deformation (mm)", "force (kN)")
+            what = "isolator" if name in names_of(group, "isolator") else "damper"
+            yield Loop(f"{what} {name}", x, y, "deformation (mm)", "force (kN)")
     rotation, moment = (group.variables.get(f"member_{name}") for name in ("chord_rotation", "bending_moment"))
     if rotation is not None and moment is not None and moment.dims[:2] == ("time", "recorded_member"):
         for i, name in enumerate(names_of(group, "recorded_member")):

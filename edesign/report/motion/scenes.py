@@ -101,7 +101,8 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
         moving = []
         for (variant, (history, group)), ends, table in zip(first, rotations, tables, strict=True):
             limits = tuple(table[end] if scale is ACCEPTANCE else ROTATION.limits for end in ends)
-            geometry = moving_frame(of.project(variant).frame, tuple(names_of(group, "damper")))
+            masses = tuple(names_of(group, "tuned_mass")) if "tuned_mass_displacement" in group.variables else ()
+            geometry = moving_frame(of.project(variant).frame, tuple(names_of(group, "damper")), masses)
             moving.append(read_moving(history, group, colors[variant], geometry, ends, limits, time))
         group = first[0][1][1]
         ground = group.variables["ground_acceleration"].values[nearest(group, "time", time)]
@@ -110,11 +111,6 @@ def scenes(archive: Archive, most: int = MOST_PICTURES) -> Iterator[Scene]:
 
 
 NEEDED = ("floor_displacement", "ground_acceleration", "storey_height", "storey_drift_max", "storey_drift_min")
-
-
-def _yielded(group: Group) -> dict[End, float]:
-    """Ends with a plastic rotation that is more than that of outer fibres."""
-    return {end: rotation for end, rotation in plastic_rotations(group).items() if rotation > ELASTIC_ROTATION}
 
 
 def _record(found: dict[str, dict[str, tuple[History, Group]]]) -> tuple[str, tuple[int, int]]:

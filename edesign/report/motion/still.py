@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.report.drawing.captions import at_level, plain
+from edesign.report.drawing.frame_drawing import DAMPER, SUPPORTS
 from edesign.report.drawing.style import MEAN, new_figure, styled
 from edesign.report.motion.encoding import fitting_scale
-from edesign.report.motion.geometry import Geometry, Hung, floor_shares
+from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, Hung, floor_shares
 from edesign.report.motion.moving import Moving
 from edesign.report.motion.scenes import Scene
 from edesign.report.response.frame_figures import COLORS, SIZES
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 UNMOVED = "#c9ced6"
+TUNED = "#7b3f98"
 MARGIN = 0.04  # of the larger side of the frame
 HEIGHT, WIDEST = 3.0, 6.6  # inches of a frame, and of all
 
@@ -35,8 +37,10 @@ def still_figure(scene: Scene) -> Figure:
     places = np.array(list(scene.variants[0].geometry.nodes.values()))
     wide, high = (float(size) for size in np.ptp(places, axis=0))
     scale, margin = fitting_scale(scene), MARGIN * max(wide, high)
-    aside = scale * max(float(np.max(np.abs(one.floors[scene.peak]))) for one in scene.variants)
-    ratio = (wide + 2.0 * (aside + margin)) / (high + 2.0 * margin)
+    aside = scale * max(one.at(np.array([scene.peak])).reach for one in scene.variants)
+    bottom = min(one.geometry.ground for one in scene.variants) - margin
+    top = places[:, 1].max() + margin
+    ratio = (wide + 2.0 * (aside + margin)) / (top - bottom)
     width = max(1.5, min(WIDEST / len(scene.variants), HEIGHT * ratio))
     figure, axes = new_figure(1, len(scene.variants), width * len(scene.variants), width / ratio + 0.6)
     ranks: set[int] = set()
@@ -44,7 +48,7 @@ def still_figure(scene: Scene) -> Figure:
         ranks |= _draw(axis, one, scene.peak, scale)
         axis.set_title(one.title or "frame", loc="left")
         axis.set_xlim(places[:, 0].min() - aside - margin, places[:, 0].max() + aside + margin)
-        axis.set_ylim(places[:, 1].min() - margin, places[:, 1].max() + margin)
+        axis.set_ylim(bottom, top)
     handles = [
         Line2D([], [], marker="o", ls="none", ms=SIZES[i - 1], mfc=COLORS[i - 1], mec=MEAN, mew=0.5, label=name)
         for i, name in enumerate(scene.scale.names)
@@ -107,7 +111,22 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     for damper in geometry.dampers:
         for start, end in damper.braces:
             axis.plot(*_line(start, end, motion, scale, (0.0, 1.0)), color=MEAN, lw=0.5, zorder=1.2)
-        axis.plot(*_line(*damper.body, motion, scale, damper.span), color=MEAN, lw=2.4, zorder=1.6)
+        if not damper.wide:
+            axis.plot(*_line(*damper.body, motion, scale, damper.span), color=MEAN, lw=2.4, zorder=1.6)
+            continue
+        (x0, x1), (y0, y1) = _line(*damper.body, motion, scale, damper.span)
+        half = 0.5 * damper.wide
+        axis.fill(
+            (x0 - half, x0 + half, x1 + half, x1 - half), (y0, y0, y1, y1), color=DAMPER, ec=MEAN, lw=0.5, zorder=1.3
+        )
+    _draw_feet(axis, geometry, motion, scale)
+    for mass, stroke in zip(geometry.masses, one.strokes[picture], strict=True):
+        (x, _), (y, _) = _line(mass.at, mass.at, motion, scale, (0.0, 1.0))
+        half, at = 0.5 * SIGN * geometry.size, x + scale * float(stroke)
+        axis.plot((x, x, at), (y, y + half, y + half), color=MEAN, lw=0.6, zorder=1.2)
+        axis.fill(
+            (at - half, at + half, at + half, at - half), (y, y, y + 2 * half, y + 2 * half), color=TUNED, zorder=1.7
+        )
     found: set[int] = set()
     rotations = one.rotation[picture] if one.rotation is not None else list(one.ends.values())
     for (member, side), rotation, limits in zip(one.ends, rotations, one.limits, strict=True):
@@ -124,11 +143,27 @@ def _draw(axis: Axes, one: Moving, picture: int, scale: float) -> set[int]:
     return found
 
 
+def _draw_feet(axis: Axes, geometry: Geometry, motion: np.ndarray, scale: float) -> None:
+    """An isolated base, or the supports, and the ground."""
+    places = np.array(list(geometry.nodes.values()))
+    moved = places + scale * motion[:, :2]
+    edge = (4.0 * BELOW if geometry.base else 2.0 * SIGN) * geometry.size
+    if geometry.base:
+        axis.plot(*moved[list(geometry.base)].T, color=MEAN, lw=2.4, zorder=1.4)
+    for support in geometry.supports:
+        axis.plot(*moved[support.node], marker=SUPPORTS[support.kind], ms=5.0, mfc="white", mec=MEAN, mew=0.7, zorder=2)
+    ends = (places[:, 0].min() - edge, places[:, 0].max() + edge)
+    axis.plot(ends, (geometry.ground, geometry.ground), color=MEAN, lw=0.8, zorder=1.0)
+
+
 def _line(
     start: Hung, end: Hung, motion: np.ndarray, scale: float, span: tuple[float, float]
 ) -> tuple[list[float], list[float]]:
     ends = []
     for point in (start, end):
+        if point.nodes == GROUND:
+            ends.append(np.array(point.at))
+            continue
         moved = (1.0 - point.share) * motion[point.nodes[0], :2] + point.share * motion[point.nodes[1], :2]
         ends.append(np.array(point.at) + scale * moved)
     places = [ends[0] + share * (ends[1] - ends[0]) for share in span]

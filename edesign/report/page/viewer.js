@@ -2,7 +2,20 @@
 "use strict";
 (() => {
   const SVG = "http://www.w3.org/2000/svg";
+  const short = value => String(Math.round(value * 1000) / 1000);
   const PUSH = [31, 95, 168], PULL = [192, 57, 43], REST = [205, 209, 216]; // colors of dampers by their force
+  const TUNED = "#7b3f98";
+  /* Signs of supports below a foot at 0, 0; h is half of their size. */
+  const bar = (h, y) => `M${short(-1.5 * h)} ${short(y)}H${short(1.5 * h)}`;
+  const SIGNS = {
+    fixed: h => [-1, 0, 1].reduce((d, i) => `${d}M${short((i + 0.5) * h)} 0L${short((i - 0.3) * h)} ${short(0.7 * h)}`, bar(h, 0)),
+    pinned: h => `M0 0L${short(h)} ${short(1.4 * h)}H${short(-h)}Z${bar(h, 1.4 * h)}`,
+    roller: h => `M0 0a${short(0.6 * h)} ${short(0.6 * h)} 0 0 1 0 ${short(1.2 * h)}a${short(0.6 * h)} ${short(0.6 * h)} 0 0 1 0 `
+      + `${short(-1.2 * h)}Z${bar(h, 1.2 * h)}`,
+    springs: h => `M0 0V${short(0.3 * h)}L${short(0.6 * h)} ${short(0.5 * h)}L${short(-0.6 * h)} ${short(0.9 * h)}`
+      + `L${short(0.6 * h)} ${short(1.3 * h)}L0 ${short(1.5 * h)}V${short(1.5 * h)}${bar(h, 1.5 * h)}`,
+    footing: h => `M${short(-1.5 * h)} 0H${short(1.5 * h)}V${short(h)}H${short(-1.5 * h)}Z`,
+  };
   const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5];
   const IN_STEPS = 500; // ms between pictures for readers who want less motion
   const reduced = window.matchMedia("(prefers-reduced-motion: reduce)");
@@ -16,7 +29,6 @@
     return made;
   };
   const signed = (value, digits) => value.toFixed(digits).replace("-", "\u2212");
-  const short = value => String(Math.round(value * 1000) / 1000);
   const path = points => points.map((p, i) => `${i ? "L" : "M"}${short(p[0])} ${short(p[1])}`).join("");
   const mixed = (from, to, share) => `rgb(${from.map((c, i) => Math.round(c + share * (to[i] - c))).join(",")})`;
 
@@ -40,7 +52,7 @@
   class Frame {
     constructor(box, about, read, scene) {
       Object.assign(this, { about, scene });
-      for (const name of ["floors", "drift", "drift_max", "drift_min", "ux", "uy", "rz", "rotation", "force"]) {
+      for (const name of ["floors", "drift", "drift_max", "drift_min", "ux", "uy", "rz", "rotation", "force", "strokes"]) {
         this[name] = about[name] ? read(about[name]) : null;
       }
       this.storeys = about.drift.w;
@@ -51,11 +63,16 @@
       this.said = node(this.figure, "p", { class: "said" });
       this.ground = node(this.svg, "svg:path", { stroke: "#111", fill: "none" });
       this.unmoved = node(this.svg, "svg:path", { stroke: "#c9ced6", fill: "none" });
+      this.base = node(this.svg, "svg:path", { stroke: "#5a5f66", fill: "none" });
+      this.signs = about.supports.map(([kind, at]) =>
+        node(this.svg, "svg:path", { stroke: "#5a5f66", fill: "#fff", "data-support": kind, "data-node": at }));
+      this.springs = node(this.svg, "svg:path", { stroke: "#5a5f66", fill: "none" });
       this.braces = node(this.svg, "svg:path", { stroke: "#5a5f66", fill: "none" });
       this.members = node(this.svg, "svg:path", { stroke: about.color, fill: "none" });
       this.bodies = about.dampers.map(damper =>
         node(this.svg, "svg:path", { fill: "none", "stroke-linecap": "round", "data-damper": damper.name }));
-      this.middles = this.bodies.map(() => node(this.svg, "svg:circle", { stroke: "#111" }));
+      this.middles = this.bodies.map((_, i) => about.dampers[i].wide ? null : node(this.svg, "svg:circle", { stroke: "#111" }));
+      this.masses = about.masses.map(([name]) => node(this.svg, "svg:rect", { fill: TUNED, "data-mass": name }));
       this.rings = about.ends.map(([member, end]) =>
         node(this.svg, "svg:circle", { "data-end": `${about.members[member][0]} ${end ? "end" : "start"}` }));
       this.strongest = 1e-9;
@@ -66,26 +83,51 @@
       }
       const xs = about.nodes.map(p => p[0]), ys = about.nodes.map(p => p[1]);
       this.box = [Math.min(...xs), Math.min(...ys), Math.max(...xs), Math.max(...ys)];
-      this.largest = 0;
-      for (let k = 0; k < scene.n; k++) {
-        for (let i = 0; i < about.floors.w; i++) this.largest = Math.max(this.largest, Math.abs(this.floors(k, i)));
-      }
+      this.largest = about.reach;
     }
 
     /* Room for the largest displacement; y goes up, so that it changes its sign. */
-    fit(scale, largest) {
+    fit(scale, largest, bottom) {
       const [x0, y0, x1, y1] = this.box, size = Math.max(x1 - x0, y1 - y0), edge = 0.04 * size;
       const aside = scale * largest + edge;
-      this.svg.setAttribute("viewBox", [x0 - aside, -y1 - 2 * edge, x1 - x0 + 2 * aside, y1 - y0 + 3.5 * edge]
+      const ground = this.about.ground, beyond = (this.about.base.length ? 5 : 1.6) * edge;
+      this.svg.setAttribute("viewBox", [x0 - aside, -y1 - 2 * edge, x1 - x0 + 2 * aside, y1 - bottom + 3.5 * edge]
         .map(short).join(" "));
       this.unit = size / 300;
-      const widths = [[this.members, 2.4], [this.unmoved, 1], [this.braces, 1], [this.ground, 1.2]];
+      const widths = [[this.members, 2.4], [this.unmoved, 1], [this.braces, 1], [this.ground, 1.2], [this.base, 4],
+        [this.springs, 1]];
       for (const [element, width] of widths) element.setAttribute("stroke-width", short(width * this.unit * 100) / 100);
       this.unmoved.setAttribute("stroke-dasharray", `${3 * this.unit} ${3 * this.unit}`);
       this.unmoved.setAttribute("d", this.about.members.map(([, a, b]) =>
         path([a, b].map(i => [this.about.nodes[i][0], -this.about.nodes[i][1]]))).join(""));
-      this.ground.setAttribute("d", path([[x0 - edge, -y0], [x1 + edge, -y0]]));
-      this.bodies.forEach(body => body.setAttribute("stroke-width", 4 * this.unit));
+      this.ground.setAttribute("d", path([-1, 1].map(side => [(side < 0 ? x0 : x1) + side * beyond, -ground])));
+      this.bodies.forEach((body, i) => body.setAttribute("stroke-width", (this.about.dampers[i].wide ? 0.6 : 4) * this.unit));
+      const { sign: side } = this.about;
+      this.masses.forEach(mass => { mass.setAttribute("width", side); mass.setAttribute("height", side); });
+      this.signs.forEach(sign => {
+        sign.setAttribute("stroke-width", 0.8 * this.unit);
+        sign.setAttribute("d", SIGNS[sign.dataset.support](0.5 * side));
+      });
+    }
+
+    /* What holds the feet, and tuned masses on the floors, which move beside them. */
+    drawOthers(k, scale, share, at, moved, hung) {
+      const next = Math.min(k + 1, this.scene.n - 1), { base, masses, supports } = this.about;
+      this.base.setAttribute("d", path(base.map(i => [at[i][0], -at[i][1]])));
+      supports.forEach(([kind, i], n) => {
+        const turned = kind === "fixed" || kind === "footing" ? -scale * moved[i][2] * 180 / Math.PI : 0;
+        this.signs[n].setAttribute("transform",
+          `translate(${short(at[i][0])} ${short(-at[i][1])}) rotate(${short(turned)})`);
+      });
+      const size = this.about.sign, links = [];
+      masses.forEach(([, point], i) => {
+        const [x, y] = hung(point), now = this.strokes(k, i), stroke = now + share * (this.strokes(next, i) - now);
+        const looks = { x: short(x + scale * stroke - size / 2), y: short(-y - size) };
+        for (const [key, value] of Object.entries(looks)) this.masses[i].setAttribute(key, value);
+        this.masses[i].dataset.stroke = stroke;
+        links.push([[x, -y], [x, -y - size / 2], [x + scale * stroke, -y - size / 2]]);
+      });
+      this.springs.setAttribute("d", links.map(path).join(""));
     }
 
     /* Displacements and rotation of a node. */
@@ -106,7 +148,7 @@
       const curves = this.about.members.map(([name, a, b]) => this.curve(name, a, b, at, moved, scale));
       this.members.setAttribute("d", curves.map(([p, q, r, s]) =>
         `M${short(p[0])} ${short(-p[1])}C${[q, r, s].map(c => `${short(c[0])} ${short(-c[1])}`).join(" ")}`).join(""));
-      const hung = ([x, y, a, b, share]) => [0, 1].map(i =>
+      const hung = ([x, y, a, b, share]) => a < 0 ? [x, y] : [0, 1].map(i =>
         [x, y][i] + scale * ((1 - share) * moved[a][i] + share * moved[b][i]));
       const points = (from, to, span = [0, 1]) => {
         const [p, q] = [hung(from), hung(to)];
@@ -117,13 +159,21 @@
       this.about.dampers.forEach((one, i) => {
         const force = this.force ? this.force(k, i) : 0, strength = Math.abs(force) / this.strongest;
         const ends = points(...one.body, one.span), color = mixed(REST, force < 0 ? PUSH : PULL, Math.min(1, strength));
+        if (this.force) this.bodies[i].dataset.force = force;
+        if (one.wide) { // an isolator shears between ground and base
+          const half = one.wide / 2, corners = [[0, -half], [0, half], [1, half], [1, -half]];
+          const sheared = path(corners.map(([end, aside]) => [ends[end][0] + aside, ends[end][1]]));
+          const looks = { d: `${sheared}Z`, fill: color, stroke: "#111" };
+          for (const [key, value] of Object.entries(looks)) this.bodies[i].setAttribute(key, value);
+          return;
+        }
         this.bodies[i].setAttribute("d", path(ends));
         this.bodies[i].setAttribute("stroke", color);
         const middle = { cx: short((ends[0][0] + ends[1][0]) / 2), cy: short((ends[0][1] + ends[1][1]) / 2),
           r: 4 * this.unit, fill: color, "stroke-width": 0.6 * this.unit };
         for (const [key, value] of Object.entries(middle)) this.middles[i].setAttribute(key, value);
-        if (this.force) this.bodies[i].dataset.force = force;
       });
+      this.drawOthers(k, scale, share, at, moved, hung);
       const hinges = this.hinges(k, curves);
       this.tell(k, hinges);
     }
@@ -261,9 +311,10 @@
       if (frames.some(f => f.rings.length)) for (const [name, color] of scene.classes) dot(color, `hinge ${name}`);
       if (frames.some(f => f.force)) {
         const most = (Math.max(...frames.map(f => f.force ? f.strongest : 0)) / 1e3).toPrecision(3);
-        dot(mixed(PULL, PULL, 0), `damper force > 0, to ${+most} kN`);
-        dot(mixed(PUSH, PUSH, 0), "damper force < 0");
+        dot(mixed(PULL, PULL, 0), `${scene.variants.some(v => v.base.length) ? "isolator or " : ""}damper force > 0, to ${+most} kN`);
+        dot(mixed(PUSH, PUSH, 0), "force < 0");
       }
+      if (frames.some(f => f.masses.length)) dot(TUNED, "tuned mass");
     }
 
     profile(side) {
@@ -310,7 +361,8 @@
 
     loops(side, read) {
       const all = this.scene.variants.flatMap(about => about.loops.map(loop => ({ about, loop })));
-      all.sort((a, b) => b.loop.label.startsWith("damper ") - a.loop.label.startsWith("damper "));
+      const device = ({ loop }) => /^(damper|isolator) /.test(loop.label);
+      all.sort((a, b) => device(b) - device(a));
       this.drawLoop = () => {};
       if (!all.length) return;
       const made = new Diagram(side, "Loop", 300, 210), id = `viewer-${this.number}-loop`;
@@ -343,7 +395,8 @@
 
     rescale() {
       const largest = Math.max(...this.frames.map(f => f.largest));
-      this.frames.forEach(f => f.fit(this.scale, largest));
+      const bottom = Math.min(...this.frames.map(f => f.about.ground)); // so that the frames stand at one level
+      this.frames.forEach(f => f.fit(this.scale, largest, bottom));
       this.show(this.k);
     }
 

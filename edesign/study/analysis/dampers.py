@@ -15,6 +15,7 @@ from edesign.damper.laws import law
 from edesign.damper.tuned import sloshing_frequency, sloshing_mass_ratio
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription, TunedMass
+from edesign.project.notation.names import tuned_mass_name
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_file
 from edesign.study.check.warnings import AnalysisWarning, Kind
@@ -168,6 +169,8 @@ def attachments(project: Project) -> list[Attached]:
             mass = water * sloshing_mass_ratio(item.length, item.depth)
             omega = sloshing_frequency(item.length, item.depth)
         found.append(
-            Attached(f"T_{item.floor}_{i + 1}", item.floor, mass, mass * omega**2, 2.0 * item.damping * mass * omega)
+            Attached(
+                tuned_mass_name(item.floor, i + 1), item.floor, mass, mass * omega**2, 2.0 * item.damping * mass * omega
+            )
         )
     return found

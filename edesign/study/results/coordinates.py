@@ -33,6 +33,8 @@ def coordinates(group: Group, frame: FrameModel) -> None:
                 known = [np.nan if value is None else value for value in values]
                 group.add(f"damper_{name}", ("damper",), known, unit, label)
         _restrained_coordinates(group, frame)
+    if frame.attached:
+        coordinate(group, "tuned_mass", list(frame.attached), "", "name of the tuned mass: T_floor_number")
     if frame.isolated is not None:
         isolators = [isolator.name for isolator in frame.isolated.isolators]
         coordinate(group, "isolator", isolators, "", "name of the isolator")

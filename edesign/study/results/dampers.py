@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.building.frame_model import FrameModel
+from edesign.project.notation.names import tuned_mass_floor
 from edesign.study.results.recording import Quantity, Terms
 
 
@@ -44,6 +45,19 @@ def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
     found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
     return found
+
+
+def tuned_mass_displacements(frame: FrameModel, history: bool) -> list[Quantity]:
+    """Displacement of each tuned mass relative to its floor, the stroke that it needs; nothing without any."""
+    if not frame.attached:
+        return []
+    floors = {name: frame.nodes[frame.frame.leading_node(tuned_mass_floor(name))] for name in frame.attached}
+    cells = tuple(
+        ((1.0, "displacement", mass, 0), (-1.0, "displacement", floors[name], 0))
+        for name, mass in frame.attached.items()
+    )
+    label = "horizontal displacement of the tuned mass relative to its floor"
+    return [Quantity("tuned_mass_displacement", ("tuned_mass",), (len(cells),), cells, "m", label, history)]
 
 
 def _restrained_braces(frame: FrameModel) -> list[Quantity]:

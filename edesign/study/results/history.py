@@ -21,7 +21,7 @@ from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
-from edesign.study.results.dampers import damper_quantities
+from edesign.study.results.dampers import damper_quantities, tuned_mass_displacements
 from edesign.study.results.floors import (
     base_acceleration,
     base_displacement,
@@ -95,6 +95,7 @@ class HistoryResults:
             *spring_quantities(frame, self._group),
             *footing_quantities(frame, self._group),
             *damper_quantities(frame, "dampers" in self._wanted),
+            *tuned_mass_displacements(frame, floors),
             *base_acceleration(frame, floors),
             *isolator_axial_forces(frame),
             *(support_reactions(frame, self._group) if "supports" in self._wanted else []),

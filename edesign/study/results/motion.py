@@ -18,6 +18,10 @@ MOST_PICTURES = 600
 SHORTEST = 1.0 / 30.0
 """Time between two pictures, s: more of them the eye does not tell apart."""
 MOTION_TIME = "motion_time"
+NODES = "node_displacement"
+FINENESS = 2000
+"""Steps, at least, up to the largest value of a quantity. Where the largest displacement is drawn as a tenth of a
+screen, a step is a twentieth of a point of it. Values of all digits would make the motion four times larger."""
 
 
 def node_displacements(frame: FrameModel, group: Group) -> Quantity:
@@ -31,7 +35,7 @@ def node_displacements(frame: FrameModel, group: Group) -> Quantity:
     coordinate(group, "node_degree", ["ux", "uy", "rz"], "", "to the right (m), upwards (m), anticlockwise (rad)")
     cells = tuple(((1.0, "displacement", number, at),) for number in frame.nodes.values() for at in range(3))
     label = "displacement (m) and rotation (rad) of the node relative to the ground, gravity included"
-    return Quantity("node_displacement", ("node", "node_degree"), (len(frame.nodes), 3), cells, "", label, True, ())
+    return Quantity(NODES, ("node", "node_degree"), (len(frame.nodes), 3), cells, "", label, True, ())
 
 
 def picture_stride(time: np.ndarray) -> int:
@@ -55,8 +59,25 @@ def store_motion(group: Group, quantities: Sequence[Quantity], response: Respons
     stride = picture_stride(response.time)
     coordinate(group, MOTION_TIME, response.time[::stride], "s", "time of the pictures of the motion")
     for quantity in quantities:
-        values = quantity.values(response)[::stride].astype(SINGLE)
-        group.add(quantity.name, (MOTION_TIME, *quantity.dims), values, quantity.unit, quantity.long_name)
+        values = as_seen(quantity.values(response)[::stride], quantity.name == NODES).astype(SINGLE)
+        label = f"{quantity.long_name}, rounded for pictures"
+        group.add(quantity.name, (MOTION_TIME, *quantity.dims), values, quantity.unit, label)
+
+
+def as_seen(values: np.ndarray, of_nodes: bool) -> np.ndarray:
+    """Return values rounded to multiples of a power of two, `FINENESS` or more of them up to the largest.
+
+    Rotations of nodes, in rad, have the step of their displacements, in m: a member of 8 m is drawn nearer than that.
+
+    Args:
+        values: (pictures, ...); of nodes (pictures, nodes, 3).
+        of_nodes: whether they are displacements and rotations.
+    """
+    largest = float(np.max(np.abs(values[..., :2] if of_nodes else values), initial=0.0))
+    if not (np.isfinite(largest) and largest > 0.0):
+        return values
+    step = 2.0 ** math.floor(math.log2(largest / FINENESS))
+    return np.asarray(step * np.rint(values / step))
 
 
 def without_histories(quantities: Sequence[Quantity], moving: Sequence[Quantity]) -> list[Quantity]:

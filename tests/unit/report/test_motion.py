@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import base64
 import zlib
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from edesign.project import load_project
 from edesign.report.motion.encoding import STEPS, Packed
-from edesign.report.motion.geometry import Geometry, floor_shares
+from edesign.report.motion.geometry import BELOW, GROUND, SIGN, Geometry, floor_shares, moving_frame
 from edesign.report.motion.still import member_curve
 
 COLUMN = Geometry({"A0": (0.0, 0.0), "A1": (0.0, 4.0)}, {"C_A_1": (0, 1), "D_1_1_r": (0, 1)}, (), (0.0, 4.0))
@@ -56,3 +58,39 @@ def test_columns_bend_as_beam_theory_says() -> None:
 def test_nodes_between_floors_move_with_both() -> None:
     found = floor_shares((0.0, 4.0, 7.0), [(0.0, 0.0), (0.0, 4.0), (3.0, 5.5), (0.0, 7.0)])
     assert found == [(0, 0.0), (1, 0.0), (1, pytest.approx(0.5)), (1, 1.0)]
+
+
+ISOLATED = """\
+edesign: 1
+title: Two storeys
+frame:
+  bays: [6 m, 4 m]
+  storeys: [4 m, 3 m]
+  supports: {A: pinned, B: fixed, C: roller}
+  columns: [{storeys: all, section: HEB260, material: S275}]
+  beams: [{floors: all, section: IPE360, material: S275}]
+materials:
+  S275: {law: elastic, E: 210 GPa}
+masses: {given: [{lines: all, floors: all, mass: 20 t}]}
+analyses: [{name: modes, kind: modal, modes: 1}]
+"""
+
+
+def test_isolators_stand_between_the_ground_and_their_feet(tmp_path: Path) -> None:
+    (tmp_path / "project.yaml").write_text(ISOLATED, encoding="utf-8")
+    frame = load_project(tmp_path / "project.yaml").frame
+    on_supports = moving_frame(frame, ("R_1_1",), ("T_2_1", "T_2_2", "T_1_3"))
+    assert [support.kind for support in on_supports.supports] == ["pinned", "fixed", "roller"]
+    assert on_supports.ground == 0.0 and on_supports.base == ()
+    assert [mass.at.at for mass in on_supports.masses] == [(2.5, 7.0), (7.5, 7.0), (2.5, 4.0)]
+
+    isolated = moving_frame(frame, ("I_A", "I_B", "I_C", "G_C", "G_C_2", "R_1_1"))
+    places = list(isolated.nodes.values())
+    assert isolated.supports == () and [places[i] for i in isolated.base] == [(0.0, 0.0), (6.0, 0.0), (10.0, 0.0)]
+    assert isolated.ground == -BELOW * 10.0
+    assert [damper.name for damper in isolated.dampers] == ["I_A", "I_B", "I_C", "G_C", "G_C_2", "R_1_1"]
+    for damper, x in zip(isolated.dampers[:3], (0.0, 6.0, 10.0), strict=True):
+        below, above = damper.body
+        assert (below.at, below.nodes, above.at) == ((x, isolated.ground), GROUND, (x, 0.0))
+        assert places[above.nodes[0]] == (x, 0.0) and damper.wide == SIGN * 10.0
+    assert isolated.dampers[3].body[0].at[0] < isolated.dampers[4].body[0].at[0]
