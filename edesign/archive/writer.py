@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
@@ -16,7 +17,8 @@ from edesign.archive.files import is_hdf5, reason
 from edesign.archive.global_heap import broken_collections, disable
 from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
 from edesign.archive.opening import PARTIAL_SUFFIX
-from edesign.archive.seal import seal_of
+from edesign.archive.seal import LENGTH as SEAL_LENGTH
+from edesign.archive.seal import seal_of, sealed_size
 from edesign.archive.survey import survey
 from edesign.archive.transaction import TransactionFile
 from edesign.archive.tree import FORMAT, Damaged, Tree
@@ -249,8 +251,9 @@ class ArchiveWriter:
             different = [name for name in new if old.get(name) != new[name]]
             if different:
                 names = ", ".join(name.replace("_", " ") for name in different)
+                verb = "differs" if len(different) == 1 else "differ"
                 self.note = (
-                    f"{self.partial.name}: results of an interrupted run not used ({names} differ); starting afresh"
+                    f"{self.partial.name}: results of an interrupted run not used ({names} {verb}); starting afresh"
                 )
                 file.close()
                 return
@@ -307,6 +310,33 @@ class ArchiveWriter:
     def _failure(self, error: OSError | ValueError) -> ArchiveError:
         words = reason(error) if isinstance(error, OSError) else str(error)
         return ArchiveError(f"{self.path}: cannot write the archive: {words}")
+
+
+def renew_root(
+    path: str | os.PathLike[str], root: Group, others: Mapping[str, Group], attributes: Mapping[str, object]
+) -> None:
+    """Replace the root group of a complete archive, and some other groups; all else stays as it is.
+
+    It is done in a copy that takes the place of the archive at the end, so a failure leaves the archive as it was.
+
+    Args:
+        path: the archive, `NAME.h5`, with its seal.
+        root: attributes and variables of the root group.
+        others: further groups by path.
+        attributes: last attributes of the root group, as of `ArchiveWriter.finish`.
+
+    Raises:
+        ArchiveError: the disk is full, or another failure.
+    """
+    partial = partial_path(path)
+    try:
+        content = Path(path).read_bytes()
+        with partial.open("xb") as copy:
+            copy.write(content[: len(content) - (SEAL_LENGTH if sealed_size(io.BytesIO(content)) else 0)])
+    except OSError as error:
+        raise ArchiveError(f"{path}: cannot write the archive: {reason(error)}") from error
+    with ArchiveWriter(path, root, (), lambda place, found: place not in others, others) as writer:
+        writer.finish(attributes)
 
 
 def _was_never_written(partial: Path) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, ClassVar, Protocol, Self
@@ -16,6 +17,9 @@ from edesign.project.reading.problems import FileProblems, Problems, keys_text
 from edesign.project.reading.values import KeyPath, changed_text, first_difference, shown
 from edesign.project.reading.yaml_file import read_yaml_file
 from edesign.project.reading.yaml_nodes import Node, find, parse
+
+HEAD = ("title", "document")
+"""Keys of a file that say what a report is called and for whom it is, and no result depends on."""
 
 
 class Reader(Protocol):
@@ -160,6 +164,13 @@ class FileModel(Model):
     def checksum(self) -> str:
         """The SHA-256 of the text (UTF-8), hexadecimal."""
         return hashlib.sha256(self._text.encode("utf-8")).hexdigest()
+
+    @property
+    def analysis_checksum(self) -> str:
+        """SHA-256 of the values that results may depend on: of all but `HEAD`, comments and layout."""
+        said = self.root.plain()
+        kept = {key: value for key, value in said.items() if key not in HEAD} if isinstance(said, dict) else said
+        return hashlib.sha256(json.dumps(kept, default=str).encode("utf-8")).hexdigest()
 
     @property
     def root(self) -> Node:

@@ -259,6 +259,11 @@ class Study(FileModel):
         return hashlib.sha256(f"{self._text}\n{self.base.text}".encode()).hexdigest()
 
     @property
+    def analysis_checksum(self) -> str:
+        """SHA-256 of the values of study and project that results may depend on."""
+        return hashlib.sha256(f"{super().analysis_checksum}\n{self.base.analysis_checksum}".encode()).hexdigest()
+
+    @property
     def archive_path(self) -> Path:
         """The path of the archive, unless the command line gives another one."""
         return self.folder / (self.outputs.archive or f"{self._path.stem}.h5")

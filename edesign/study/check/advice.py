@@ -161,7 +161,22 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         else:
             texts = design_warnings(spec)
         found += [f"design {name}: {text}" for text in texts]
-    return [*found, *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+    return [*found, *_equal_variants(study), *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
+
+
+def _equal_variants(study: Study) -> list[str]:
+    """Say which variants of the file are the same frame with the same dampers."""
+    own = [name for name in study.variants if name not in study.derived]
+    alike: dict[str, list[str]] = {}
+    for name in own:
+        said = study.variants[name].model_dump(exclude={"bounds"})  # which makes variants of their own
+        said["values"] = sorted((place, repr(value)) for place, value in said["values"].items())
+        alike.setdefault(repr(said), []).append(name)
+    return [
+        f"variants {listed(names)} are the same: each analysis of one gives the results of the other"
+        for names in alike.values()
+        if len(names) > 1
+    ]
 
 
 def pattern_warnings(pushovers: Iterable[Pushover]) -> list[str]:

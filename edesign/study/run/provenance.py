@@ -25,8 +25,8 @@ from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.study.results.kinds import STUDY
 
-IDENTITY = ("project_checksum", "input_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
-"""Root attributes that decide whether results of an interrupted run may be reused: all that results depend on."""
+IDENTITY = ("analysis_checksum", "edesign_version", "core_version", "code_checksum", "libraries")
+"""Root attributes that decide whether results of an earlier run may be reused: all that results depend on."""
 
 CODE = (".py", ".so", ".pyd", ".csv", ".yaml", ".json")  # of files that results depend on; tables of codes, laws too
 
@@ -48,9 +48,17 @@ def input_checksum(project: Project, records: Mapping[str, str]) -> str:
         project: its text counts, and the files of its laws of dampers and of its hazard.
         records: SHA-256 of the samples of each record, by name.
     """
-    parts = [project.checksum, *(f"{name} {records[name]}" for name in sorted(records))]
+    return _of_parts(project.checksum, *_other_inputs(project, records))
+
+
+def _other_inputs(project: Project, records: Mapping[str, str]) -> list[str]:
+    """What a run reads beside the text of the project."""
+    parts = [f"{name} {records[name]}" for name in sorted(records)]
     parts += [_checksum(file, content) for file, content in _law_files(project).values()]
-    parts += [_checksum(file, content) for file, content in hazard_files(project.hazard).values()]
+    return parts + [_checksum(file, content) for file, content in hazard_files(project.hazard).values()]
+
+
+def _of_parts(*parts: str) -> str:
     return hashlib.sha256("\n".join(parts).encode()).hexdigest()
 
 
@@ -71,8 +79,10 @@ def study_root_group(study: Study, planned: list[str], records: Mapping[str, str
         for name, design in study.designs.items()
         if isinstance(design, ElastomerDesign) and isinstance(design.properties, FileProperties)
     }
-    parts = [study.checksum, str(group.attributes["input_checksum"]), *(_checksum(*table) for table in tables.values())]
-    group.attributes["input_checksum"] = hashlib.sha256("\n".join(parts).encode()).hexdigest()
+    of_tables = [_checksum(*table) for table in tables.values()]
+    others = (*_other_inputs(study.base, records), *of_tables)
+    group.attributes["analysis_checksum"] = _of_parts(study.analysis_checksum, *others)
+    group.attributes["input_checksum"] = _of_parts(study.checksum, str(group.attributes["input_checksum"]), *of_tables)
     group.add("study_text", (), study.text, "", "text of the study file")
     for name, table in tables.items():
         _add_file(group, f"properties_text_{name}", "property table", *table)
@@ -121,6 +131,7 @@ def root_group(project: Project, planned: list[str], records: Mapping[str, str])
             "project_file": project.path.name,
             "project_checksum": project.checksum,
             "input_checksum": input_checksum(project, records),
+            "analysis_checksum": _of_parts(project.analysis_checksum, *_other_inputs(project, records)),
             "record_checksums": dict(records),
             **versions(),
             "planned": planned,
@@ -161,10 +172,15 @@ def circumstances() -> Group:
 
     return Group(
         attributes={
-            "created": datetime.now(UTC).isoformat(timespec="seconds"),
+            "created": now(),
             "python_version": platform.python_version(),
             "numpy_version": np.__version__,
             "platform": platform.platform(),
             **library_versions(),
         }
     )
+
+
+def now() -> str:
+    """Return the moment as ISO 8601, UTC, to the second."""
+    return datetime.now(UTC).isoformat(timespec="seconds")

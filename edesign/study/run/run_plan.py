@@ -11,7 +11,8 @@ from typing import Literal
 from edesign.archive.dataset import Group
 from edesign.archive.files import source_file
 from edesign.archive.owner import check_owner
-from edesign.archive.writer import ArchiveWriter
+from edesign.archive.reader import open_archive
+from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import EdesignError, Interrupted
 from edesign.stopping import stoppable
 from edesign.study.analysis.modal import fundamental_period
@@ -27,7 +28,7 @@ from edesign.study.run.interrupt import stop_on_signals
 from edesign.study.run.outcome import COLLAPSED, COMPLETED, FAILED, SKIPPED, Outcome, RunSummary
 from edesign.study.run.plan import Task, waves
 from edesign.study.run.progress import Listener, Progress
-from edesign.study.run.provenance import IDENTITY, circumstances
+from edesign.study.run.provenance import IDENTITY, circumstances, now
 from edesign.study.run.state import Job, Prepared, RunState
 
 MATCHING = "matching"  # what the progress of the fit of the records is called
@@ -45,7 +46,8 @@ def run_plan(
     """Run the analyses of a plan and archive them.
 
     An analysis that fails is archived as failed with its reason, and the run goes on. Results of an interrupted run of
-    the same inputs and versions are reused. The histories of incremental studies run in waves, from the lowest
+    the same inputs and versions are reused. So are those of a complete archive whose project or study has had another
+    title, `document` or comments since. The histories of incremental studies run in waves, from the lowest
     intensity; what is skipped after a collapse depends on its chain alone.
 
     Args:
@@ -66,6 +68,9 @@ def run_plan(
     started = time.monotonic()
     job.root.attributes["source_file"] = source_file(job.path, path)
     check_owner(path, job.root, overwrite)
+    renewed = None if fresh else _with_new_head(job, path, listener, started)
+    if renewed is not None:
+        return renewed
     tasks = {task.path: task for task in job.tasks}
     earlier: dict[str, Outcome] = {}
 
@@ -109,6 +114,42 @@ def run_plan(
                 writer.finish({"status": FAILED if failed else COMPLETED})
     outcomes = tuple(run.outcomes[task.name] for task in job.tasks)
     return RunSummary(path, outcomes, tuple(run.notes), time.monotonic() - started)
+
+
+def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> RunSummary | None:
+    """Give a complete archive the texts, title and `document` of today where nothing else has changed.
+
+    Returns:
+        None if there is no such archive, an analysis of it failed, or the texts are those of the archive: who runs the
+        same again wants it to run.
+    """
+    root = job.root
+    root.attributes[ATTRIBUTE] = list(job.warnings)
+    if not path.is_file() or partial_path(path).exists():
+        return None
+    try:
+        with open_archive(path) as opened:
+            old = opened.attributes
+            made = opened.group_attributes("provenance") if opened.has("provenance") else {}
+            ends = {task.path: opened.group_attributes(task.path) for task in job.tasks if opened.has(task.path)}
+            complete = opened.complete and not opened.damage
+    except EdesignError:
+        return None
+    alike = all(old.get(name) == root.attributes.get(name) for name in (*IDENTITY, "planned"))
+    whole = complete and old.get("status") == COMPLETED and len(ends) == len(job.tasks)
+    if not (alike and whole) or old.get("project_checksum") == root.attributes["project_checksum"]:
+        return None
+    renew_root(path, root, {"provenance": Group(attributes={**made, "head_renewed": now()})}, {"status": COMPLETED})
+    note = (
+        f"only the title, `document`, comments or layout have changed: the head of {path.name} was renewed, no "
+        "analysis ran again (--fresh runs all)"
+    )
+    listener(Progress("note", message=note, count=len(job.tasks)))
+    outcomes = tuple(
+        Outcome(task.name, str(ends[task.path].get("status")), str(ends[task.path].get("reason") or ""), reused=True)
+        for task in job.tasks
+    )
+    return RunSummary(path, outcomes, (note,), time.monotonic() - started)
 
 
 def _run_tasks(run: RunState) -> None:

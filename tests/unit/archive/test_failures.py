@@ -74,7 +74,7 @@ def test_resume_keeps_what_the_caller_accepts(tmp_path: Path) -> None:
 def test_another_project_or_version_starts_afresh_and_says_so(tmp_path: Path, new: Group, word: str) -> None:
     interrupted(tmp_path / "a.h5")
     with ArchiveWriter(tmp_path / "a.h5", new, IDENTITY, reuse=completed) as writer:
-        assert writer.kept == () and f"({word} differ)" in writer.note and "starting afresh" in writer.note
+        assert writer.kept == () and f"({word} differs)" in writer.note and "starting afresh" in writer.note
 
 
 def test_fresh_discards_the_partial_file(tmp_path: Path) -> None:

@@ -141,8 +141,55 @@ def test_a_changed_project_starts_afresh_and_says_so(tmp_path: Path, monkeypatch
     with pytest.raises(Interrupted):
         run_project(project(tmp_path))
     core = use(monkeypatch, Core())
-    summary = run_project(project(tmp_path, text="title: other"))
-    assert core.ran == list("abcd") and "project checksum" in summary.notes[0] and "afresh" in summary.notes[0]
+    summary = run_project(project(tmp_path, text="title: small\nmasses: other"))
+    assert core.ran == list("abcd") and "analysis checksum" in summary.notes[0] and "afresh" in summary.notes[0]
+
+
+HEADS = ("title: other", "title: small\ndocument: {client: Another}", "# a comment\ntitle: small")
+
+
+@pytest.mark.parametrize("text", HEADS)
+def test_an_interrupted_run_goes_on_under_another_title(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str
+) -> None:
+    use(monkeypatch, Core({("c", 5): interrupt}))
+    with pytest.raises(Interrupted):
+        run_project(project(tmp_path))
+    core = use(monkeypatch, Core())
+    run_project(project(tmp_path, text=text), overwrite=True)  # without `source_file` the title tells whose it is
+    assert core.ran == list("cd")
+
+
+@pytest.mark.parametrize("text", HEADS)
+def test_another_head_runs_nothing_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str) -> None:
+    use(monkeypatch, Core())
+    run_project(project(tmp_path))
+    before = results(tmp_path / "small.h5")
+    core = use(monkeypatch, Core())
+    told: list[Progress] = []
+    summary = run_project(project(tmp_path, text=text), progress=told.append)
+    assert core.ran == [] and all(outcome.reused for outcome in summary.outcomes) and len(summary.outcomes) == 4
+    assert "head of small.h5 was renewed" in told[0].message and summary.notes == (told[0].message,)
+    assert results(tmp_path / "small.h5") == before and not partial_path(tmp_path / "small.h5").exists()
+    with open_archive(tmp_path / "small.h5") as archive:
+        assert str(archive.group().variables["project_text"].values) == text
+        assert archive.complete and not archive.damage and "head_renewed" in archive.group_attributes("provenance")
+
+    same = use(monkeypatch, Core())  # the same again is what the user wants to run again
+    run_project(project(tmp_path, text=text))
+    fresh = use(monkeypatch, Core())
+    run_project(project(tmp_path, text="title: third"), fresh=True)
+    changed = use(monkeypatch, Core())
+    run_project(project(tmp_path, text="title: third\nloads: other"))
+    assert same.ran == fresh.ran == changed.ran == list("abcd")
+
+
+def test_a_failed_run_is_run_again_under_another_head(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    use(monkeypatch, Core({("b", 1): fail}))
+    assert run_project(project(tmp_path)).failed
+    core = use(monkeypatch, Core())
+    assert not run_project(project(tmp_path, text=HEADS[1])).failed
+    assert core.ran == list("abcd")
 
 
 def test_fresh_reuses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

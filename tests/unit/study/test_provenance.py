@@ -166,7 +166,7 @@ def test_results_of_other_inputs_are_not_reused(
         assert writer.kept == ("analyses/first",)
     other = change(project, monkeypatch)
     with ArchiveWriter(path, Group(attributes=other), IDENTITY, lambda *_: True) as writer:
-        assert writer.kept == () and "differ); starting afresh" in writer.note
+        assert writer.kept == () and "); starting afresh" in writer.note
 
 
 def test_a_changed_copy_is_neither_run_nor_checked(project: Project) -> None:
