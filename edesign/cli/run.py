@@ -45,6 +45,9 @@ def run(
         bool, typer.Option("--report", help="Write the report too, one HTML page beside the archive.")
     ] = False,
     check: Annotated[bool, typer.Option("--check", help="Exit with 3 if a check of a building is not met.")] = False,
+    whole: Annotated[
+        bool, typer.Option("--all", help="Print all tables, not only verdicts, means and what governs.")
+    ] = False,
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no summary.")] = False,
 ) -> None:
     """Run the analyses of a project or study, or design checks of a building, archive them, and print a summary.
@@ -59,10 +62,10 @@ def run(
     if kind == BUILDING:
         if only or folder or scheduler:
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
-        _run_building(project, archive, overwrite, report, check, quiet)
+        _run_building(project, archive, overwrite, _End(report, whole, quiet), check)
     else:
         how = _How(archive, tuple(only or ()), fresh, overwrite, workers, "dask" if scheduler else backend, scheduler)
-        _run_analyses(project, kind == STUDY, folder or [], how, report, quiet)
+        _run_analyses(project, kind == STUDY, folder or [], how, _End(report, whole, quiet))
 
 
 @dataclass(frozen=True)
@@ -78,7 +81,16 @@ class _How:
     scheduler: str | None
 
 
-def _run_building(file: Path, archive: Path | None, overwrite: bool, report: bool, check: bool, quiet: bool) -> None:
+@dataclass(frozen=True)
+class _End:
+    """What is written and printed at the end of a run."""
+
+    report: bool
+    whole: bool
+    quiet: bool
+
+
+def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, check: bool) -> None:
     from edesign.building.building_file import load_building
     from edesign.cli.stages import Tell, in_stages
     from edesign.space.elastic_design import ElasticDesign
@@ -88,26 +100,26 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, report: boo
         tell(f"reading {file}")
         return run_building(load_building(file), archive, overwrite, tell)
 
-    path, design = in_stages(work, quiet)
-    _end(path, "", report, quiet)
+    path, design = in_stages(work, end.quiet)
+    _end(path, "", end)
     if check and not design.passed:
         raise AnalysisError(f"{file}: not all checks are met; all are in {path}")
 
 
-def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, report: bool, quiet: bool) -> None:
+def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, end: _End) -> None:
     from edesign.building.project_file import load_project, load_study
     from edesign.cli.progress import listener
     from edesign.ground_motion.project_records import with_folders
     from edesign.study.run.run import run_project, run_study
 
-    with listener(quiet) as listen:
+    with listener(end.quiet) as listen:
         options = (how.archive, listen, how.workers, how.only, how.fresh, how.backend, how.scheduler, how.overwrite)
         if is_study:
             study = load_study(project)
             summary = run_study(study.of(with_folders(study.base, folders)) if folders else study, *options)
         else:
             summary = run_project(with_folders(load_project(project), folders), *options)
-    _end(summary.archive, f" ({summary.seconds:.1f} s)", report, quiet)
+    _end(summary.archive, f" ({summary.seconds:.1f} s)", end)
     if summary.failed:
         alike: dict[str, list[str]] = {}
         for outcome in summary.failed:
@@ -118,24 +130,28 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
         )
 
 
-def _end(archive: Path, took: str, report: bool, quiet: bool) -> None:
+def _end(archive: Path, took: str, end: _End) -> None:
     """Write the report if it is asked for, then print the tables in short and where the files are."""
     from edesign.archive.reader import open_archive
+    from edesign.report.archive_tables import overview
     from edesign.report.short_tables import short_tables
     from edesign.report.tables.text import PAPER, print_tables
 
     page = None
-    if report:
+    if end.report:
         from edesign.cli.report import PageProgress
         from edesign.report.page.document import write_page
 
-        if not quiet:
+        if not end.quiet:
             print("writing the report ...", file=sys.stderr, flush=True)
-        page = write_page(archive, None, (lambda line: None) if quiet else PageProgress())
-    if quiet:
+        page = write_page(archive, None, (lambda line: None) if end.quiet else PageProgress())
+    if end.quiet:
         return
     with open_archive(archive) as opened:
-        print_tables(short_tables(opened), widest=PAPER)
+        if end.whole:
+            print_tables(overview(opened))
+        else:
+            print_tables(short_tables(opened), widest=PAPER)
     print(f"archive: {archive}{took}")
     if page is not None:
         print(f"report: {page}")

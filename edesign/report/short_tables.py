@@ -1,7 +1,12 @@
-"""The tables that a run ends with, and that `edesign show` prints without `--all`: verdicts, means, what governs."""
+"""The tables that a run ends with, and that `edesign show` prints without `--all`: verdicts, means, what governs.
+
+They take one screen: `SCREEN` lines of 80 characters.
+"""
 
 from __future__ import annotations
 
+from collections import Counter
+from textwrap import shorten
 from typing import Any
 
 from edesign.archive.dataset import Group
@@ -9,10 +14,10 @@ from edesign.archive.reader import Archive
 from edesign.assess.criteria import judge
 from edesign.assess.sets import history_sets
 from edesign.errors import EdesignError
+from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archive_tables import (
     KINDS,
-    analyses_table,
     heading,
     overview,
     periods_table,
@@ -27,7 +32,8 @@ from edesign.report.archived import (
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING
-from edesign.report.assessment.measure_tables import MAIN, means_tables
+from edesign.report.assessment.measure_tables import MAIN
+from edesign.report.assessment.response_in_short import response_in_short
 from edesign.report.assessment.study_tables import designs_tables
 from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.assessment.verdicts_in_short import verdicts_in_short
@@ -39,12 +45,25 @@ from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.summary import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.tables.table import Table, number
+from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.check.warnings import warning_lines
 from edesign.study.run.outcome import COMPLETED
 
 WARNINGS_SHOWN = 3
 FAILED_SHOWN = 5
 PERIODS_SHOWN = 3
+ANALYSES_SHOWN = 4
+SCREEN = 40  # lines
+LAST = 2  # of them for the line that tells where the rest is
+LEAST = 4  # tables, however long they are
+TARGET_COLUMNS = {  # of the table of the response at target displacements, with names for little room
+    "target": "target",
+    "roof drift [%]": "roof drift %",
+    "storey drift [%]": "storey %",
+    "base shear [kN]": "V kN",
+    "level by drift": "by drift",
+    "level by members": "by members",
+}
 
 
 def short_tables(archive: Archive) -> list[Table]:
@@ -55,9 +74,10 @@ def short_tables(archive: Archive) -> list[Table]:
     Raises:
         ArchiveError: the archive cannot be read.
     """
+    top = heading(archive)
     if is_substructure_archive(archive):
-        return overview(archive)
-    if is_building_archive(archive):
+        tables = overview(archive)[1:]
+    elif is_building_archive(archive):
         from edesign.report.building.tables import short_building_tables
 
         tables = short_building_tables(archive)
@@ -70,23 +90,39 @@ def short_tables(archive: Archive) -> list[Table]:
                 raise
             study = None
         of_kind = _of_project(archive, groups) if study is None else _of_study(archive, study, groups)
+        _add_ends(top, groups)
         tables = [_warnings(archive, groups), *of_kind]
-    tables = [heading(archive), *tables, _more(archive)]
-    return [table for table in tables if table.rows or table.notes]
+    tables = [top, *(table for table in tables if table.rows or table.notes)]
+    shown = _on_a_screen(tables)
+    return [*shown, _more(archive, len(tables) - len(shown))]
+
+
+def _on_a_screen(tables: list[Table]) -> list[Table]:
+    """The first tables: as many as a screen has lines for, a few at least."""
+    lines = 0
+    shown: list[Table] = []
+    for table in tables:
+        lines += sum(len(plain(part).splitlines()) + 1 for part in fitted(table, PAPER))
+        if lines > SCREEN - LAST and len(shown) >= LEAST:
+            break
+        shown.append(table)
+    return shown
 
 
 def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[Table]:
     histories = read_histories(archive, groups)
     sets = history_sets(histories)
-    tables = [_ended(groups)]
+    tables: list[Table] = []
+    governing: list[Table] = []
     if not sets:
         tables += designs_tables(archive, study, sets)
     if study.criteria or study.objectives:
         judged = read_judged(archive, groups)
-        tables.append(verdicts_in_short(judge(study.criteria, study.objectives, judged, study.base, study)))
-    tables += means_tables(not_swept(study, sets))
+        verdicts, *governing = verdicts_in_short(judge(study.criteria, study.objectives, judged, study.base, study))
+        tables.append(verdicts)
+    tables += [response_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
-    tables += target_tables(study.base, groups, study)
+    tables += _targets(study.base, groups, study)
     return tables + incremental_tables(archive, groups)
 
 
@@ -94,18 +130,42 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     if not groups:  # of `edesign match`
         return tables_of(archive)
     entries = [entry(name, group) for name, group in groups.items()]
-    tables = [analyses_table(entries)]
-    tables += [periods_table(name, group, PERIODS_SHOWN) for name, group in groups.items()]
     targets = any(item["kind"] in KINDS for item in entries)
-    tables += target_tables(archived_project(archive) if targets else None, groups)
+    sets = history_sets(groups)
+    tables = [_periods(groups)]
+    tables += _targets(archived_project(archive) if targets else None, groups)
+    tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
+    tables += [isolation_table(groups)]
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     footings = first_mode_table(groups)
-    tables += [footings] if footings.rows else []
-    return [*tables, _measures(entries), isolation_table(groups), dampers_table(groups)]
+    return [*tables, *([footings] if footings.rows else []), dampers_table(groups)]
+
+
+def _periods(groups: dict[str, Group]) -> Table:
+    """The first periods of each modal analysis, and the effective mass of the first mode."""
+    modes = [f"T_{mode} [s]" for mode in range(1, PERIODS_SHOWN + 1)]
+    table = Table("Periods", ("analysis", *modes, "effective mass of mode 1 [%]"))
+    for name, group in groups.items():
+        rows = periods_table(name, group, PERIODS_SHOWN).rows
+        if rows:
+            periods = [row[1] for row in rows] + ["-"] * (PERIODS_SHOWN - len(rows))
+            table.rows.append([name, *periods, rows[0][3]])
+    return table
+
+
+def _targets(project: Project | None, groups: dict[str, Group], study: Study | None = None) -> list[Table]:
+    """The response at target displacements without rotations of members and what the displacements follow from."""
+    found = target_tables(project, groups, study)
+    if not found:
+        return []
+    states = found[-1]
+    kept = [i for i, header in enumerate(states.columns) if header in TARGET_COLUMNS]
+    headers = [TARGET_COLUMNS[states.columns[i]] for i in kept]
+    return [Table(states.title, headers, [[row[i] for i in kept] for row in states.rows], states.notes)]
 
 
 def _measures(entries: list[dict[str, Any]]) -> Table:
-    """The main measures of the analyses that have any, a column for each."""
+    """The main measures of analyses without histories, a column for each that has any."""
     having = [item for item in entries if any(value is not None for value in item["measures"].values())]
     marks = ["" if item["status"] == COMPLETED else " *" for item in having]
     columns = ("measure", *(item["name"] + mark for item, mark in zip(having, marks, strict=True)))
@@ -122,21 +182,26 @@ def _measures(entries: list[dict[str, Any]]) -> Table:
 def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:
     """The first warnings, and how many there are."""
     found = [*input_warnings(archive), *design_warnings(archive), *warning_lines(groups)]
+    found = [shorten(text, 2 * PAPER, placeholder=" ...") for text in found]
     if len(found) > WARNINGS_SHOWN + 1:
         found = [*found[:WARNINGS_SHOWN], f"and {len(found) - WARNINGS_SHOWN} more"]
     return Table("Warnings", notes=found)
 
 
-def _ended(groups: dict[str, Group]) -> Table:
-    """How many analyses were completed, and the first that were not."""
+def _add_ends(top: Table, groups: dict[str, Group]) -> None:
+    """Tell in the head how many analyses were completed, and below it the first that were not."""
+    if not groups:
+        return
     ends = {name: ending(group) for name, group in groups.items()}
-    completed = sum(end["status"] == COMPLETED for end in ends.values())
-    lines = [f"{completed} of {len(ends)} completed"]
+    counts = Counter(end["status"] for end in ends.values())
+    others = "".join(f", {count} {status}" for status, count in counts.items() if status != COMPLETED)
+    top.rows.append(["analyses", f"{counts[COMPLETED]} of {len(ends)} completed{others}"])
     failed = [f"{name}: {end['status']}: {end['reason']}" for name, end in ends.items() if end["status"] == "failed"]
-    lines += failed[:FAILED_SHOWN]
-    lines += [f"and {len(failed) - FAILED_SHOWN} more"] if len(failed) > FAILED_SHOWN else []
-    return Table("Analyses", notes=lines)
+    top.notes += failed[:FAILED_SHOWN]
+    top.notes += [f"and {len(failed) - FAILED_SHOWN} more"] if len(failed) > FAILED_SHOWN else []
 
 
-def _more(archive: Archive) -> Table:
-    return Table("", notes=[f"All tables: edesign show {archive.path} --all"])
+def _more(archive: Archive, left_out: int) -> Table:
+    """Where everything is, and for how many tables of what is asked first there was no room."""
+    also = f" ({left_out} more of these)" if left_out else ""
+    return Table("", notes=[f"All tables{also}: edesign show {archive.path} --all"])

@@ -134,7 +134,7 @@ def test_a_run_makes_designs_and_histories_and_judges_them(
     assert lines.index("design added: round 1, target damping ratio, or beta 0.04") < lines.index("[1/29] bare.modes")
     assert f"[{PLANNED}/{PLANNED}] damped.35C.DBE.first: completed" in told.stderr
     assert "Traceback" not in told.stderr and not archive.with_name("out.h5.partial").exists()
-    for title in ("Verdicts", "Mean response at DBE", "Analyses", "All tables: edesign show"):
+    for title in ("Verdicts", "Mean response of the records", "analyses  ", "All tables: edesign show"):
         assert title in told.stdout
     assert max(map(len, told.stdout.splitlines()[3:-2])) <= 80  # all but paths
     whole = edesign("show", archive, "--all").stdout
@@ -319,9 +319,9 @@ def test_ctrl_c_in_the_rounds_of_a_design_keeps_them(tmp_path: Path, call: Calle
     assert "analyses are finished, with designs/added, and kept in " in errors and str(partial) in errors
     shown = call("show", partial)
     assert shown.code == 0 and "not complete" in shown.out
-    path.write_text(text + "# a study that was changed starts afresh\n", encoding="utf-8")
+    path.write_text(text.replace("damping: 4 %", "damping: 4.5 %"), encoding="utf-8")
     other = call("run", path, "--only", "bare.gravity", "--archive", tmp_path / "out.h5")
-    assert other.code == 0 and "not used (project checksum, input checksum differ)" in other.err
+    assert other.code == 0 and "not used (analysis checksum differs)" in other.err
 
 
 @pytest.mark.slow
@@ -517,7 +517,7 @@ def test_a_law_file_that_changed_makes_a_run_start_afresh(tmp_path: Path) -> Non
     (tmp_path / "law.yaml").write_text(law % "13 mm", encoding="utf-8")
     summary = run_study(load_study(path))
     assert not any(item.reused for item in summary.outcomes)
-    assert "not used (input checksum differ); starting afresh" in summary.notes[0]
+    assert "not used (analysis checksum differs); starting afresh" in summary.notes[0]
 
 
 @pytest.mark.slow

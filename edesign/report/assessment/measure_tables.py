@@ -11,6 +11,12 @@ from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_R
 from edesign.report.tables.table import Table, formatted, number
 
 STATISTIC_TITLES = {"mean": "Mean", "maximum": "Maximum", "median": "Median", "84%": "84 % percentile (counted)"}
+STATISTIC_NAMES = {
+    "mean": "mean_response",
+    "maximum": "maximum_response",
+    "median": "median_response",
+    "84%": "percentile_84_response",
+}
 MAIN = (
     "roof_displacement_m",
     "interstorey_drift",
@@ -82,7 +88,7 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
         of = STATISTICS[statistic]
         headers = ("measure", *_headers(ordered, pairs))
         joined = tuple(i for i, header in enumerate(headers) if header == DIFFERENCE)
-        table = Table(title, headers, joined=joined)
+        table = Table(title, headers, joined=joined, name="response" if single else STATISTIC_NAMES[statistic])
         for name, measure, unit in shown:
             cells = []
             for each, pair in zip(over, pairs, strict=True):
@@ -96,49 +102,6 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
         table.notes += missing_notes(sets)
         tables.append(table)
     return tables
-
-
-def means_tables(sets: Sequence[HistorySet]) -> list[Table]:
-    """Return a table for each level: rows are the main measures, columns the means of the variants.
-
-    Beside each further variant stands its difference from the first one, as in `statistics_tables`.
-    """
-    tables = []
-    for level in dict.fromkeys(found.level for found in sets):
-        ordered = [found for found in sets if found.level == level and found.completed]
-        if not ordered:
-            continue
-        over = [measure_statistics(found) for found in ordered]
-        pairs = [_pair(ordered[0], found) for found in ordered]
-        headers = ["measure"]
-        for found, pair in zip(ordered, pairs, strict=True):
-            headers += [found.variant or "frame"] if pair is None else [found.variant, DIFFERENCE]
-        joined = tuple(i for i, header in enumerate(headers) if header == DIFFERENCE)
-        table = Table(_of_how_many(ordered, f" at {level}" if level else ""), headers, joined=joined)
-        for name, measure, unit in MEASURE_ROWS:
-            if measure not in MAIN or not any(each[measure].count for each in over):
-                continue
-            cells = []
-            for each, pair in zip(over, pairs, strict=True):
-                cells.append(number(each[measure].mean, scale=unit, negligible=ROUNDING))
-                if pair is not None:
-                    cells.append(_difference(pair.base[measure].mean, pair.own[measure].mean))
-            table.rows.append([name, *cells])
-        table.notes += [pair.note for pair in pairs if pair is not None and pair.note]
-        table.notes += missing_notes([found for found in sets if found.level == level])
-        tables.append(table)
-    return tables
-
-
-def _of_how_many(ordered: Sequence[HistorySet], at: str) -> str:
-    """What the values of a table are: of one record, or means over how many."""
-    counts = {found.variant: len(found.completed) for found in ordered}
-    if set(counts.values()) == {1}:
-        return f"Response{at}, one record"
-    if len(set(counts.values())) == 1:
-        return f"Mean response{at}, {len(ordered[0].completed)} records"
-    numbers = ", ".join(f"{variant or 'frame'} {count}" for variant, count in counts.items())
-    return f"Mean response{at}, records: {numbers}"
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:

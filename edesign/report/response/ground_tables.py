@@ -115,7 +115,7 @@ def first_mode_table(groups: Mapping[str, Group]) -> Table:
     )
     for name, group in groups.items():
         of = group.attributes
-        if "fixed_base_period_s" not in of:
+        if "period_ratio" not in of:  # an isolated frame has a period on a fixed base too
             continue
         fixed, ratio = _of(of, "fixed_base_period_s"), _of(of, "period_ratio")
         damping, closed = _of(of, "foundation_damping"), _of(of, "closed_foundation_damping")

@@ -166,7 +166,8 @@ def _lines(table: Table) -> Iterator[list[tuple[str, str]]]:
             yield [(table.headings[number], "bold")]
         pieces = [(before, "")]
         for i, cell in enumerate(row):
-            pieces.append((_aligned(table, i, cell, widths[i]), _COLOURS.get(cell, "")))
+            answer = cell.rstrip("0123456789.<> ")  # of cells as `not met 1.20`
+            pieces.append((_aligned(table, i, cell, widths[i]), _COLOURS.get(answer, "")))
             pieces.append((" " * _GAP, ""))
         yield pieces[:-1]
 

@@ -199,4 +199,4 @@ def test_the_handed_history_that_ran_to_7e9_m(tmp_path: Path, capsys: pytest.Cap
     assert "1 of 4 analyses failed" in capsys.readouterr().err
     assert main(["show", str(tmp_path / "p.h5")]) == 0
     shown = capsys.readouterr().out
-    assert "el_centro  history   -        el_centro  -      failed" in shown and "e+0" not in shown
+    assert "analyses  3 of 4 completed, 1 failed" in shown and "el_centro: failed: " in shown and "e+0" not in shown
