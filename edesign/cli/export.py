@@ -36,7 +36,7 @@ def export(
 ) -> None:
     """Write the tables of an archive as a workbook, or as CSV or Parquet files, with units and all digits."""
     from edesign.archive.files import check_folder
-    from edesign.archive.reader import Archive, DamagedArchive, read_archive
+    from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
     from edesign.errors import InputError
     from edesign.report.export.catalogue import archive_tables, choose
     from edesign.report.export.export_table import ExportTable
@@ -59,6 +59,8 @@ def export(
         check_folder(folder)
 
     def read(opened: Archive) -> tuple[list[ExportTable], dict[str, str]]:
+        if histories is None and not as_list:
+            refuse_calibration(opened)  # there is nothing else to write
         found = archive_tables(opened, analysis)
         if tables is not None:
             found = choose(found, _names(tables), str(archive))

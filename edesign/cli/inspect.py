@@ -8,10 +8,19 @@ from typing import Annotated
 
 import typer
 
+_READ_BY = {
+    "test of a damper": "a campaign file",
+    "property table": "a study file",
+    "record": "a project or suite file",
+}
+
 
 def inspect(
     file: Annotated[
-        Path, typer.Argument(help="An export of a test machine, or a record.", metavar="FILE", show_default=False)
+        Path,
+        typer.Argument(
+            help="An export of a test machine, a property table, or a record.", metavar="FILE", show_default=False
+        ),
     ],
     as_json: Annotated[bool, typer.Option("--json", help="Print JSON instead of tables.")] = False,
 ) -> None:
@@ -21,6 +30,7 @@ def inspect(
     from edesign.ground_motion.read import FORMATS, component_labels, detect, format_by_marks
     from edesign.report.inspection.account import quoted
     from edesign.report.inspection.damper_test import damper_test_account
+    from edesign.report.inspection.property_table import property_table_account
     from edesign.report.inspection.record import record_account
     from edesign.report.tables.text import print_tables
     from edesign.report.tables.visible import visible
@@ -31,7 +41,7 @@ def inspect(
         raise InputError(f"{file}: this is {kind.described}, no table of numbers; {kind.use}")
     marked = file.is_file() and file.stat().st_size and not is_matlab_file(file)
     found = format_by_marks(file) if marked else None
-    account = damper_test_account(file) if found is None else None
+    account = (property_table_account(file) or damper_test_account(file)) if found is None else None
     if account is None:
         found = found or detect(file)
         if found != "table":
@@ -56,8 +66,7 @@ def inspect(
         print(json.dumps(account.data(), indent=2, ensure_ascii=False, allow_nan=False))
         return
     print_tables(account.tables())
-    where = "a campaign file" if account.taken_for.startswith("test") else "a project or suite file"
-    print(f"\nIn {where}:\n")
+    print(f"\nIn {_READ_BY[account.taken_for]}:\n")
     print(visible(account.yaml), end="")
     if account.questions:
         print("\nSay what stands as ? above:")

@@ -91,7 +91,7 @@ class Account:
 
     Attributes:
         path: the file.
-        taken_for: "test of a damper" or "record".
+        taken_for: "test of a damper", "property table" or "record".
         form: how the table stands in its file.
         columns: of the table.
         rows: how many there are.
@@ -143,7 +143,7 @@ class Account:
         return [
             Table(str(self.path), [], facts, [], 2, (1,)),
             Table("Columns", ["", "header", "read as", "unit", "smallest", "largest"], columns, [], 4),
-            Table("First and last rows", heads, [[str(n), *(f"{v:.7g}" for v in row)] for n, row in shown]),
+            Table("First and last rows", heads, [[str(n), *(f"{v:z.7g}" for v in row)] for n, row in shown]),
         ]
 
 
@@ -188,7 +188,7 @@ def _cut(text: str) -> str:
 
 
 def _range(column: Column) -> list[str]:
-    return [f"{column.smallest:.6g}", f"{column.largest:.6g}"]
+    return [f"{column.smallest:z.6g}", f"{column.largest:z.6g}"]  # z: no -0
 
 
 def _resolution(time: np.ndarray) -> float:

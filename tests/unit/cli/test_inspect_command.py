@@ -12,6 +12,8 @@ import yaml
 
 from edesign.cli.main import main
 from edesign.damper.campaign import load_campaign
+from edesign.damper.property_table import write_property_table
+from edesign.damper.thesis_tables import measured
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite
 
@@ -135,3 +137,24 @@ def test_each_component_of_a_recording_is_proposed(tmp_path: Path, capsys: pytes
     assert "CWB (Taiwan) text" in said and f"edesign spectrum {path} --component U" in " ".join(said.split())
     records = yaml.safe_load(said[said.index("records:") :])["records"]
     assert [record["component"] for record in records.values()] == ["U", "N", "E"]
+
+
+def test_a_property_table_is_no_record(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "moduli.csv"
+    write_property_table(measured(), path)
+    found = account(path, capsys)
+    assert found["taken_for"] == "property table" and found["questions"] == []
+    assert [one["quantity"] for one in found["columns"]][:2] == ["temperature", "shear strain"]  # type: ignore[attr-defined, index]
+    assert yaml.safe_load(str(found["yaml"])) == {"designs": {"NAME": {"properties": {"file": "moduli.csv"}}}}
+    path.write_text(path.read_text(encoding="utf-8").replace("loss_factor", "loss"), encoding="utf-8")
+    assert main(["inspect", str(path)]) == 2
+    assert "the column is unknown" in capsys.readouterr().err
+
+
+def test_zero_has_no_sign(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "record.csv"
+    path.write_text(
+        "t,a\n" + "".join(f"{0.01 * i:.2f},{-0.0 if i < 9 else 1e-3}\n" for i in range(12)), encoding="utf-8"
+    )
+    assert main(["inspect", str(path)]) == 0
+    assert "-0 " not in capsys.readouterr().out.replace("\n", " \n")
