@@ -159,8 +159,15 @@ def _sums(frame: SpaceFrame, floors: Sequence[int]) -> Iterator[Entry]:
     """Load of each case and mass of the floors."""
     loads, masses = floor_loads(frame), floor_masses(frame)
     for floor in floors:
-        parts = [f"{case} {short(values[floor] / 1e3)} kN" for case, values in loads.items() if values[floor]]
+        parts = [
+            f"{_in_words(case)} {short(values[floor] / 1e3)} kN" for case, values in loads.items() if values[floor]
+        ]
         if masses.mass[floor] > 0.0:
             centre = f"at x = {masses.x[floor]:.2f} m, y = {masses.y[floor]:.2f} m"
             parts.append(f"mass {short(masses.mass[floor] / 1e3)} t {centre}")
         yield Entry(f"floor {floor}: {', '.join(parts) or 'no load'}")
+
+
+def _in_words(case: str) -> str:
+    """A load case as it is called: the one that has no symbol is the self-weight."""
+    return case.replace("_", "-") if case == "self_weight" else case

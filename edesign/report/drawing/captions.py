@@ -9,9 +9,11 @@ from collections.abc import Collection
 
 LONGEST = 64  # characters of a part of a file name; file systems take 255 bytes for all parts
 
+ROUNDING = 1e-6  # in the units of people: what is smaller is shown as 0.0000
+
 
 def plain(value: float, digits: int = 3) -> str:
-    """Return a number with some significant digits, and all that stand before the point: 0.0123, 1.20, 1098.
+    """Return a number with some significant digits, and all that stand before the point: 0.0123, 1.20, 1098, 2.1e-05.
 
     Args:
         value: the number.
@@ -21,7 +23,8 @@ def plain(value: float, digits: int = 3) -> str:
     places = 0
     while 0.0 < rounded * 10.0**places < 10.0 ** (digits - 1) and places < digits + 1:
         places += 1
-    return f"{value:.{places}f}"
+    text = f"{value:.{places}f}"
+    return text if rounded < ROUNDING or float(text) else f"{value:.1e}"
 
 
 def record_label(reference: str) -> str:

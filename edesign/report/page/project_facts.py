@@ -86,11 +86,11 @@ def _shape(spectrum: Spectrum) -> str:
 
 
 def _lengths(values: Sequence[float]) -> str:
-    """How many lengths there are, and all that follow each other: 3 of 6 m; or 3: 4 m, 2 x 3.5 m."""
+    """How many lengths there are, and all that follow each other: 3 of 6 m; or 3: 4 m, 2 × 3.5 m."""
     runs = [(value, len(list(same))) for value, same in groupby(values)]
     if len(runs) == 1:
         return f"{len(values)} of {values[0]:g} m"
-    of = ", ".join(f"{value:g} m" if count == 1 else f"{count} x {value:g} m" for value, count in runs)
+    of = ", ".join(f"{value:g} m" if count == 1 else f"{count} × {value:g} m" for value, count in runs)
     return f"{len(values)}: {of}"
 
 
@@ -138,7 +138,7 @@ def _steel(name: str, project: Project) -> str:
     text = f"{name}: {law}, E = {plain(steel.E / 1e9)} GPa"
     if isinstance(steel, ElasticMaterial):
         return text
-    return f"{text}, fy = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
+    return f"{text}, f_y = {plain(steel.fy / 1e6)} MPa, hardening {100 * steel.hardening:g} %"
 
 
 def _braces(project: Project) -> str:
@@ -221,7 +221,7 @@ def _anchors(modes: Sequence[int] | None, periods: Sequence[float] | None) -> st
 def _integration(method: Integration) -> str:
     step = f"steps of {method.time_step:g} s" if method.time_step is not None else "steps of the record"
     if isinstance(method, NewmarkIntegration):
-        return f"Newmark, gamma = {method.gamma:g}, beta = {method.beta:g}, {step}"
+        return f"Newmark, γ = {method.gamma:g}, β = {method.beta:g}, {step}"
     if isinstance(method, HHTIntegration):
         return f"Hilber-Hughes-Taylor, alpha = {method.alpha:g}, {step}"
     return f"generalised alpha, rho_inf = {method.rho_inf:g}, {step}"

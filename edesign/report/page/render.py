@@ -24,7 +24,7 @@ OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not appli
 LONG = 34  # characters, from which a cell is broken into lines
 
 _NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
-_SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"))
+_SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"), ("N*s", "N·s"), ("N*(", "N·("))
 _OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), (" - ", " \N{MINUS SIGN} "))
 _GREEK = {
     **{
@@ -46,7 +46,11 @@ _UNIT = re.compile(r"(?<![A-Za-z])(cm)([2346])(?![A-Za-z0-9])")
 _POWER = re.compile(r"\^([0-9.]+)")
 _INDEX = r"(?:_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)*))?"
 _INDEXED = re.compile(rf"(?<![A-Za-z0-9_&#])({'|'.join(_GREEK)}|[A-Za-z]){_INDEX}(?![A-Za-z0-9_])")
-_SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|gamma_I|T_[BCD1]|G_eq|P_CL)(?![A-Za-z0-9_])")
+# behind a number or in a header, where it is no name
+_AREA = re.compile(r"(?:(?<=[0-9] )|(?<=[\[(/])|(?<= in ))(mm|cm|m|s)([234])(?![A-Za-z0-9_])")
+_CODE = re.compile(r"`([^`<>]+)`")
+_RAISED = {"2": "²", "3": "³", "4": "⁴", "6": "⁶"}
+_SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|f_y|gamma_I|T_[BCD1]|G_eq|P_CL|alpha_[012])(?![A-Za-z0-9_])")
 
 
 @dataclass(frozen=True)
@@ -143,6 +147,7 @@ def typeset(text: str) -> Markup:
     found = str(escape(text))
     for plain, printed in _SIGNS:
         found = found.replace(plain, printed)
+    found = _CODE.sub(r"<code>\1</code>", _AREA.sub(_raised, found))
     return Markup(_SYMBOL.sub(_with_index, found))
 
 
@@ -153,9 +158,13 @@ def formula(text: str) -> Markup:
         return Markup(found)
     for plain, printed in _OPERATORS:
         found = found.replace(plain, printed)
-    found = _UNIT.sub(r"\1<sup>\2</sup>", _TIMES.sub(" × ", _ROOT.sub("√", found)))
+    found = _UNIT.sub(_raised, _TIMES.sub(" × ", _ROOT.sub("√", found)))
     found = _POWER.sub(r"<sup>\1</sup>", found)
     return Markup(_INDEXED.sub(_indexed, found))
+
+
+def _raised(found: re.Match[str]) -> str:
+    return f"{found[1]}{_RAISED[found[2]]}"
 
 
 def _indexed(found: re.Match[str]) -> str:
@@ -166,7 +175,7 @@ def _indexed(found: re.Match[str]) -> str:
 
 def _with_index(found: re.Match[str]) -> str:
     name, _, index = found[0].partition("_")
-    return f"{name.replace('gamma', 'γ')}<sub>{index}</sub>"
+    return f"{_GREEK.get(name, name)}<sub>{index}</sub>"
 
 
 def state(cell: str) -> str:

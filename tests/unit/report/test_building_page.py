@@ -155,7 +155,7 @@ def test_spectra_of_the_archive_are_those_of_the_design(
         ("0.5 x 2 +- 3 <= 1", "0.5 × 2 ± 3 ≤ 1"),
         ("mass x [%]", "mass x [%]"),
         ("slenderness of DY_A_3_8_f, C_A4_1", "slenderness of DY_A_3_8_f, C_A4_1"),
-        ("12.5 cm4", "12.5 cm<sup>4</sup>"),
+        ("12.5 cm4", "12.5 cm⁴"),
         ("<b> & theta", "&lt;b&gt; &amp; θ"),
         ("-", "–"),
     ],

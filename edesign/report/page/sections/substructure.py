@@ -46,7 +46,6 @@ TEXTS = (
     ("law_text", "The law file"),
 )
 LIMITS = "Limits that were met"
-ALL_TOLD = "All indicators could be told of all runs."
 
 
 def substructure_sections(source: Source) -> list[Section]:
@@ -264,6 +263,4 @@ def _limits(results: SubstructureResults) -> Section:
 
 def _untold(results: SubstructureResults) -> Section:
     table = replace(untold_table(results), title="")
-    if not table.rows and results.runs:
-        return Section("untold", "Indicators that could not be told", (), (Facts((("Indicators", ALL_TOLD),)),))
     return Section("untold", "Indicators that could not be told", (), (table,) if table.rows else ())
