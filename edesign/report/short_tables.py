@@ -203,5 +203,7 @@ def _add_ends(top: Table, groups: dict[str, Group]) -> None:
 
 def _more(archive: Archive, left_out: int) -> Table:
     """Where everything is, and for how many tables of what is asked first there was no room."""
-    also = f" ({left_out} more of these)" if left_out else ""
-    return Table("", notes=[f"All tables{also}: edesign show {archive.path} --all"])
+    notes = [f"All tables: edesign show {archive.path} --all"]
+    if left_out:
+        notes.append(f"{left_out} of them had no room here." if left_out > 1 else "One of them had no room here.")
+    return Table("", notes=notes)

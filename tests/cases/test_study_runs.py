@@ -236,7 +236,9 @@ def test_show_tells_the_same_as_the_run(told: subprocess.CompletedProcess[str], 
     shown = call("show", archive)
     lines = told.stdout.splitlines()
     assert shown.code == 0 and shown.out.splitlines()[2:] == lines[2:-1]  # all but the path and the time
-    assert "diff. of damped at 35 degC, DBE: over the 1 record that bare, DBE has too" in shown.out
+    assert "One of them had no room here." in shown.out
+    whole = call("show", archive, "--all")
+    assert "diff. of damped at 35 degC, DBE: over the 1 record that bare, DBE has too" in whole.out
     assert set(statuses(archive).values()) == {"completed"} and len(statuses(archive)) == PLANNED
 
 
