@@ -38,6 +38,7 @@ from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.streams import visible_streams
 from edesign.cli.test import test
+from edesign.cli.translate import translate
 from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted
 from edesign.input_files import noting_inputs
 
@@ -67,7 +68,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     context_settings={"help_option_names": ["-h", "--help"]},
 )
-_PROJECTS = (new, check, run, design, show, compare, report, export, extract)
+_PROJECTS = (new, check, run, design, show, compare, report, export, extract, translate)
 _PARTS = (
     *(inspect, spectrum, match, records, sections, laws, effects, quantities, schema),
     *(test, characterise, sheet, fit, calibrate),

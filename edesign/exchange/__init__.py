@@ -1,0 +1,4 @@
+"""Models of projects for other programs: `edesign translate`.
+
+`formats` knows which file names belong to which program. `opensees` writes scripts for OpenSees.
+"""

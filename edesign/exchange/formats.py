@@ -1,0 +1,116 @@
+"""The programs that a project can be translated for, by the endings of their files."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import cast
+
+from edesign.archive.files import check_file, write_text
+from edesign.errors import InputError
+from edesign.input_files import spare_inputs
+from edesign.project.project import Project
+
+MARK = "Written by edesign"
+"""In the first line of every file that a translation writes, in a comment of its language."""
+
+
+@dataclass(frozen=True)
+class Translation:
+    """What a translation writes.
+
+    Attributes:
+        files: texts by path, the model first, files that it reads after it.
+        left_out: sentences on what the files do not have of the project; also in the head of the model.
+    """
+
+    files: Mapping[Path, str]
+    left_out: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Format:
+    """A kind of file of another program.
+
+    Attributes:
+        suffix: how its names end.
+        program: that reads it.
+        use: what to do with the file; `{}` stands for its name.
+        place: the module and the function that translate, loaded when they are needed. The function takes the project,
+            the path of the model, and whether the dampers are left out; it raises InputError, with the place in the
+            project file, for what the program lacks.
+    """
+
+    suffix: str
+    program: str
+    use: str
+    place: tuple[str, str]
+
+    def translate(self, project: Project, path: Path, without_dampers: bool = False) -> Translation:
+        """Return the files that describe a project to the program; nothing is written.
+
+        Args:
+            project: the validated project.
+            path: of the model.
+            without_dampers: whether dampers, isolators and tuned masses are left out.
+
+        Raises:
+            InputError: the program lacks something that the project has.
+        """
+        module, function = self.place
+        make = cast("Callable[[Project, Path, bool], Translation]", getattr(import_module(module), function))
+        return make(project, path, without_dampers)
+
+
+FORMATS = (
+    Format(".py", "OpenSeesPy", "python {} --help", ("edesign.exchange.opensees.translate", "translate_python")),
+    Format(".tcl", "OpenSees", "OpenSees {} --help", ("edesign.exchange.opensees.translate", "translate_tcl")),
+)
+
+
+def find_format(path: Path) -> Format:
+    """Return the format that the name of a file asks for.
+
+    Raises:
+        InputError: its ending is that of no known program.
+    """
+    for known in FORMATS:
+        if path.suffix.lower() == known.suffix:
+            return known
+    endings = ", ".join(f"{known.suffix} ({known.program})" for known in FORMATS)
+    raise InputError(f"{path}: the name of the model says for which program it is; it ends in {endings}")
+
+
+def check_own_files(translation: Translation, overwrite: bool = False) -> None:
+    """Check that the files of a translation take the place of earlier translations only.
+
+    Raises:
+        InputError: another file is there, or an input of the command.
+        ArchiveError: a file cannot be written there.
+    """
+    for path in translation.files:
+        spare_inputs(path)
+        check_file(path)
+        try:
+            with path.open(encoding="utf-8", errors="replace") as file:
+                begins = file.readline(10_000)
+        except (OSError, ValueError):
+            continue
+        if not overwrite and re.search(re.escape(MARK), begins) is None:
+            raise InputError(
+                f"{path}: edesign did not write this file, and it is left as it is; choose another name, or --overwrite"
+            )
+
+
+def write_translation(translation: Translation) -> None:
+    """Write the files of a translation, the model last: it never stands without what it reads.
+
+    Raises:
+        ArchiveError: a file cannot be written.
+        InputError: an input of the command stands there.
+    """
+    for path, text in reversed(list(translation.files.items())):
+        write_text(text, path)
