@@ -1,0 +1,294 @@
+"""The analyses of a project as data of a script."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from edesign.building.damping import modal_ratios, modes_needed
+from edesign.exchange.opensees.commands import Block, Command, File, command
+from edesign.exchange.opensees.structure import Structure
+from edesign.ground_motion.project_records import find_recordings, references
+from edesign.project.analysis.analyses import (
+    GravityAnalysis,
+    HistoryAnalysis,
+    ModalAnalysis,
+    PlannedAnalysis,
+    PushoverAnalysis,
+)
+from edesign.project.analysis.damping import (
+    CaugheyDamping,
+    MassDamping,
+    ModalDamping,
+    NoDamping,
+    RayleighDamping,
+    StiffnessDamping,
+)
+from edesign.project.analysis.integration import GeneralisedAlphaIntegration, HHTIntegration, NewmarkIntegration
+from edesign.project.project import Project
+from edesign.project.records.records import record_of
+from edesign.study.analysis.capacity import capacity
+from edesign.study.analysis.history import check_motion, input_motion, scale_factor
+from edesign.study.analysis.lateral_patterns import lateral_loads
+from edesign.study.analysis.modal import fundamental_period
+from edesign.study.analysis.structure import GRAVITY_STEPS, frame_alone, make_frame
+from edesign.study.analysis.vertical_motion import ground_motion
+from edesign.study.motions.motions import Motion, project_motions
+from edesign.study.run.plan import make_plan
+
+PUSH, QUAKE, VERTICAL = 2, 3, 4
+"""Tags of the patterns beside gravity, and of their time series."""
+
+
+@dataclass(frozen=True)
+class Name:
+    """The name of a function or procedure of the script."""
+
+    name: str
+
+
+Value = str | int | float | Name | tuple["Value", ...]
+
+
+@dataclass
+class Programme:
+    """What a script can run.
+
+    Attributes:
+        analyses: by name, what each needs, in the order of the plan.
+        blocks: lateral loads and motions.
+        files: texts of records by their names.
+        damping: inherent damping; empty: none.
+        left_out: sentences on what is not in it.
+    """
+
+    analyses: dict[str, dict[str, Value]] = field(default_factory=dict)
+    blocks: list[Block] = field(default_factory=list)
+    files: dict[str, str] = field(default_factory=dict)
+    damping: dict[str, Value] = field(default_factory=dict)
+    left_out: list[str] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Parts:
+    """Which blocks build the model.
+
+    Attributes:
+        plain, with_dampers: of analyses without and with dampers; the first is `build`.
+        soil, at_rest, moving: set in under the gravity loads: soil dashpots in histories; of dampers what resists at
+            rest, and in histories what resists speed.
+        counted_in_modes: whether the project has dampers whose stiffness counts in its modes.
+    """
+
+    plain: tuple[Name, ...]
+    with_dampers: tuple[Name, ...]
+    soil: tuple[Name, ...]
+    at_rest: tuple[Name, ...]
+    moving: tuple[Name, ...]
+    counted_in_modes: bool
+
+    def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
+        """Blocks that build the model of an analysis."""
+        return self.with_dampers if spec.dampers else self.plain
+
+    def set_in(self, spec: PlannedAnalysis, moves: bool) -> tuple[Name, ...]:
+        """Blocks that add what is set in under the gravity loads."""
+        found = (*self.at_rest, *(self.moving if moves else ())) if spec.dampers else ()
+        return (*(self.soil if moves else ()), *found)
+
+
+def programme(project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool) -> Programme:
+    """Return the analyses of a project as data of a script.
+
+    Args:
+        project: the validated project.
+        structure: of the frame.
+        parts: blocks of the model.
+        stem: of the script's name, with which those of the records begin.
+        without_dampers: whether the script is to have no dampers.
+
+    Raises:
+        InputError: a record cannot be read, or is wrong.
+        AnalysisError: no equilibrium under gravity, or no modes for lateral loads.
+    """
+    found = Programme()
+    tasks = [task.spec for task in make_plan(project)]
+    has_dampers = project.dampers is not None
+    motions = _motions(project, tasks)
+    histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
+    if histories:
+        found.damping = _damping(project, not without_dampers)
+    for spec in tasks:
+        if without_dampers and has_dampers and spec.dampers:
+            _without(found, spec)
+            spec = spec.model_copy(update={"dampers": False})
+        match spec:
+            case ModalAnalysis():
+                _modal(found, spec, parts)
+            case GravityAnalysis():
+                found.analyses[spec.name] = {"kind": "gravity", "model": parts.model(spec), "steps": spec.steps}
+            case PushoverAnalysis():
+                _pushover(found, project, spec, structure, parts)
+            case HistoryAnalysis():
+                _history(found, project, spec, parts, motions, stem)
+            case _:
+                found.left_out.append(f"analysis {spec.name}: a target displacement follows from clauses of a code")
+    return found
+
+
+def _without(found: Programme, spec: PlannedAnalysis) -> None:
+    found.left_out.append(f"analysis {spec.name}: runs without its dampers")
+
+
+def _modal(found: Programme, spec: ModalAnalysis, parts: Parts) -> None:
+    if spec.dampers and parts.counted_in_modes:
+        why = "the stiffness of its dampers depends on their amplitude; the periods of the script are without them"
+        found.left_out.append(f"analysis {spec.name}: {why}")
+    gravity = GRAVITY_STEPS if spec.state == "gravity" else 0
+    found.analyses[spec.name] = {"kind": "modal", "model": parts.model(spec), "modes": spec.modes, "steps": gravity}
+
+
+def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, structure: Structure, parts: Parts) -> None:
+    frame = make_frame(project, spec.dampers)
+    loads = lateral_loads(project, frame, spec.pattern[0], spec.dampers)
+    if spec.roof_drift is not None:
+        sign = 1.0 if spec.directions[0] == "right" else -1.0
+        target = sign * spec.roof_drift * project.frame.height
+    else:
+        target = capacity(project, spec).push.target
+    block = f"push_{_identifier(spec.name)}"
+    lateral = [command("load", structure.nodes[frame.nodes[n]], load, 0.0, 0.0, comment=n) for n, load in loads.items()]
+    commands = (
+        command("timeSeries", "Linear", PUSH),
+        command("pattern", "Plain", PUSH, PUSH, body=lateral, comment="their sum is 1 N"),
+    )
+    found.blocks.append(Block(block, f"Lateral loads of the pushover {spec.name}.", commands))
+    found.analyses[spec.name] = {
+        "kind": "pushover",
+        "model": parts.model(spec),
+        "set_in": parts.set_in(spec, moves=False),
+        "loads": Name(block),
+        "target": target,
+        "steps": spec.steps,
+    }
+
+
+def _motions(project: Project, tasks: Iterable[PlannedAnalysis]) -> dict[str, Motion]:
+    """All records of the histories, made ready."""
+    wanted: list[str] = []
+    for spec in tasks:
+        if isinstance(spec, HistoryAnalysis):
+            other = spec.vertical.record if spec.vertical is not None else None
+            for reference in filter(None, (spec.record, other)):
+                wanted += references(project, record_of(reference))
+    if not wanted:
+        return {}
+    recordings = find_recordings(project, list(dict.fromkeys(wanted)))
+    return project_motions(project, recordings, lambda: fundamental_period(project))
+
+
+def _history(
+    found: Programme,
+    project: Project,
+    spec: HistoryAnalysis,
+    parts: Parts,
+    motions: dict[str, Motion],
+    stem: str,
+) -> None:
+    if spec.wave_passage is not None:
+        found.left_out.append(f"analysis {spec.name}: its ground motion reaches the feet one after the other")
+        return
+    if found.damping.get("kind") == "modal" and parts.model(spec) != parts.plain:
+        found.left_out.append(f"analysis {spec.name}: modal damping of a frame that has more modes with its dampers")
+        return
+    if spec.collapse_drift is not None:
+        found.left_out.append(f"analysis {spec.name}: its `collapse_drift` does not end it")
+    motion = motions[spec.record]
+    check_motion(project, spec, motion.record)
+    assert project.integration is not None, "the loader asks for it"
+    step = project.integration.time_step or motion.record.time_step
+    vertical = spec.vertical.record if spec.vertical is not None else None
+    ground = ground_motion(
+        project,
+        spec,
+        motion.record,
+        scale_factor(project, spec, motion.record),
+        None if vertical is None else motions[vertical],
+        lambda record, scale, after: input_motion(record, scale, step, after),
+    )
+    horizontal, dt = ground.horizontal.acceleration, ground.horizontal.time_step
+    if abs(horizontal[0]) > 0.01 * np.max(np.abs(horizontal)):
+        begins = "begins with more than 1 % of its peak, with which OpenSees does not begin from rest in equilibrium"
+        found.left_out.append(f"analysis {spec.name}: its record {begins}; put a zero before it to compare")
+    block = f"motion_{_identifier(spec.name)}"
+    commands: list[Command] = []
+    directions = [(1, QUAKE, horizontal, "")]
+    if ground.samples is not None:
+        directions.append((2, VERTICAL, ground.samples, "_vertical"))
+    for direction, tag, samples, which in directions:
+        name = _file_of(found, f"{stem}_{spec.name}{which}.txt", samples)
+        series = command("timeSeries", "Path", tag, "-dt", dt, "-filePath", File(name), comment="m/s2")
+        commands += [series, command("pattern", "UniformExcitation", tag, direction, "-accel", tag)]
+    found.blocks.append(Block(block, f"Ground motion of the history {spec.name}.", tuple(commands)))
+    found.analyses[spec.name] = {
+        "kind": "history",
+        "model": parts.model(spec),
+        "set_in": parts.set_in(spec, moves=True),
+        "motion": Name(block),
+        "step": dt,
+        "steps": int(horizontal.size) - 1,
+    }
+
+
+def _file_of(found: Programme, name: str, samples: np.ndarray) -> str:
+    """Keep a motion, once, and return the name of its file."""
+    text = "".join(f"{float(value)!r}\n" for value in samples)
+    for other, known in found.files.items():
+        if known == text:
+            return other
+    found.files[name] = text
+    return name
+
+
+def _damping(project: Project, dampers: bool) -> dict[str, Value]:
+    damping = project.damping
+    if damping is None or isinstance(damping, NoDamping):
+        return {}
+    if isinstance(damping, ModalDamping | CaugheyDamping):
+        alone = frame_alone(project, dampers)
+        if damping.state == "gravity":
+            alone.apply_gravity()
+        count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+        ratios = modal_ratios(damping, alone.modes(count).omega)
+        return {"kind": "modal", "state": damping.state, "ratios": tuple(float(ratio) for ratio in ratios)}
+    values: dict[str, Value] = {"kind": damping.kind, "state": damping.state, "ratio": damping.ratio}
+    if isinstance(damping, RayleighDamping):
+        values |= {"modes": damping.modes, "periods": damping.periods or ()}
+    elif isinstance(damping, MassDamping | StiffnessDamping):
+        values |= {"modes": (damping.mode,), "periods": (damping.period,) if damping.period is not None else ()}
+    values["stiffness"] = "initial" if isinstance(damping, MassDamping) else damping.stiffness
+    return values
+
+
+def integrator_words(project: Project) -> tuple[str | float, ...]:
+    """Return the integrator of histories.
+
+    Source: OpenSees' HHT has 1 + alpha, its GeneralizedAlpha 1 - alpha_m and 1 - alpha_f of Chung & Hulbert (1993).
+    """
+    integration = project.integration
+    match integration:
+        case HHTIntegration():
+            return "HHT", 1.0 + integration.alpha
+        case GeneralisedAlphaIntegration():
+            rho = integration.rho_inf
+            return "GeneralizedAlpha", (2.0 - rho) / (1.0 + rho), 1.0 / (1.0 + rho)
+        case NewmarkIntegration():
+            return "Newmark", integration.gamma, integration.beta
+    return "Newmark", 0.5, 0.25
+
+
+def _identifier(name: str) -> str:
+    return re.sub(r"\W", "_", name)

@@ -1,0 +1,77 @@
+"""Which degrees of freedom move as one, and which are held."""
+
+from __future__ import annotations
+
+from collections import defaultdict
+from collections.abc import Iterable
+
+from edesign.exchange.opensees.commands import Command, command
+from edesign.exchange.recorded_model import Call
+
+DEGREES = ("ux", "uy", "rz")
+Degree = tuple[int, int]
+"""Id of a node, and 0 ux, 1 uy, 2 rz."""
+
+
+class JoinedDegrees:
+    """Degrees of freedom that are tied to one another, chains and stars alike, each group under one leader.
+
+    OpenSees wants every tied degree to name a free one. A group with a held degree is held as a whole.
+    """
+
+    def __init__(self, calls: Iterable[Call]) -> None:
+        self._above: dict[Degree, Degree] = {}
+        self._fixed: set[Degree] = set()
+        for call in calls:
+            if call.name == "tie":
+                for at, name in enumerate(DEGREES):
+                    if call[name]:
+                        self.tie((call["node"], at), (call["master"], at))
+            elif call.name == "fix":
+                for at, name in enumerate(DEGREES):
+                    if call[name]:
+                        self.hold((call["node"], at))
+
+    def leader(self, degree: Degree) -> Degree:
+        """Return the degree that a degree moves with."""
+        while degree in self._above:
+            degree = self._above[degree]
+        return degree
+
+    def tie(self, degree: Degree, other: Degree) -> None:
+        """Let a degree move with another one."""
+        first, second = self.leader(degree), self.leader(other)
+        if first != second:
+            self._above[first] = second
+
+    def hold(self, degree: Degree) -> None:
+        """Hold a degree, and all that move with it."""
+        self._fixed.add(degree)
+
+    def is_held(self, degree: Degree) -> bool:
+        """Say whether a degree, or one that it moves with, is held."""
+        return self.leader(degree) in {self.leader(one) for one in self._fixed}
+
+    def commands(self, nodes: Iterable[int], tags: dict[int, int], names: dict[int, str]) -> list[Command]:
+        """Return the supports and ties of nodes.
+
+        Args:
+            nodes: ids.
+            tags: of OpenSees, by id.
+            names: by id.
+        """
+        held = {self.leader(one) for one in self._fixed}
+        fixes, ties = [], []
+        for node in nodes:
+            leaders = [self.leader((node, at)) for at in range(3)]
+            fixed = [int(leader in held) for leader in leaders]
+            if any(fixed):
+                fixes.append(command("fix", tags[node], *fixed, comment=names[node]))
+            to: dict[int, list[int]] = defaultdict(list)
+            for at, leader in enumerate(leaders):
+                if leader != (node, at) and not fixed[at]:
+                    to[leader[0]].append(at + 1)
+            for other, degrees in to.items():
+                what = f"{names[node]} with {names[other]}: {', '.join(DEGREES[at - 1] for at in degrees)}"
+                ties.append(command("equalDOF", tags[other], tags[node], *degrees, comment=what))
+        return [*fixes, *ties]

@@ -1,0 +1,112 @@
+"""The text of a script: head, model, analyses, procedures."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+from textwrap import wrap
+
+from edesign.exchange.opensees.analyses import Name, Value
+from edesign.exchange.opensees.commands import Block, one_line, python_block, tcl_block
+
+WIDTH = 100
+"""Of lines of the head."""
+SETTINGS: Mapping[str, Value] = {"TOLERANCE": 1e-8, "SMALLEST": 256}
+
+
+@dataclass(frozen=True)
+class Script:
+    """What both texts say.
+
+    Attributes:
+        head: paragraphs of the comment at the top.
+        blocks: of the model, in the order of their use.
+        constants: by name, in order.
+        analyses: by name, what each needs.
+    """
+
+    head: Sequence[str]
+    blocks: Sequence[Block]
+    constants: Mapping[str, Value | Mapping[str, Value]]
+    analyses: Mapping[str, Mapping[str, Value]]
+
+
+def python_text(script: Script, path: Path) -> str:
+    """Return the script for OpenSeesPy."""
+    first, *others = script.head
+    lines = [f"# {one_line(first)}", '"""', *_wrapped(others), "", _use(f"python {path.name}"), '"""', ""]
+    lines += ["import math", "import os", "import sys", "", "import openseespy.opensees as ops", ""]
+    lines += ["HERE = os.path.dirname(os.path.abspath(__file__))"]
+    lines += [f'RESULTS = os.path.join(HERE, "{path.stem}_results")']
+    text = "\n".join(lines).replace("\\", "\\\\")
+    parts = [text]
+    for block in script.blocks:
+        parts.append("\n".join(python_block(block)))
+    constants = ["", ""]
+    for name, value in script.constants.items():
+        constants.append(f"{name} = {_python(value)}")
+    constants.append("ANALYSES = {")
+    for name, analysis in script.analyses.items():
+        constants.append(f'    "{name}": {_python(analysis)},')
+    constants += ["}", "", "", _procedures("python")]
+    return "\n".join([*parts, *constants])
+
+
+def tcl_text(script: Script, path: Path) -> str:
+    """Return the script for OpenSees."""
+    first, *others = script.head
+    lines = [f"# {one_line(first)}", "#"]
+    lines += [f"# {line}".rstrip() for line in (*_wrapped(others), "", _use(f"OpenSees {path.name}"))]
+    lines += ["", "set HERE [file dirname [file normalize [info script]]]"]
+    lines += [f'set RESULTS [file join $HERE "{path.stem}_results"]']
+    for block in script.blocks:
+        lines += tcl_block(block)
+    lines.append("")
+    for name, value in script.constants.items():
+        lines.append(f"set {name} {_tcl(value)}")
+    lines.append("set ANALYSES [dict create]")
+    for name, analysis in script.analyses.items():
+        lines.append(f"dict set ANALYSES {name} {_tcl(analysis)}")
+    return "\n".join([*lines, "", _procedures("tcl")])
+
+
+def _use(how: str) -> str:
+    return f"{how} all runs all analyses, {how} NAME ... some; without a name it lists them."
+
+
+def _wrapped(paragraphs: Sequence[str]) -> list[str]:
+    lines: list[str] = []
+    for paragraph in paragraphs:
+        if paragraph.startswith("- "):
+            lines += wrap(one_line(paragraph), WIDTH, subsequent_indent="  ", break_long_words=False)
+        else:
+            lines += ([""] if lines else []) + wrap(one_line(paragraph), WIDTH, break_long_words=False)
+    return lines
+
+
+def _procedures(language: str) -> str:
+    return files("edesign.exchange.opensees").joinpath(f"data/procedures_{language}.txt").read_text(encoding="utf-8")
+
+
+def _python(value: Value | Mapping[str, Value]) -> str:
+    if isinstance(value, Name):
+        return value.name
+    if isinstance(value, str):
+        return f'"{value}"'
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f'"{key}": {_python(item)}' for key, item in value.items()) + "}"
+    if isinstance(value, tuple):
+        return "(" + ", ".join(map(_python, value)) + ("," if len(value) == 1 else "") + ")"
+    return repr(value)
+
+
+def _tcl(value: Value | Mapping[str, Value]) -> str:
+    if isinstance(value, Name):
+        return value.name
+    if isinstance(value, Mapping):
+        return "{" + " ".join(f"{key} {_tcl(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, tuple):
+        return "{" + " ".join(map(_tcl, value)) + "}"
+    return value if isinstance(value, str) else repr(value)

@@ -1,0 +1,255 @@
+"""A project as a script for OpenSees."""
+
+from __future__ import annotations
+
+import re
+from collections import defaultdict
+from collections.abc import Callable, Iterable, Sequence
+from math import hypot
+from pathlib import Path
+
+from edesign._version import __version__
+from edesign.building.devices import Attached, DeviceLaw
+from edesign.building.frame import build_frame
+from edesign.building.frame_model import FrameModel
+from edesign.errors import InputError
+from edesign.exchange.formats import MARK, Translation
+from edesign.exchange.opensees.analyses import Name, Parts, Value, integrator_words, programme
+from edesign.exchange.opensees.commands import Block, Command, command
+from edesign.exchange.opensees.dampers import DamperBuilder, Dampers
+from edesign.exchange.opensees.joined import JoinedDegrees
+from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
+from edesign.exchange.opensees.structure import GRAVITY, NotTranslated, Structure, StructureBuilder, Tags
+from edesign.exchange.recorded_model import RecordedModel
+from edesign.project.project import Project
+from edesign.study.analysis.dampers import attachments, device_laws
+from edesign.study.analysis.structure import GRAVITY_STEPS
+
+WITHOUT = "or leave out all dampers with --without-dampers"
+
+
+def translate_python(project: Project, path: Path, without_dampers: bool = False) -> Translation:
+    """Return a script for OpenSeesPy and its records; errors as `Format.translate`."""
+    return _translate(project, path, without_dampers, python_text)
+
+
+def translate_tcl(project: Project, path: Path, without_dampers: bool = False) -> Translation:
+    """Return a script for OpenSees and its records; errors as `Format.translate`."""
+    return _translate(project, path, without_dampers, tcl_text)
+
+
+def _translate(project: Project, path: Path, without_dampers: bool, text: Callable[[Script, Path], str]) -> Translation:
+    if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
+        raise InputError(f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .`")
+    _refuse(project, without_dampers)
+    script, files, left_out = opensees_script(project, path.stem, without_dampers)
+    beside = {path.with_name(name): content for name, content in files.items()}
+    return Translation({path: text(script, path), **beside}, tuple(left_out))
+
+
+def _refuse(project: Project, without_dampers: bool) -> None:
+    """Refuse what OpenSees lacks, where the project file has it.
+
+    Raises:
+        InputError: there is something.
+    """
+    found = []
+    if project.panel_zones:
+        where = project.where("panel_zones", 0)
+        reason = "OpenSees has no joint that carries the ends of members along its edges as these do"
+        found.append(f"{where}: panel_zones: {reason}; translate a copy of the project without this key")
+    for i, run in enumerate(project.frame.braces):
+        if run.buckling is not None:
+            where = project.where("frame", "braces", i, "buckling")
+            reason = "the cambered parts of a brace are condensed to one bar, which OpenSees does not have"
+            found.append(f"{where}: frame.braces[{i}].buckling: {reason}; translate a copy without this key")
+    if project.isolation is not None and not without_dampers:
+        where = project.where("dampers", "isolation")
+        reason = "isolators whose forces follow from their weights are not translated"
+        found.append(f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports")
+    if found:
+        raise InputError("\n".join(found))
+
+
+def opensees_script(
+    project: Project, stem: str, without_dampers: bool = False
+) -> tuple[Script, dict[str, str], list[str]]:
+    """Return a project as blocks of commands and data, the texts of its records by name, and what is left out.
+
+    Args:
+        project: the validated project.
+        stem: of the script's name.
+        without_dampers: whether dampers and tuned masses are left out.
+
+    Raises:
+        InputError: OpenSees lacks something that the project has, or a record is wrong.
+        AnalysisError: an analysis that the script takes numbers from failed.
+    """
+    left_out = []
+    has_dampers = project.dampers is not None and not without_dampers and any(s.dampers for s in project.analyses)
+    plain = RecordedModel()
+    frame = build_frame(project, plain)
+    model, devices = plain, frame
+    if has_dampers:
+        model = RecordedModel()
+        laws: dict[str, DeviceLaw] = device_laws(project)
+        added: Sequence[Attached] = attachments(project)
+        devices = build_frame(project, model, laws=laws, attachments=added)
+    if without_dampers and project.dampers is not None:
+        left_out.append("dampers, isolators and tuned masses, as --without-dampers asks")
+    base, extra = plain.calls, model.calls[len(plain.calls) :] if has_dampers else []
+    materials = 1 + sum(call.name == "material" for call in model.calls)
+    tags = Tags(len(model.node_names) + 1, len(model.element_names) + 1, materials)
+    structure = Structure(frame, JoinedDegrees(model.calls), tags)
+    moduli = {name: material.E for name, material in project.materials.items()}
+    builder = StructureBuilder(frame, plain, moduli, structure)
+    try:
+        builder.build(base)
+        largest = _largest_stiffness(builder, frame, structure)
+        soil = DamperBuilder(structure, largest).build(base)
+        build = (*structure.commands(), *soil.place)
+        loads = tuple(structure.loads)
+        mark = _Mark(structure)
+        builder.build(extra)
+        dampers = DamperBuilder(structure, largest).build(extra)
+        added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)
+    except NotTranslated as problem:
+        raise InputError(_place(project, devices, problem)) from problem
+    blocks = [Block("build", "The frame, without loads.", build)]
+    gravity = (
+        command("timeSeries", "Linear", GRAVITY),
+        command("pattern", "Plain", GRAVITY, GRAVITY, body=loads, comment="N, N m; on members N/m, in their axes"),
+    )
+    blocks.append(Block("gravity_loads", "The gravity combination.", gravity))
+    with_dampers = _block(blocks, "add_dampers", "Tuned masses, and what dampers stand on.", added_commands)
+    soil_part = _block(blocks, "set_in_soil_dashpots", "Dashpots of the soil.", (*soil.at_rest, *soil.moving))
+    at_rest = _block(blocks, "set_in_dampers", "What resists at rest in dampers.", dampers.at_rest)
+    moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
+    counted = has_dampers and bool(devices.devices)
+    plain_model = (Name("build"),)
+    parts = Parts(plain_model, (*plain_model, *with_dampers), soil_part, at_rest, moving, counted)
+    found = programme(project, structure, parts, stem, without_dampers)
+    left_out += found.left_out
+    constants: dict[str, Value | dict[str, Value]] = {
+        **SETTINGS,
+        "INTEGRATOR": integrator_words(project),
+        "GRAVITY_STEPS": GRAVITY_STEPS,
+        "DAMPING": found.damping,
+        "DAMPING_FACTORS": _factors(structure),
+        "PLAIN_MODEL": plain_model,
+        **_outputs(frame, structure),
+    }
+    head = _head(project, left_out, dampers)
+    return Script(head, [*blocks, *found.blocks], constants, found.analyses), found.files, left_out
+
+
+class _Mark:
+    """What a structure had at a moment, to tell what was added afterwards."""
+
+    LISTS = ("node_commands", "masses", "materials", "sections", "elements", "springs")
+
+    def __init__(self, structure: Structure) -> None:
+        self._of, self._kept = structure, len(structure.kept)
+        self._sizes = {name: len(getattr(structure, name)) for name in self.LISTS}
+
+    def commands(self) -> list[Command]:
+        """What has been added since, with the supports and ties of its nodes."""
+        new = {name: getattr(self._of, name)[size:] for name, size in self._sizes.items()}
+        ties = self._of.joined.commands(self._of.kept[self._kept :], self._of.nodes, self._of.names)
+        return [*new.pop("node_commands"), *ties, *(one for group in new.values() for one in group)]
+
+
+def _block(blocks: list[Block], name: str, purpose: str, commands: Iterable[Command]) -> tuple[Name, ...]:
+    """Add a block if there is anything in it, and return its name."""
+    found = tuple(commands)
+    if not found:
+        return ()
+    blocks.append(Block(name, purpose, found))
+    return (Name(name),)
+
+
+def _largest_stiffness(builder: StructureBuilder, frame: FrameModel, structure: Structure) -> float:
+    """Largest E A / L of the members, N/m."""
+    largest = 0.0
+    for call in builder.members():
+        (x0, y0), (x1, y1) = (structure.places[call[end]] for end in "ij")
+        largest = max(largest, builder.stiffness(call["section"])[0] / hypot(x1 - x0, y1 - y0))
+    return largest
+
+
+def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
+    """The refusal of a part, at its place in the project file."""
+    for device in frame.devices:
+        if device.name == problem.subject:
+            where = project.where("dampers", "laws", device.law)
+            return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}; take another law, {WITHOUT}"
+    member = problem.subject.partition(".")[0]
+    if member in frame.members:
+        kinds = {"column": "columns", "beam": "beams", "brace": "braces"}
+        key = kinds[frame.members[member].kind]
+        return f"{project.where('frame', key)}: frame.{key}: {problem.subject}: {problem}"
+    return f"{project.where('frame', 'supports')}: frame.supports: {problem.subject}: {problem}"
+
+
+def _factors(structure: Structure) -> tuple[Value, ...]:
+    """Factors of stiffness-proportional damping, each with the elements that it is of."""
+    of: dict[float, list[int]] = defaultdict(list)
+    for tag, factor in structure.damping_factors.items():
+        of[factor].append(tag)
+    return tuple((factor, tuple(tags)) for factor, tags in of.items())
+
+
+def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[str, Value]]:
+    """Which nodes the results are of."""
+
+    def reacting(node: int) -> tuple[int, ...]:
+        return tuple(structure.nodes[one] for one in (node, *structure.beside.get(node, ())))
+
+    reactions: dict[str, Value] = {}
+    base: list[int] = []
+    for name, held in frame.supports.items():
+        tags: list[Value] = []
+        for degree in range(3):
+            nodes = [node for _, kind, node, _ in frame.reaction(name, degree) if kind == "reaction"]
+            pushed = [tag for node in nodes for tag in (reacting(node) if degree < 2 else (structure.nodes[node],))]
+            tags.append(tuple(pushed) if held[degree] else ())
+            base += pushed if held[degree] and degree == 0 else []
+        reactions[name] = tuple(tags)
+    if frame.leaning is not None:
+        base += reacting(frame.leaning.base)
+    floors = range(1, frame.frame.n_storeys + 1)
+    return {
+        "NODES": {name: structure.nodes[node] for name, node in frame.nodes.items()},
+        "FLOORS": tuple(tuple(structure.nodes[frame.nodes[name]] for name in frame.floor_nodes(f)) for f in floors),
+        "STOREY_HEIGHTS": tuple(frame.frame.storey_heights),
+        "CONTROL": structure.nodes[frame.nodes[frame.leading_nodes[-1]]],
+        "BASE": tuple(base),
+        "REACTIONS": reactions,
+    }
+
+
+def _head(project: Project, left_out: Sequence[str], dampers: Dampers) -> list[str]:
+    """Paragraphs of the comment at the top."""
+    head = [
+        f"{MARK} {__version__} from {project.path.name}",
+        project.title,
+        f"Model and analyses of {project.path.name} (SHA-256 {project.checksum}), for OpenSees.",
+        "Units: m, N, kg, s, Pa, rad. Degrees of freedom: ux, uy upwards, rz anticlockwise.",
+        "Tags of nodes and elements are those of edesign plus one; further ones follow.",
+        "What is not, or not quite, as in the project:",
+    ]
+    head += [f"- {sentence}" for sentence in left_out] or ["- nothing is left out"]
+    head += _differences(project, dampers)
+    return head
+
+
+def _differences(project: Project, dampers: Dampers) -> list[str]:
+    """Sentences on what OpenSees does in another way."""
+    found = []
+    if any(not run.buckling for run in project.frame.braces) and project.elements.geometry.braces == "p_delta":
+        found.append("- braces with P-Delta are corotational here, another term of the order of the drift squared")
+    if any(material.law == "menegotto_pinto" for material in project.materials.values()):
+        found.append("- Steel02 forgets the curve that a small unloading has left; edesign reloads on to it")
+    if dampers.moving:
+        found.append("- dampers are integrated with the step of the analysis; edesign integrates them exactly")
+    return found
