@@ -66,8 +66,8 @@ class Format:
 
 
 FORMATS = (
-    Format(".py", "OpenSeesPy", "python {} --help", ("edesign.exchange.opensees.translate", "translate_python")),
-    Format(".tcl", "OpenSees", "OpenSees {} --help", ("edesign.exchange.opensees.translate", "translate_tcl")),
+    Format(".py", "OpenSeesPy", "python {} all", ("edesign.exchange.opensees.translate", "translate_python")),
+    Format(".tcl", "OpenSees", "OpenSees {} all", ("edesign.exchange.opensees.translate", "translate_tcl")),
 )
 
 

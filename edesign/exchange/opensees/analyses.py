@@ -81,6 +81,9 @@ class Parts:
         soil, at_rest, moving: set in under the gravity loads: soil dashpots in histories; of dampers what resists at
             rest, and in histories what resists speed.
         counted_in_modes: whether the project has dampers whose stiffness counts in its modes.
+        tuned: whether it has tuned masses, with modes of their own.
+        base, base_of_dampers: tags of nodes whose horizontal reactions are the base shear; of those that dampers add.
+        equations: independent degrees of freedom without and with dampers.
     """
 
     plain: tuple[Name, ...]
@@ -89,6 +92,14 @@ class Parts:
     at_rest: tuple[Name, ...]
     moving: tuple[Name, ...]
     counted_in_modes: bool
+    tuned: bool
+    base: tuple[int, ...]
+    base_of_dampers: tuple[int, ...]
+    equations: tuple[int, int]
+
+    def feet(self, spec: PlannedAnalysis) -> tuple[int, ...]:
+        """Tags of the nodes whose horizontal reactions are the base shear of an analysis."""
+        return (*self.base, *(self.base_of_dampers if spec.dampers else ()))
 
     def model(self, spec: PlannedAnalysis) -> tuple[Name, ...]:
         """Blocks that build the model of an analysis."""
@@ -148,7 +159,13 @@ def _modal(found: Programme, spec: ModalAnalysis, parts: Parts) -> None:
         why = "the stiffness of its dampers depends on their amplitude; the periods of the script are without them"
         found.left_out.append(f"analysis {spec.name}: {why}")
     gravity = GRAVITY_STEPS if spec.state == "gravity" else 0
-    found.analyses[spec.name] = {"kind": "modal", "model": parts.model(spec), "modes": spec.modes, "steps": gravity}
+    found.analyses[spec.name] = {
+        "kind": "modal",
+        "model": parts.model(spec),
+        "modes": spec.modes,
+        "equations": parts.equations[spec.dampers],
+        "steps": gravity,
+    }
 
 
 def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, structure: Structure, parts: Parts) -> None:
@@ -169,6 +186,7 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     found.analyses[spec.name] = {
         "kind": "pushover",
         "model": parts.model(spec),
+        "base": parts.feet(spec),
         "set_in": parts.set_in(spec, moves=False),
         "loads": Name(block),
         "target": target,
@@ -201,8 +219,8 @@ def _history(
     if spec.wave_passage is not None:
         found.left_out.append(f"analysis {spec.name}: its ground motion reaches the feet one after the other")
         return
-    if found.damping.get("kind") == "modal" and parts.model(spec) != parts.plain:
-        found.left_out.append(f"analysis {spec.name}: modal damping of a frame that has more modes with its dampers")
+    if found.damping.get("kind") == "modal" and spec.dampers and parts.tuned:
+        found.left_out.append(f"analysis {spec.name}: it has modal damping, and tuned masses have modes of their own")
         return
     if spec.collapse_drift is not None:
         found.left_out.append(f"analysis {spec.name}: its `collapse_drift` does not end it")
@@ -236,6 +254,7 @@ def _history(
     found.analyses[spec.name] = {
         "kind": "history",
         "model": parts.model(spec),
+        "base": parts.feet(spec),
         "set_in": parts.set_in(spec, moves=True),
         "motion": Name(block),
         "step": dt,

@@ -9,12 +9,28 @@ from math import hypot
 
 from edesign.exchange.opensees.commands import Command, command
 from edesign.exchange.opensees.materials import Material, NoSuchMaterial, damper_materials
-from edesign.exchange.opensees.structure import NotTranslated, Structure
+from edesign.exchange.opensees.structure import NotTranslated, NotTranslatedParts, Structure
 from edesign.exchange.recorded_model import Call
 
 STIFF = 1e4
 """Stiffness of bars that carry a point along, over the largest E A / L of the members."""
 _CLOSE = 1e-12  # of coefficients
+
+
+@dataclass(frozen=True)
+class Direction:
+    """Along which a damper acts: a degree of an element without length, and how its axes stand."""
+
+    degree: int
+    orient: tuple[str | float, ...] = ()
+
+
+_ALONG = (Direction(1), Direction(2), Direction(6))
+
+
+def _along(c: float, s: float) -> Direction:
+    return Direction(1, ("-orient", c, s, 0.0, -s, c, 0.0))
+
 
 Terms = tuple[tuple[float, int, int], ...]
 
@@ -50,18 +66,23 @@ class DamperBuilder:
         """Return the commands of all dampers among the calls.
 
         Raises:
-            NotTranslated: OpenSees lacks something.
+            NotTranslatedParts: OpenSees lacks something.
         """
-        found = Dampers()
+        found, problems = Dampers(), []
         for call in calls:
             if call.name == "damper":
-                self._damper(call, found)
+                try:
+                    self._damper(call, found)
+                except NotTranslated as problem:
+                    problems.append(problem)
+        if problems:
+            raise NotTranslatedParts(problems)
         return found
 
     def _damper(self, call: Call, found: Dampers) -> None:
         name, brace = call["name"], call["brace"]
         if call["play"] > 0.0:
-            raise NotTranslated(name, "its brace has `play` in its pins")
+            raise NotTranslated(name, "its brace has `play` in its pins; leave this key out of a copy")
         if call["pressed_by"] is not None:
             raise NotTranslated(name, "its force follows the compression of a spring (`weight: varying`)")
         try:
@@ -71,6 +92,8 @@ class DamperBuilder:
             raise NotTranslated(name, str(error)) from error
         brace = 0.0 if braced else brace
         first, second, along = self._ends(name, call["terms"], found)
+        if brace > 0.0 and along.degree != 1:
+            raise NotTranslated(name, "it has a brace in another direction than its own")
         if brace > 0.0:
             first = self._brace(name, first, brace, along, found)
         for materials, group in ((at_rest, found.at_rest), (moving, found.moving)):
@@ -78,28 +101,46 @@ class DamperBuilder:
             for material in materials:
                 self._spring(name, first, second, material, along, to)
 
-    def _spring(
-        self, name: str, i: int, j: int, material: Material, along: tuple[float, float], to: list[Command]
-    ) -> None:
+    def _spring(self, name: str, i: int, j: int, material: Material, along: Direction, to: list[Command]) -> None:
         s, tag = self._to, self._to.tags.next("material")
         to.append(command("uniaxialMaterial", material[0], tag, *material[1:], comment=name))
-        orient = () if along == (1.0, 0.0) else ("-orient", *along, 0.0, -along[1], along[0], 0.0)
-        words = ("zeroLength", s.tags.next("element"), s.nodes[i], s.nodes[j], "-mat", tag, "-dir", 1, *orient)
+        words = (
+            "zeroLength",
+            s.tags.next("element"),
+            s.nodes[i],
+            s.nodes[j],
+            "-mat",
+            tag,
+            "-dir",
+            along.degree,
+            *along.orient,
+        )
         to.append(command("element", *words, comment=name))
 
-    def _brace(self, name: str, node: int, stiffness: float, along: tuple[float, float], found: Dampers) -> int:
+    def _brace(self, name: str, node: int, stiffness: float, along: Direction, found: Dampers) -> int:
         """Add a brace in series; across it the node is held to the brace's end, where no force acts."""
         s = self._to
         far = s.add_node(f"{name}, between brace and damper", s.places[node])
         s.joined.hold((far, 2))
         material, tag = s.tags.next("material"), s.tags.next("element")
         found.place.append(command("uniaxialMaterial", "Elastic", material, stiffness, comment=f"{name}: brace"))
-        orient = () if along == (1.0, 0.0) else ("-orient", *along, 0.0, -along[1], along[0], 0.0)
-        words = ("zeroLength", tag, s.nodes[node], s.nodes[far], "-mat", material, material, "-dir", 1, 2, *orient)
+        words = (
+            "zeroLength",
+            tag,
+            s.nodes[node],
+            s.nodes[far],
+            "-mat",
+            material,
+            material,
+            "-dir",
+            1,
+            2,
+            *along.orient,
+        )
         found.place.append(command("element", *words, comment=f"{name}: brace"))
         return far
 
-    def _ends(self, name: str, terms: Terms, found: Dampers) -> tuple[int, int, tuple[float, float]]:
+    def _ends(self, name: str, terms: Terms, found: Dampers) -> tuple[int, int, Direction]:
         """Nodes at one place whose distance is the deformation, and its direction."""
         axial = _axial(terms)
         if axial is not None:
@@ -108,10 +149,10 @@ class DamperBuilder:
                 f"{name}, moving with {self._to.names[start]}", start, (0, 1), self._to.places[end]
             )
             self._to.joined.hold((copy, 2))
-            return copy, end, along
-        across = {degree for _, _, degree in terms}
-        if across == {2} or (len(across) == 1 and len(terms) <= 2):
-            return self._single(name, terms)
+            return copy, end, _along(*along)
+        degrees = {degree for _, _, degree in terms}
+        if degrees == {2} or (len(degrees) == 1 and len(terms) <= 2):
+            return *self._single(name, terms), _ALONG[degrees.pop()]
         top = [(c, node) for c, node, degree in terms if degree == 0 and c > 0.0]
         low = [(-c, node) for c, node, degree in terms if degree == 0 and c < 0.0]
         tilt = [term for term in terms if term[2] == 1]
@@ -121,25 +162,23 @@ class DamperBuilder:
             below = self._apex(name, [node for _, node in low], place, found)
         else:
             below = self._mean(f"{name}, foot", low, found, place)
-        return below, above, (1.0, 0.0)
+        return below, above, _ALONG[0]
 
-    def _single(self, name: str, terms: Terms) -> tuple[int, int, tuple[float, float]]:
-        """Nodes of a damper in one direction between two nodes, or between a node and the ground."""
+    def _single(self, name: str, terms: Terms) -> tuple[int, int]:
+        """Nodes at one place of a damper in one direction between two nodes, or between a node and the ground."""
         s = self._to
         ends = {round(c): node for c, node, _ in terms}
-        degree = terms[0][2]
-        if any(abs(abs(c) - 1.0) > _CLOSE for c, _, _ in terms) or 1 not in ends or degree == 2:
-            raise NotTranslated(name, "it acts on a rotation, or couples displacements as no element of OpenSees does")
-        along = (1.0, 0.0) if degree == 0 else (0.0, 1.0)
+        if any(abs(abs(c) - 1.0) > _CLOSE for c, _, _ in terms) or 1 not in ends:
+            raise NotTranslated(name, "it couples displacements as no element of OpenSees does")
         far = ends[1]
-        if -1 in ends:
-            near = s.tied_copy(f"{name}, moving with {s.names[ends[-1]]}", ends[-1], (0, 1), s.places[far])
-            s.joined.hold((near, 2))
-        else:
+        if -1 not in ends:
             near = s.add_node(f"{name}, ground", s.places[far])
             for at in range(3):
                 s.joined.hold((near, at))
-        return near, far, along
+            return near, far
+        if s.places[ends[-1]] == s.places[far]:
+            return ends[-1], far
+        return s.tied_copy(f"{name}, moving with {s.names[ends[-1]]}", ends[-1], (0, 1, 2), s.places[far]), far
 
     def _mean(
         self, name: str, parts: list[tuple[float, int]], found: Dampers, place: tuple[float, float] | None = None

@@ -52,6 +52,11 @@ class JoinedDegrees:
         """Say whether a degree, or one that it moves with, is held."""
         return self.leader(degree) in {self.leader(one) for one in self._fixed}
 
+    def independent(self, nodes: Iterable[int]) -> int:
+        """Return how many degrees of freedom nodes have that are neither held nor tied to others."""
+        held = {self.leader(one) for one in self._fixed}
+        return len({self.leader((node, at)) for node in nodes for at in range(3)} - held)
+
     def commands(self, nodes: Iterable[int], tags: dict[int, int], names: dict[int, str]) -> list[Command]:
         """Return the supports and ties of nodes.
 

@@ -39,7 +39,7 @@ def python_text(script: Script, path: Path) -> str:
     lines = [f"# {one_line(first)}", '"""', *_wrapped(others), "", _use(f"python {path.name}"), '"""', ""]
     lines += ["import math", "import os", "import sys", "", "import openseespy.opensees as ops", ""]
     lines += ["HERE = os.path.dirname(os.path.abspath(__file__))"]
-    lines += [f'RESULTS = os.path.join(HERE, "{path.stem}_results")']
+    lines += ['RESULTS = os.path.splitext(os.path.abspath(__file__))[0] + "_results"']
     text = "\n".join(lines).replace("\\", "\\\\")
     parts = [text]
     for block in script.blocks:
@@ -60,7 +60,7 @@ def tcl_text(script: Script, path: Path) -> str:
     lines = [f"# {one_line(first)}", "#"]
     lines += [f"# {line}".rstrip() for line in (*_wrapped(others), "", _use(f"OpenSees {path.name}"))]
     lines += ["", "set HERE [file dirname [file normalize [info script]]]"]
-    lines += [f'set RESULTS [file join $HERE "{path.stem}_results"]']
+    lines += ["set RESULTS [file rootname [file normalize [info script]]]_results"]
     for block in script.blocks:
         lines += tcl_block(block)
     lines.append("")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from math import hypot
 
@@ -15,7 +15,7 @@ from edesign.core.materials import Steel
 from edesign.exchange.opensees.commands import Command, command, heading
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads, stiffness_factors
 from edesign.exchange.opensees.integration import piecewise_lobatto
-from edesign.exchange.opensees.joined import JoinedDegrees
+from edesign.exchange.opensees.joined import Degree, JoinedDegrees
 from edesign.exchange.opensees.materials import NoSuchMaterial, spring_material, steel_material
 from edesign.exchange.recorded_model import Call, RecordedModel
 
@@ -41,6 +41,18 @@ class NotTranslated(Exception):
     def __init__(self, subject: str, reason: str) -> None:
         super().__init__(reason)
         self.subject = subject
+
+
+class NotTranslatedParts(Exception):
+    """OpenSees lacks something of several parts.
+
+    Attributes:
+        problems: of each.
+    """
+
+    def __init__(self, problems: Sequence[NotTranslated]) -> None:
+        super().__init__("; ".join(map(str, problems)))
+        self.problems = problems
 
 
 @dataclass
@@ -69,9 +81,10 @@ class Structure:
         nodes: tags by id; ids of added nodes are below 0.
         names: of nodes by id.
         places: of nodes by id, m.
-        beside: nodes that share the displacements of a node and stand for a released end, by its id: what members push
-            with at a support is on all of them.
+        copies: nodes that stand for a released end or an end of a damper, by the id of the node that they move with:
+            what a support carries is on all of them.
         kept: nodes whose supports and ties are written by `commands`.
+        moving: independent degrees of freedom with mass.
         damping_factors: of stiffness-proportional damping, by tag of the element; only those that are not 1.
     """
 
@@ -81,9 +94,10 @@ class Structure:
     nodes: dict[int, int] = field(default_factory=dict)
     names: dict[int, str] = field(default_factory=dict)
     places: dict[int, tuple[float, float]] = field(default_factory=dict)
-    beside: dict[int, list[int]] = field(default_factory=lambda: defaultdict(list))
+    copies: dict[int, list[int]] = field(default_factory=lambda: defaultdict(list))
     kept: list[int] = field(default_factory=list)
     damping_factors: dict[int, float] = field(default_factory=dict)
+    moving: set[Degree] = field(default_factory=set)
     node_commands: list[Command] = field(default_factory=list)
     masses: list[Command] = field(default_factory=list)
     materials: list[Command] = field(default_factory=list)
@@ -106,6 +120,7 @@ class Structure:
         copy = self.add_node(name, place or self.places[node])
         for at in degrees:
             self.joined.tie((copy, at), (node, at))
+        self.copies[node].append(copy)
         return copy
 
     def add_material(self, *words: str | float, comment: str = "") -> int:
@@ -173,6 +188,8 @@ class StructureBuilder:
 
     def _mass(self, call: Call) -> None:
         words = (call["mx"], call["my"], call["mrz"])
+        degrees = [(call["node"], at) for at, value in enumerate(words) if value > 0.0]
+        self._to.moving |= {self._to.joined.leader(one) for one in degrees if not self._to.joined.is_held(one)}
         self._to.masses.append(command("mass", self._to.nodes[call["node"]], *words, comment=self._named(call["node"])))
 
     def _named(self, node: int) -> str:
@@ -219,9 +236,7 @@ class StructureBuilder:
         for at, free in enumerate(call["release"]):
             if free:
                 name = f"{call['name']}, released at {to.names[ends[at]]}"
-                copy = to.tied_copy(name, ends[at], (0, 1))
-                to.beside[ends[at]].append(copy)
-                ends[at] = copy
+                ends[at] = to.tied_copy(name, ends[at], (0, 1))
         length = hypot(places[1][0] - places[0][0], places[1][1] - places[0][1])
         tags, lengths = [number + 1], [length]
         arms = self._rigid.get(number, (0.0, 0.0))

@@ -19,11 +19,19 @@ from edesign.exchange.opensees.commands import Block, Command, command
 from edesign.exchange.opensees.dampers import DamperBuilder, Dampers
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
-from edesign.exchange.opensees.structure import GRAVITY, NotTranslated, Structure, StructureBuilder, Tags
+from edesign.exchange.opensees.structure import (
+    GRAVITY,
+    NotTranslated,
+    NotTranslatedParts,
+    Structure,
+    StructureBuilder,
+    Tags,
+)
 from edesign.exchange.recorded_model import RecordedModel
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import attachments, device_laws
 from edesign.study.analysis.structure import GRAVITY_STEPS
+from edesign.study.motions.choosing import with_choices
 
 WITHOUT = "or leave out all dampers with --without-dampers"
 
@@ -42,6 +50,7 @@ def _translate(project: Project, path: Path, without_dampers: bool, text: Callab
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
         raise InputError(f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .`")
     _refuse(project, without_dampers)
+    project = with_choices(project)
     script, files, left_out = opensees_script(project, path.stem, without_dampers)
     beside = {path.with_name(name): content for name, content in files.items()}
     return Translation({path: text(script, path), **beside}, tuple(left_out))
@@ -109,12 +118,18 @@ def opensees_script(
         soil = DamperBuilder(structure, largest).build(base)
         build = (*structure.commands(), *soil.place)
         loads = tuple(structure.loads)
+        masses, plain_equations = len(structure.moving), structure.joined.independent(structure.kept)
+        outputs = _outputs(frame, structure)
+        feet = _base(frame, structure)
         mark = _Mark(structure)
         builder.build(extra)
         dampers = DamperBuilder(structure, largest).build(extra)
+        more_modes = len(structure.moving) > masses
         added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)
     except NotTranslated as problem:
         raise InputError(_place(project, devices, problem)) from problem
+    except NotTranslatedParts as several:
+        raise InputError("\n".join(_places(project, devices, several.problems))) from several
     blocks = [Block("build", "The frame, without loads.", build)]
     gravity = (
         command("timeSeries", "Linear", GRAVITY),
@@ -126,18 +141,33 @@ def opensees_script(
     at_rest = _block(blocks, "set_in_dampers", "What resists at rest in dampers.", dampers.at_rest)
     moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
     counted = has_dampers and bool(devices.devices)
+    equations = plain_equations, structure.joined.independent(structure.kept)
+    added_feet = tuple(tag for tag in _base(devices, structure) if tag not in feet)
     plain_model = (Name("build"),)
-    parts = Parts(plain_model, (*plain_model, *with_dampers), soil_part, at_rest, moving, counted)
+    parts = Parts(
+        plain_model,
+        (*plain_model, *with_dampers),
+        soil_part,
+        at_rest,
+        moving,
+        counted,
+        has_dampers and more_modes,
+        feet,
+        added_feet,
+        equations,
+    )
     found = programme(project, structure, parts, stem, without_dampers)
     left_out += found.left_out
     constants: dict[str, Value | dict[str, Value]] = {
         **SETTINGS,
         "INTEGRATOR": integrator_words(project),
         "GRAVITY_STEPS": GRAVITY_STEPS,
+        "MASSES": masses,
+        "EQUATIONS": plain_equations,
         "DAMPING": found.damping,
         "DAMPING_FACTORS": _factors(structure),
         "PLAIN_MODEL": plain_model,
-        **_outputs(frame, structure),
+        **outputs,
     }
     head = _head(project, left_out, dampers)
     return Script(head, [*blocks, *found.blocks], constants, found.analyses), found.files, left_out
@@ -177,9 +207,21 @@ def _largest_stiffness(builder: StructureBuilder, frame: FrameModel, structure: 
     return largest
 
 
+def _places(project: Project, frame: FrameModel, problems: Sequence[NotTranslated]) -> list[str]:
+    """The refusals of several parts: of dampers of one law and one reason the first."""
+    law_of = {device.name: device.law for device in frame.devices}
+    first = {(law_of.get(problem.subject, problem.subject), str(problem)): problem for problem in reversed(problems)}
+    return [_place(project, frame, problem) for problem in reversed(first.values())]
+
+
 def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
     """The refusal of a part, at its place in the project file."""
     for device in frame.devices:
+        if device.name == problem.subject and device.play > 0.0:
+            runs = enumerate(project.dampers.devices if project.dampers is not None else ())
+            i = next(i for i, run in runs if run.law == device.law and getattr(run.brace, "play", None))
+            where = project.where("dampers", "devices", i, "brace", "play")
+            return f"{where}: dampers.devices[{i}].brace.play: {device.name}: {problem}, {WITHOUT}"
         if device.name == problem.subject:
             where = project.where("dampers", "laws", device.law)
             return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}; take another law, {WITHOUT}"
@@ -199,31 +241,33 @@ def _factors(structure: Structure) -> tuple[Value, ...]:
     return tuple((factor, tuple(tags)) for factor, tags in of.items())
 
 
+def _reacting(frame: FrameModel, structure: Structure, support: str, degree: int) -> list[int]:
+    """Tags of the nodes whose reactions are that of a support."""
+    nodes = [node for _, kind, node, _ in frame.reaction(support, degree) if kind == "reaction"]
+    return [structure.nodes[one] for node in nodes for one in (node, *(structure.copies[node] if degree < 2 else ()))]
+
+
+def _base(frame: FrameModel, structure: Structure) -> tuple[int, ...]:
+    """Tags of the nodes whose horizontal reactions are the base shear, that of the leaning column among them."""
+    held = [name for name, fixed in frame.supports.items() if fixed[0]]
+    found = [tag for name in held for tag in _reacting(frame, structure, name, 0)]
+    if frame.leaning is not None:
+        found += [structure.nodes[one] for one in (frame.leaning.base, *structure.copies[frame.leaning.base])]
+    return tuple(found)
+
+
 def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[str, Value]]:
     """Which nodes the results are of."""
-
-    def reacting(node: int) -> tuple[int, ...]:
-        return tuple(structure.nodes[one] for one in (node, *structure.beside.get(node, ())))
-
-    reactions: dict[str, Value] = {}
-    base: list[int] = []
-    for name, held in frame.supports.items():
-        tags: list[Value] = []
-        for degree in range(3):
-            nodes = [node for _, kind, node, _ in frame.reaction(name, degree) if kind == "reaction"]
-            pushed = [tag for node in nodes for tag in (reacting(node) if degree < 2 else (structure.nodes[node],))]
-            tags.append(tuple(pushed) if held[degree] else ())
-            base += pushed if held[degree] and degree == 0 else []
-        reactions[name] = tuple(tags)
-    if frame.leaning is not None:
-        base += reacting(frame.leaning.base)
+    reactions: dict[str, Value] = {
+        name: tuple(tuple(_reacting(frame, structure, name, degree)) if held[degree] else () for degree in range(3))
+        for name, held in frame.supports.items()
+    }
     floors = range(1, frame.frame.n_storeys + 1)
     return {
         "NODES": {name: structure.nodes[node] for name, node in frame.nodes.items()},
         "FLOORS": tuple(tuple(structure.nodes[frame.nodes[name]] for name in frame.floor_nodes(f)) for f in floors),
         "STOREY_HEIGHTS": tuple(frame.frame.storey_heights),
         "CONTROL": structure.nodes[frame.nodes[frame.leading_nodes[-1]]],
-        "BASE": tuple(base),
         "REACTIONS": reactions,
     }
 
