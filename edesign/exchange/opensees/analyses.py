@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -31,10 +31,11 @@ from edesign.project.analysis.integration import GeneralisedAlphaIntegration, HH
 from edesign.project.project import Project
 from edesign.project.records.records import record_of
 from edesign.study.analysis.capacity import capacity
+from edesign.study.analysis.damper_stiffness import damped_modes
 from edesign.study.analysis.history import check_motion, input_motion, scale_factor
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
-from edesign.study.analysis.structure import GRAVITY_STEPS, frame_alone, make_frame
+from edesign.study.analysis.structure import GRAVITY_STEPS, frame_alone, make_frame, make_structure
 from edesign.study.analysis.vertical_motion import ground_motion
 from edesign.study.motions.motions import Motion, project_motions
 from edesign.study.run.plan import make_plan
@@ -80,7 +81,8 @@ class Parts:
         plain, with_dampers: of analyses without and with dampers; the first is `build`.
         soil, at_rest, moving: set in under the gravity loads: soil dashpots in histories; of dampers what resists at
             rest, and in histories what resists speed.
-        counted_in_modes: whether the project has dampers whose stiffness counts in its modes.
+        springs: makes the commands of linear springs in the place of dampers, from their stiffness by name; None: the
+            script has no dampers.
         tuned: whether it has tuned masses, with modes of their own.
         base, base_of_dampers: tags of nodes whose horizontal reactions are the base shear; of those that dampers add.
         equations: independent degrees of freedom without and with dampers.
@@ -91,7 +93,7 @@ class Parts:
     soil: tuple[Name, ...]
     at_rest: tuple[Name, ...]
     moving: tuple[Name, ...]
-    counted_in_modes: bool
+    springs: Callable[[Mapping[str, float]], list[Command]] | None
     tuned: bool
     base: tuple[int, ...]
     base_of_dampers: tuple[int, ...]
@@ -138,7 +140,7 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
             spec = spec.model_copy(update={"dampers": False})
         match spec:
             case ModalAnalysis():
-                _modal(found, spec, parts)
+                _modal(found, project, spec, parts)
             case GravityAnalysis():
                 found.analyses[spec.name] = {"kind": "gravity", "model": parts.model(spec), "steps": spec.steps}
             case PushoverAnalysis():
@@ -154,14 +156,24 @@ def _without(found: Programme, spec: PlannedAnalysis) -> None:
     found.left_out.append(f"analysis {spec.name}: runs without its dampers")
 
 
-def _modal(found: Programme, spec: ModalAnalysis, parts: Parts) -> None:
-    if spec.dampers and parts.counted_in_modes:
-        why = "the stiffness of its dampers depends on their amplitude; the periods of the script are without them"
-        found.left_out.append(f"analysis {spec.name}: {why}")
+def _modal(found: Programme, project: Project, spec: ModalAnalysis, parts: Parts) -> None:
     gravity = GRAVITY_STEPS if spec.state == "gravity" else 0
+    block: tuple[Name, ...] = ()
+    if spec.dampers and parts.springs is not None:
+        structure = make_structure(project, dampers=True)
+        if gravity:
+            structure.apply_gravity()
+        stiffness = damped_modes(project, structure, spec).stiffness.real
+        names = [device.name for device in structure.frame.devices]
+        commands = parts.springs(dict(zip(names, map(float, stiffness), strict=True)))
+        if commands:
+            block = (Name(f"springs_{_identifier(spec.name)}"),)
+            purpose = f"The stiffness of dampers and braces at the amplitude of {spec.name}, from edesign."
+            found.blocks.append(Block(block[0].name, purpose, tuple(commands)))
     found.analyses[spec.name] = {
         "kind": "modal",
         "model": parts.model(spec),
+        "set_in": block,
         "modes": spec.modes,
         "equations": parts.equations[spec.dampers],
         "steps": gravity,

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from math import hypot
 
 from edesign.exchange.opensees.commands import Command, command
-from edesign.exchange.opensees.materials import Material, NoSuchMaterial, damper_materials
+from edesign.exchange.opensees.materials import Material, NoSuchMaterial, damper_branches
 from edesign.exchange.opensees.structure import NotTranslated, NotTranslatedParts, Structure
 from edesign.exchange.recorded_model import Call
 
-STIFF = 1e4
+LEVER = 4
+"""Tag of the transformation of levers."""
+STIFF = 1e5
 """Stiffness of bars that carry a point along, over the largest E A / L of the members."""
 _CLOSE = 1e-12  # of coefficients
 
@@ -61,6 +63,21 @@ class DamperBuilder:
 
     def __init__(self, structure: Structure, largest: float) -> None:
         self._to, self._stiff = structure, STIFF * largest
+        self._transformed = False
+        self._ends_of: dict[str, tuple[int, int, Direction]] = {}
+
+    def springs(self, stiffness: Mapping[str, float]) -> list[Command]:
+        """Return linear springs in the place of dampers and their braces.
+
+        Args:
+            stiffness: by the name of the damper, N/m; those without any get none.
+        """
+        commands: list[Command] = []
+        for name, k in stiffness.items():
+            if k > 0.0:
+                first, second, along = self._ends_of[name]
+                self._spring(name, first, second, ("Elastic", k), along, commands)
+        return commands
 
     def build(self, calls: Iterable[Call]) -> Dampers:
         """Return the commands of all dampers among the calls.
@@ -87,19 +104,20 @@ class DamperBuilder:
             raise NotTranslated(name, "its force follows the compression of a spring (`weight: varying`)")
         try:
             scales = call["force_scale"], call["deformation_scale"]
-            at_rest, moving, braced = damper_materials(call["law"], *scales, brace)
+            branches, braced = damper_branches(call["law"], *scales, brace)
         except NoSuchMaterial as error:
             raise NotTranslated(name, str(error)) from error
         brace = 0.0 if braced else brace
         first, second, along = self._ends(name, call["terms"], found)
-        if brace > 0.0 and along.degree != 1:
-            raise NotTranslated(name, "it has a brace in another direction than its own")
+        self._ends_of[name] = first, second, along
+        if along.degree != 1 and (brace > 0.0 or any(branch.spring for branch in branches)):
+            raise NotTranslated(name, "it has a spring in series in another direction than x")
         if brace > 0.0:
             first = self._brace(name, first, brace, along, found)
-        for materials, group in ((at_rest, found.at_rest), (moving, found.moving)):
-            to = found.carrying if call["carries"] else group
-            for material in materials:
-                self._spring(name, first, second, material, along, to)
+        for branch in branches:
+            near = first if branch.spring == 0.0 else self._brace(name, first, branch.spring, along, found)
+            to = found.moving if branch.moves else found.at_rest
+            self._spring(name, near, second, branch.material, along, found.carrying if call["carries"] else to)
 
     def _spring(self, name: str, i: int, j: int, material: Material, along: Direction, to: list[Command]) -> None:
         s, tag = self._to, self._to.tags.next("material")
@@ -118,12 +136,14 @@ class DamperBuilder:
         to.append(command("element", *words, comment=name))
 
     def _brace(self, name: str, node: int, stiffness: float, along: Direction, found: Dampers) -> int:
-        """Add a brace in series; across it the node is held to the brace's end, where no force acts."""
+        """Add a spring in series; across it the node is held to the spring's end, where no force acts."""
         s = self._to
-        far = s.add_node(f"{name}, between brace and damper", s.places[node])
+        far = s.add_node(f"{name}, behind its spring", s.places[node])
         s.joined.hold((far, 2))
         material, tag = s.tags.next("material"), s.tags.next("element")
-        found.place.append(command("uniaxialMaterial", "Elastic", material, stiffness, comment=f"{name}: brace"))
+        found.place.append(
+            command("uniaxialMaterial", "Elastic", material, stiffness, comment=f"{name}: spring in series")
+        )
         words = (
             "zeroLength",
             tag,
@@ -137,7 +157,7 @@ class DamperBuilder:
             2,
             *along.orient,
         )
-        found.place.append(command("element", *words, comment=f"{name}: brace"))
+        found.place.append(command("element", *words, comment=f"{name}: spring in series"))
         return far
 
     def _ends(self, name: str, terms: Terms, found: Dampers) -> tuple[int, int, Direction]:
@@ -191,26 +211,27 @@ class DamperBuilder:
         if len({s.joined.leader((node, 0)) for node in nodes}) == 1 or all(s.joined.is_held((n, 0)) for n in nodes):
             mean = s.tied_copy(name, nodes[0], (0,), place)
         else:
-            mean = s.add_node(name, place)
-            material = s.tags.next("material")
-            found.place.append(command("uniaxialMaterial", "Elastic", material, self._stiff, comment=f"{name}: stiff"))
-            for node in nodes:
-                copy = s.tied_copy(f"{name}, moving with {s.names[node]}", node, (0,), place)
-                s.joined.hold((copy, 1))
-                s.joined.hold((copy, 2))
-                words = (
-                    "zeroLength",
-                    s.tags.next("element"),
-                    s.nodes[copy],
-                    s.nodes[mean],
-                    "-mat",
-                    material,
-                    "-dir",
-                    1,
-                )
-                found.place.append(command("element", *words, comment=f"{name}: mean of its sides"))
+            mean = self._lever(name, nodes, place, found)
+            s.joined.hold((mean, 1))
+            return mean
         s.joined.hold((mean, 1))
         s.joined.hold((mean, 2))
+        return mean
+
+    def _lever(self, name: str, nodes: list[int], place: tuple[float, float], found: Dampers) -> int:
+        """The middle of a stiff upright bar whose ends follow two nodes along x, and which turns freely."""
+        s = self._to
+        mean = s.add_node(name, place)
+        if not self._transformed:
+            self._transformed = True
+            found.place.append(command("geomTransf", "Linear", LEVER, comment="of stiff levers"))
+        for node, side in zip(nodes, (-1.0, 1.0), strict=True):
+            end = s.tied_copy(f"{name}, moving with {s.names[node]}", node, (0,), (place[0], place[1] + side))
+            s.joined.hold((end, 1))
+            pair = (end, mean) if side < 0.0 else (mean, end)
+            tag, i, j = s.tags.next("element"), s.nodes[pair[0]], s.nodes[pair[1]]
+            words = ("elasticBeamColumn", tag, i, j, self._stiff, 1.0, self._stiff, LEVER)
+            found.place.append(command("element", *words, comment=f"{name}: mean of its sides"))
         return mean
 
     def _apex(self, name: str, feet: list[int], place: tuple[float, float], found: Dampers) -> int:

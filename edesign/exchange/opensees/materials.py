@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import inf, isfinite
 
 from edesign.core import (
@@ -69,10 +70,23 @@ def _side(side: DeterioratingSide) -> tuple[float, ...]:
     return side.plastic, side.capping, side.ultimate, side.yield_force, side.capped, side.residual
 
 
-def damper_materials(
-    law: LawValues, force: float, deformation: float, brace: float
-) -> tuple[list[Material], list[Material], bool]:
-    """Return the materials side by side that a damper is, with the brace inside where that is exact.
+@dataclass(frozen=True)
+class Branch:
+    """A part of a damper; several stand side by side.
+
+    Attributes:
+        material: of it.
+        moves: it resists speed alone.
+        spring: stiffness in series with it, N/m; 0: none.
+    """
+
+    material: Material
+    moves: bool = False
+    spring: float = 0.0
+
+
+def damper_branches(law: LawValues, force: float, deformation: float, brace: float) -> tuple[list[Branch], bool]:
+    """Return the branches that a damper is, with the brace inside where that is exact.
 
     Args:
         law: with its parameters.
@@ -80,7 +94,7 @@ def damper_materials(
         brace: stiffness in series, N/m; 0: rigid.
 
     Returns:
-        The materials that resist at rest; those that resist speed; whether the brace is in them.
+        The branches, and whether the brace is in them.
 
     Raises:
         NoSuchMaterial: OpenSees has none.
@@ -93,7 +107,7 @@ def damper_materials(
     return make(tuple(law.values), force, deformation, brace)
 
 
-_Made = tuple[list[Material], list[Material], bool]
+_Made = tuple[list[Branch], bool]
 
 
 def _in_series(stiffness: float, brace: float) -> float:
@@ -101,7 +115,7 @@ def _in_series(stiffness: float, brace: float) -> float:
 
 
 def _kelvin_voigt(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
-    return [("Elastic", F * d * p[0])], [("Viscous", F * d * p[1], 1.0)], False
+    return [Branch(("Elastic", F * d * p[0])), Branch(("Viscous", F * d * p[1], 1.0), moves=True)], False
 
 
 def _linearised(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
@@ -109,18 +123,22 @@ def _linearised(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made
 
 
 def _generalised_maxwell(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
-    spring: list[Material] = [("Elastic", F * d * p[0])] if p[0] > 0.0 else []
-    branches = zip(p[1::2], p[2::2], strict=True)
-    return spring, [("ViscousDamper", F * d * k, F * d * c, 1.0) for k, c in branches], False
+    found = [Branch(("Elastic", F * d * p[0]))] if p[0] > 0.0 else []
+    for k, c in zip(p[1::2], p[2::2], strict=True):
+        found.append(Branch(("Viscous", F * d * c, 1.0), moves=True, spring=F * d * k))
+    return found, False
 
 
 def _viscous(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
-    return _viscous_power((p[0], 1.0), F, d, brace)
+    return [Branch(("Viscous", F * d * p[0], 1.0), moves=True)], False
 
 
 def _viscous_power(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
-    c, alpha = F * d ** p[1] * p[0], p[1]
-    return [], [("ViscousDamper", brace, c, alpha) if brace > 0.0 else ("Viscous", c, alpha)], True
+    c, alpha = p
+    if alpha == 1.0:
+        return _viscous((c,), F, d, brace)
+    c *= F * d**alpha
+    return [Branch(("ViscousDamper", brace, c, alpha) if brace > 0.0 else ("Viscous", c, alpha), moves=True)], True
 
 
 def _maxwell(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
@@ -128,22 +146,24 @@ def _maxwell(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
 
 
 def _maxwell_power(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
-    c, alpha, k = p
-    return [], [("ViscousDamper", _in_series(F * d * k, brace), F * d**alpha * c, alpha)], True
+    c, alpha, k = F * d ** p[1] * p[0], p[1], _in_series(F * d * p[2], brace)
+    if alpha == 1.0:
+        return [Branch(("Viscous", c, 1.0), moves=True, spring=k)], True
+    return [Branch(("ViscousDamper", k, c, alpha), moves=True)], True
 
 
 def _bilinear_oil(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     if brace == 0.0:
         raise NoSuchMaterial("`BilinearOilDamper` has a spring in series; give the damper a `brace` with a stiffness")
     c, relief, ratio = p
-    return [], [("BilinearOilDamper", brace, F * d * c, F * relief, ratio)], True
+    return [Branch(("BilinearOilDamper", brace, F * d * c, F * relief, ratio), moves=True)], True
 
 
 def _elastic_plastic(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     k, yields, b = F * d * p[0], F * p[1], p[2]
     both = _in_series(k, brace)
     after = _in_series(b * k, brace) if b > 0.0 else 0.0
-    return [("Steel01", yields, both, after / both)], [], True
+    return [Branch(("Steel01", yields, both, after / both))], True
 
 
 def _friction(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
@@ -157,7 +177,7 @@ def _lead_rubber(p: tuple[float, ...], F: float, d: float, brace: float) -> _Mad
 
 def _self_centring(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     k, opens, b, beta = p
-    return [("SelfCentering", F * d * k, b * F * d * k, F * opens, beta)], [], False
+    return [Branch(("SelfCentering", F * d * k, b * F * d * k, F * opens, beta))], False
 
 
 def _gap(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
@@ -167,13 +187,14 @@ def _gap(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     sides = (1.0, -1.0) if side == 0.0 else (side,)
     if any(abs(one) != 1.0 for one in sides):
         raise NoSuchMaterial("no contact of OpenSees has a `side` between -1 and 1")
-    found: list[Material] = [("ElasticPPGap", F * d * k, one * OUT_OF_REACH, one * gap / d, 0.0) for one in sides]
-    return found, [], False
+    return [Branch(("ElasticPPGap", F * d * k, one * OUT_OF_REACH, one * gap / d, 0.0)) for one in sides], False
 
 
 def _bouc_wen(p: tuple[float, ...], F: float, d: float, brace: float) -> _Made:
     yields, y, alpha, A, beta, gamma, n = F * p[0], p[1] / d, *p[2:]
-    return [("BoucWen", alpha, yields / y, n, beta / y**n, gamma / y**n, A, 0.0, 0.0, 0.0)], [], False
+    if A == 1.0:  # its parameters have each other's names; its own iteration is the more reliable of both materials
+        return [Branch(("BoucWenOriginal", yields / y, yields, alpha, 0.0, 2.0, n, gamma, beta))], False
+    return [Branch(("BoucWen", alpha, yields / y, n, beta / y**n, gamma / y**n, A, 0.0, 0.0, 0.0))], False
 
 
 _LAWS = {

@@ -123,7 +123,8 @@ def opensees_script(
         feet = _base(frame, structure)
         mark = _Mark(structure)
         builder.build(extra)
-        dampers = DamperBuilder(structure, largest).build(extra)
+        damper_builder = DamperBuilder(structure, largest)
+        dampers = damper_builder.build(extra)
         more_modes = len(structure.moving) > masses
         added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)
     except NotTranslated as problem:
@@ -140,7 +141,7 @@ def opensees_script(
     soil_part = _block(blocks, "set_in_soil_dashpots", "Dashpots of the soil.", (*soil.at_rest, *soil.moving))
     at_rest = _block(blocks, "set_in_dampers", "What resists at rest in dampers.", dampers.at_rest)
     moving = _block(blocks, "set_in_dashpots", "What resists speed in dampers.", dampers.moving)
-    counted = has_dampers and bool(devices.devices)
+    springs = damper_builder.springs if devices.devices else None
     equations = plain_equations, structure.joined.independent(structure.kept)
     added_feet = tuple(tag for tag in _base(devices, structure) if tag not in feet)
     plain_model = (Name("build"),)
@@ -150,7 +151,7 @@ def opensees_script(
         soil_part,
         at_rest,
         moving,
-        counted,
+        springs,
         has_dampers and more_modes,
         feet,
         added_feet,
