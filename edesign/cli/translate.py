@@ -37,3 +37,5 @@ def translate(
     print(visible_line(f"{model} written for {form.program}{beside}. Next: {form.use.format(model)}"))
     for sentence in found.left_out:
         print(visible_line(f"left out: {sentence}"))
+    for sentence in found.differences:
+        print(visible_line(f"differs: {sentence}"))

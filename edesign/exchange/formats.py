@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from importlib import import_module
@@ -15,7 +14,7 @@ from edesign.input_files import spare_inputs
 from edesign.project.project import Project
 
 MARK = "Written by edesign"
-"""In the first line of every file that a translation writes, in a comment of its language."""
+"""In the first line of every model that a translation writes, in a comment of its language."""
 
 
 @dataclass(frozen=True)
@@ -25,10 +24,12 @@ class Translation:
     Attributes:
         files: texts by path, the model first, files that it reads after it.
         left_out: sentences on what the files do not have of the project; also in the head of the model.
+        differences: sentences on what the program does in another way; also in the head of the model.
     """
 
     files: Mapping[Path, str]
     left_out: tuple[str, ...] = ()
+    differences: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -87,22 +88,40 @@ def find_format(path: Path) -> Format:
 def check_own_files(translation: Translation, overwrite: bool = False) -> None:
     """Check that the files of a translation take the place of earlier translations only.
 
+    A model is known by its first line. Files of numbers beside it have no room for one: they are taken for ours where a
+    model of ours with their stem stands beside them.
+
     Raises:
         InputError: another file is there, or an input of the command.
         ArchiveError: a file cannot be written there.
     """
-    for path in translation.files:
+    model = next(iter(translation.files))
+    earlier = any(_is_ours(model.with_suffix(known.suffix)) for known in FORMATS)
+    for path, text in translation.files.items():
         spare_inputs(path)
         check_file(path)
-        try:
-            with path.open(encoding="utf-8", errors="replace") as file:
-                begins = file.readline(10_000)
-        except (OSError, ValueError):
-            continue
-        if not overwrite and re.search(re.escape(MARK), begins) is None:
+        ours = _is_ours(path) if path == model else earlier or _holds(path, text)
+        if path.exists() and not (ours or overwrite):
             raise InputError(
                 f"{path}: edesign did not write this file, and it is left as it is; choose another name, or --overwrite"
             )
+
+
+def _is_ours(model: Path) -> bool:
+    """Whether a model is from an earlier translation."""
+    try:
+        with model.open(encoding="utf-8", errors="replace") as file:
+            return MARK in file.readline(10_000)
+    except (OSError, ValueError):
+        return False
+
+
+def _holds(path: Path, text: str) -> bool:
+    """Whether a file has this text already."""
+    try:
+        return path.read_text(encoding="utf-8") == text
+    except (OSError, ValueError):
+        return False
 
 
 def write_translation(translation: Translation) -> None:

@@ -72,7 +72,7 @@ def tcl_lines(commands: Iterable[Command], depth: int = 1) -> list[str]:
     for item in commands:
         words = [item.name, *map(_tcl_word, item.words), *(["{"] if item.body else [])]
         text = " ".join(words) if item.name else ""
-        lines.append(_line(depth, text, item.comment, "  ;# " if text else "# "))
+        lines.append(_line(depth, text, tcl_comment(item.comment), "  ;# " if text else "# "))
         if item.body:
             lines += [*tcl_lines(item.body, depth + 1), f"{INDENT * depth}}}"]
     return lines
@@ -102,6 +102,11 @@ def flat(commands: Sequence[Command]) -> list[tuple[Word, ...]]:
 def one_line(text: str) -> str:
     """Return text that can stand in a comment of one line, in ASCII."""
     return " ".join(text.encode("ascii", "backslashreplace").decode().split())
+
+
+def tcl_comment(text: str) -> str:
+    """Return text that can stand in a comment of Tcl, which counts braces and joins lines at backslashes."""
+    return one_line(text).translate(str.maketrans("{}\\", "()/"))
 
 
 def _plain(word: Word) -> Word:

@@ -9,7 +9,7 @@ from pathlib import Path
 from textwrap import wrap
 
 from edesign.exchange.opensees.analyses import Name, Value
-from edesign.exchange.opensees.commands import Block, one_line, python_block, tcl_block
+from edesign.exchange.opensees.commands import Block, one_line, python_block, tcl_block, tcl_comment
 
 WIDTH = 100
 """Of lines of the head."""
@@ -35,13 +35,11 @@ class Script:
 
 def python_text(script: Script, path: Path) -> str:
     """Return the script for OpenSeesPy."""
-    first, *others = script.head
-    lines = [f"# {one_line(first)}", '"""', *_wrapped(others), "", _use(f"python {path.name}"), '"""', ""]
+    lines = [*_head(script.head, f"python {path.name}"), ""]
     lines += ["import math", "import os", "import sys", "", "import openseespy.opensees as ops", ""]
     lines += ["HERE = os.path.dirname(os.path.abspath(__file__))"]
     lines += ['RESULTS = os.path.splitext(os.path.abspath(__file__))[0] + "_results"']
-    text = "\n".join(lines).replace("\\", "\\\\")
-    parts = [text]
+    parts = ["\n".join(lines)]
     for block in script.blocks:
         parts.append("\n".join(python_block(block)))
     constants = ["", ""]
@@ -56,9 +54,7 @@ def python_text(script: Script, path: Path) -> str:
 
 def tcl_text(script: Script, path: Path) -> str:
     """Return the script for OpenSees."""
-    first, *others = script.head
-    lines = [f"# {one_line(first)}", "#"]
-    lines += [f"# {line}".rstrip() for line in (*_wrapped(others), "", _use(f"OpenSees {path.name}"))]
+    lines = [tcl_comment(line) for line in _head(script.head, f"OpenSees {path.name}")]
     lines += ["", "set HERE [file dirname [file normalize [info script]]]"]
     lines += ["set RESULTS [file rootname [file normalize [info script]]]_results"]
     for block in script.blocks:
@@ -72,8 +68,11 @@ def tcl_text(script: Script, path: Path) -> str:
     return "\n".join([*lines, "", _procedures("tcl")])
 
 
-def _use(how: str) -> str:
-    return f"{how} all runs all analyses, {how} NAME ... some; without a name it lists them."
+def _head(paragraphs: Sequence[str], run: str) -> list[str]:
+    """Lines of the comment at the top; the first paragraph is one line."""
+    first, *others = paragraphs
+    use = f"{run} all: all analyses; {run} NAME ...: some; without a name it lists them."
+    return [f"# {one_line(first)}", "#", *(f"# {line}".rstrip() for line in (*_wrapped(others), "", use))]
 
 
 def _wrapped(paragraphs: Sequence[str]) -> list[str]:

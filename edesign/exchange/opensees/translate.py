@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from math import hypot
 from pathlib import Path
 
@@ -16,8 +17,9 @@ from edesign.errors import InputError
 from edesign.exchange.formats import MARK, Translation
 from edesign.exchange.opensees.analyses import Name, Parts, Value, integrator_words, programme
 from edesign.exchange.opensees.commands import Block, Command, command
-from edesign.exchange.opensees.dampers import DamperBuilder, Dampers
+from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.joined import JoinedDegrees
+from edesign.exchange.opensees.limits import differences, places, refuse
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
 from edesign.exchange.opensees.structure import (
     GRAVITY,
@@ -33,8 +35,6 @@ from edesign.study.analysis.dampers import attachments, device_laws
 from edesign.study.analysis.structure import GRAVITY_STEPS
 from edesign.study.motions.choosing import with_choices
 
-WITHOUT = "or leave out all dampers with --without-dampers"
-
 
 def translate_python(project: Project, path: Path, without_dampers: bool = False) -> Translation:
     """Return a script for OpenSeesPy and its records; errors as `Format.translate`."""
@@ -49,45 +49,18 @@ def translate_tcl(project: Project, path: Path, without_dampers: bool = False) -
 def _translate(project: Project, path: Path, without_dampers: bool, text: Callable[[Script, Path], str]) -> Translation:
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
         raise InputError(f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .`")
-    _refuse(project, without_dampers)
+    refuse(project, without_dampers)
     project = with_choices(project)
-    script, files, left_out = opensees_script(project, path.stem, without_dampers)
-    beside = {path.with_name(name): content for name, content in files.items()}
-    return Translation({path: text(script, path), **beside}, tuple(left_out))
+    script, beside = opensees_script(project, path, without_dampers)
+    return replace(beside, files={path: text(script, path), **beside.files})
 
 
-def _refuse(project: Project, without_dampers: bool) -> None:
-    """Refuse what OpenSees lacks, where the project file has it.
-
-    Raises:
-        InputError: there is something.
-    """
-    found = []
-    if project.panel_zones:
-        where = project.where("panel_zones", 0)
-        reason = "OpenSees has no joint that carries the ends of members along its edges as these do"
-        found.append(f"{where}: panel_zones: {reason}; translate a copy of the project without this key")
-    for i, run in enumerate(project.frame.braces):
-        if run.buckling is not None:
-            where = project.where("frame", "braces", i, "buckling")
-            reason = "the cambered parts of a brace are condensed to one bar, which OpenSees does not have"
-            found.append(f"{where}: frame.braces[{i}].buckling: {reason}; translate a copy without this key")
-    if project.isolation is not None and not without_dampers:
-        where = project.where("dampers", "isolation")
-        reason = "isolators whose forces follow from their weights are not translated"
-        found.append(f"{where}: dampers.isolation: {reason}; --without-dampers puts the frame on its supports")
-    if found:
-        raise InputError("\n".join(found))
-
-
-def opensees_script(
-    project: Project, stem: str, without_dampers: bool = False
-) -> tuple[Script, dict[str, str], list[str]]:
-    """Return a project as blocks of commands and data, the texts of its records by name, and what is left out.
+def opensees_script(project: Project, path: Path, without_dampers: bool = False) -> tuple[Script, Translation]:
+    """Return a project as blocks of commands and data, and beside it its records, with what is left out or differs.
 
     Args:
         project: the validated project.
-        stem: of the script's name.
+        path: of the script.
         without_dampers: whether dampers and tuned masses are left out.
 
     Raises:
@@ -128,9 +101,9 @@ def opensees_script(
         more_modes = len(structure.moving) > masses
         added_commands = (*mark.commands(), *dampers.place, *dampers.carrying)
     except NotTranslated as problem:
-        raise InputError(_place(project, devices, problem)) from problem
+        raise InputError("\n".join(places(project, devices, [problem]))) from problem
     except NotTranslatedParts as several:
-        raise InputError("\n".join(_places(project, devices, several.problems))) from several
+        raise InputError("\n".join(places(project, devices, several.problems))) from several
     blocks = [Block("build", "The frame, without loads.", build)]
     gravity = (
         command("timeSeries", "Linear", GRAVITY),
@@ -157,7 +130,7 @@ def opensees_script(
         added_feet,
         equations,
     )
-    found = programme(project, structure, parts, stem, without_dampers)
+    found = programme(project, structure, parts, path.stem, without_dampers)
     left_out += found.left_out
     constants: dict[str, Value | dict[str, Value]] = {
         **SETTINGS,
@@ -170,8 +143,11 @@ def opensees_script(
         "PLAIN_MODEL": plain_model,
         **outputs,
     }
-    head = _head(project, left_out, dampers)
-    return Script(head, [*blocks, *found.blocks], constants, found.analyses), found.files, left_out
+    texts = {path.with_name(name): content for name, content in found.files.items()}
+    other = differences(project, dampers)
+    head = _head(project, left_out, other)
+    script = Script(head, [*blocks, *found.blocks], constants, found.analyses)
+    return script, Translation(texts, tuple(left_out), tuple(other))
 
 
 class _Mark:
@@ -206,32 +182,6 @@ def _largest_stiffness(builder: StructureBuilder, frame: FrameModel, structure: 
         (x0, y0), (x1, y1) = (structure.places[call[end]] for end in "ij")
         largest = max(largest, builder.stiffness(call["section"])[0] / hypot(x1 - x0, y1 - y0))
     return largest
-
-
-def _places(project: Project, frame: FrameModel, problems: Sequence[NotTranslated]) -> list[str]:
-    """The refusals of several parts: of dampers of one law and one reason the first."""
-    law_of = {device.name: device.law for device in frame.devices}
-    first = {(law_of.get(problem.subject, problem.subject), str(problem)): problem for problem in reversed(problems)}
-    return [_place(project, frame, problem) for problem in reversed(first.values())]
-
-
-def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
-    """The refusal of a part, at its place in the project file."""
-    for device in frame.devices:
-        if device.name == problem.subject and device.play > 0.0:
-            runs = enumerate(project.dampers.devices if project.dampers is not None else ())
-            i = next(i for i, run in runs if run.law == device.law and getattr(run.brace, "play", None))
-            where = project.where("dampers", "devices", i, "brace", "play")
-            return f"{where}: dampers.devices[{i}].brace.play: {device.name}: {problem}, {WITHOUT}"
-        if device.name == problem.subject:
-            where = project.where("dampers", "laws", device.law)
-            return f"{where}: dampers.laws.{device.law}: {device.name}: {problem}; take another law, {WITHOUT}"
-    member = problem.subject.partition(".")[0]
-    if member in frame.members:
-        kinds = {"column": "columns", "beam": "beams", "brace": "braces"}
-        key = kinds[frame.members[member].kind]
-        return f"{project.where('frame', key)}: frame.{key}: {problem.subject}: {problem}"
-    return f"{project.where('frame', 'supports')}: frame.supports: {problem.subject}: {problem}"
 
 
 def _factors(structure: Structure) -> tuple[Value, ...]:
@@ -273,7 +223,7 @@ def _outputs(frame: FrameModel, structure: Structure) -> dict[str, Value | dict[
     }
 
 
-def _head(project: Project, left_out: Sequence[str], dampers: Dampers) -> list[str]:
+def _head(project: Project, left_out: Sequence[str], other: Sequence[str]) -> list[str]:
     """Paragraphs of the comment at the top."""
     head = [
         f"{MARK} {__version__} from {project.path.name}",
@@ -283,18 +233,5 @@ def _head(project: Project, left_out: Sequence[str], dampers: Dampers) -> list[s
         "Tags of nodes and elements are those of edesign plus one; further ones follow.",
         "What is not, or not quite, as in the project:",
     ]
-    head += [f"- {sentence}" for sentence in left_out] or ["- nothing is left out"]
-    head += _differences(project, dampers)
+    head += [f"- {sentence}" for sentence in (*left_out, *other)] or ["- nothing is left out"]
     return head
-
-
-def _differences(project: Project, dampers: Dampers) -> list[str]:
-    """Sentences on what OpenSees does in another way."""
-    found = []
-    if any(not run.buckling for run in project.frame.braces) and project.elements.geometry.braces == "p_delta":
-        found.append("- braces with P-Delta are corotational here, another term of the order of the drift squared")
-    if any(material.law == "menegotto_pinto" for material in project.materials.values()):
-        found.append("- Steel02 forgets the curve that a small unloading has left; edesign reloads on to it")
-    if dampers.moving:
-        found.append("- dampers are integrated with the step of the analysis; edesign integrates them exactly")
-    return found

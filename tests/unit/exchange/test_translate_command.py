@@ -1,0 +1,131 @@
+"""`edesign translate`: files, refusals with their places, and that the texts in Python and Tcl say one thing."""
+
+from __future__ import annotations
+
+import ast
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from edesign import load_project
+from edesign.building.loads import MemberLoads
+from edesign.cli.main import main
+from edesign.exchange.opensees.commands import Block, command, heading, python_block, tcl_block
+from edesign.exchange.opensees.fixed_ends import released_flexibility_loads, stiffness_factors
+from edesign.exchange.opensees.integration import gauss_lobatto, piecewise_lobatto
+from edesign.exchange.opensees.translate import opensees_script
+
+CASES = Path(__file__).parents[2] / "cases"
+
+
+def case(name: str) -> str:
+    return str(CASES / name / "project.yaml")
+
+
+def test_one_list_of_commands_in_both_languages() -> None:
+    fibre = command("fiber", np.float64(0.1), 0.0, 2e-4, 1)
+    block = Block("build", "A frame.", (heading("nodes"), command("section", "Fiber", 1, body=[fibre], comment="é")))
+    assert python_block(block)[-3:] == [
+        "    # nodes",
+        '    ops.section("Fiber", 1)  # \\xe9',
+        "    ops.fiber(0.1, 0.0, 0.0002, 1)",
+    ]
+    assert tcl_block(block)[-5:] == [
+        "    # nodes",
+        "    section Fiber 1 {  ;# /xe9",
+        "        fiber 0.1 0.0 0.0002 1",
+        "    }",
+        "}",
+    ]
+
+
+def test_points_of_gauss_lobatto_in_parts() -> None:
+    """Five points integrate polynomials of the seventh degree exactly, in each part."""
+    places, weights = gauss_lobatto(5)
+    np.testing.assert_allclose([weights @ places**n for n in range(8)], [1.0 / (n + 1) for n in range(8)], rtol=1e-14)
+    parts, shares = (np.array(values) for values in piecewise_lobatto(5, (0.3, 0.4)))
+    assert parts.size == 13 and np.all(np.diff(parts) > 0.0)
+    kink = np.abs(parts - 0.3) ** 3
+    np.testing.assert_allclose(shares @ kink, (0.3**4 + 0.7**4) / 4.0, rtol=1e-13)
+
+
+def test_members_without_the_flexibility_of_their_hinges() -> None:
+    """With no flexibility left out a member is a plain one; with equal ones K11 + K44 is that of one curvature."""
+    assert stiffness_factors(3.0, 2.0, (0.0, 0.0)) == pytest.approx((4.0, 4.0, 2.0))
+    without = 2.0 / (66.0 * 3.0)  # of n = 10
+    K11, K33, K44 = stiffness_factors(3.0, 2.0, (without, without))
+    assert K11 == pytest.approx(K33)
+    assert 1.0 / (K11 - K44) == pytest.approx(0.5 - 1.0 / 66.0)  # ends that turn against each other
+    ends = released_flexibility_loads(3.0, 2.0, (without, without), MemberLoads(-12.0))
+    assert [force for force, _ in ends] == pytest.approx([0.0, 0.0], abs=1e-14)
+    more = 12.0 * 2.0**2 / 12.0 * (1.0 / (1.0 - 2.0 / 66.0) - 1.0)
+    assert [moment for _, moment in ends] == pytest.approx([-more, more])
+
+
+@pytest.mark.parametrize(
+    ("name", "place", "words"),
+    [
+        ("chevron_mgmm", ":20:7: dampers.laws.elastomer: V_1_1", "--without-dampers"),
+        ("brb_frame", ":22:7: dampers.laws.brb", "buckling_restrained"),
+        ("devices_of_practice", ":25:92: dampers.devices[0].brace.play: V_1_1", "`play`"),
+        ("deteriorating_hinges", ":27:5: panel_zones", "without this key"),
+        ("buckling_braces", ":11:89: frame.braces[0].buckling", "without this key"),
+        ("isolated_frame", ":33:5: dampers.isolation", "--without-dampers"),
+    ],
+)
+def test_what_opensees_lacks_is_refused_at_its_place(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str, place: str, words: str
+) -> None:
+    model = tmp_path / "model.py"
+    assert main(["translate", case(name), str(model)]) == 2
+    told = capsys.readouterr().err
+    assert f"{name}/project.yaml{place}" in told and words in told
+    assert not list(tmp_path.iterdir())
+
+
+def test_without_dampers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    model = tmp_path / "model.tcl"
+    assert main(["translate", case("chevron_mgmm"), str(model), "--without-dampers"]) == 0
+    assert "left out: dampers, isolators and tuned masses" in capsys.readouterr().out
+    assert "- dampers, isolators and tuned masses" in model.read_text()
+
+
+def test_other_names_and_files_of_others(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    braced = case("braced_truss")
+    assert main(["translate", braced, str(tmp_path / "model.inp")]) == 2
+    assert ".py (OpenSeesPy)" in capsys.readouterr().err
+    assert main(["translate", braced, str(tmp_path / "my model.py")]) == 2
+    assert "letters, digits" in capsys.readouterr().err
+    record = tmp_path / "model_shake.txt"
+    for other in (tmp_path / "model.py", record):
+        other.write_text("mine\n")
+        assert main(["translate", braced, str(tmp_path / "model.py")]) == 2
+        assert "edesign did not write this file" in capsys.readouterr().err
+        assert other.read_text() == "mine\n"
+        other.unlink()
+    for name in ("model.py", "model.py", "model.tcl"):
+        assert main(["translate", braced, str(tmp_path / name)]) == 0
+    assert "Written by edesign" in (tmp_path / "model.tcl").read_text().splitlines()[0]
+    ast.parse((tmp_path / "model.py").read_text())
+
+
+def test_titles_cannot_leave_the_comment(tmp_path: Path) -> None:
+    """Quotes, backslashes and line breaks of a title are text in both languages."""
+    text = Path(case("braced_truss")).read_text(encoding="utf-8").replace("../records", str(CASES / "records"))
+    title = next(line for line in text.splitlines() if line.startswith("title:"))
+    file = tmp_path / "project.yaml"
+    file.write_text(text.replace(title, r'title: "end \"\"\" \\ {} [exit] é \\"'), encoding="utf-8")
+    for name in ("model.py", "model.tcl"):
+        assert main(["translate", str(file), str(tmp_path / name)]) == 0
+    ast.parse((tmp_path / "model.py").read_text())
+    head = (tmp_path / "model.tcl").read_text().split("\nset HERE")[0]
+    assert all(line.startswith("#") and not line.endswith("\\") for line in head.splitlines() if line)
+
+
+def test_every_record_is_written_once(tmp_path: Path) -> None:
+    project = load_project(case("vertical_motion"))
+    script, beside = opensees_script(project, tmp_path / "model.py")
+    texts = list(beside.files.values())
+    assert len(set(texts)) == len(texts)
+    assert {"ratio", "other"} <= set(script.analyses)
