@@ -11,7 +11,7 @@ from edesign.exchange.opensees.dampers import Dampers
 from edesign.exchange.opensees.structure import RIGID, NotTranslated
 from edesign.project.analysis.damping import CaugheyDamping, ModalDamping
 from edesign.project.analysis.integration import NewmarkIntegration
-from edesign.project.frame.materials import BilinearMaterial, MenegottoPintoMaterial
+from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial
 from edesign.project.project import Project
 
 WITHOUT = "or leave out all dampers with --without-dampers"
@@ -67,11 +67,13 @@ def _place(project: Project, frame: FrameModel, problem: NotTranslated) -> str:
     return f"{project.where('frame', 'supports')}: frame.supports: {problem.subject}: {problem}"
 
 
-def differences(project: Project, dampers: Dampers) -> list[str]:
+def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[str]:
     """Return sentences on what OpenSees does in another way."""
     found = []
-    laws = {run.material: project.materials[run.material] for run in project.frame.members.values()}
-    soft = [name for name, law in laws.items() if isinstance(law, BilinearMaterial) and law.hardening == 0.0]
+    runs = {name: project.frame.members[name] for name in frame.members}
+    laws = {run.material: project.materials[run.material] for run in runs.values()}
+    bending = {runs[name].material for name, member in frame.members.items() if member.layers is not None}
+    soft = [name for name in laws if name in bending and _is_soft(laws[name])]
     if soft:
         why = "OpenSees loses the state of a section all of whose fibres yield"
         found.append(f"{', '.join(soft)} without hardening: {why}; compare with 0.01 % in a copy of the project")
@@ -89,3 +91,7 @@ def differences(project: Project, dampers: Dampers) -> list[str]:
             "dampers follow their laws in the steps of the analysis; edesign follows them exactly within a step"
         )
     return found
+
+
+def _is_soft(material: Material) -> bool:
+    return isinstance(material, BilinearMaterial) and material.hardening == 0.0

@@ -144,7 +144,7 @@ def opensees_script(project: Project, path: Path, without_dampers: bool = False)
         **outputs,
     }
     texts = {path.with_name(name): content for name, content in found.files.items()}
-    other = differences(project, dampers)
+    other = differences(project, frame, dampers)
     head = _head(project, left_out, other)
     script = Script(head, [*blocks, *found.blocks], constants, found.analyses)
     return script, Translation(texts, tuple(left_out), tuple(other))
