@@ -90,7 +90,8 @@ def damper_branches(law: LawValues, force: float, deformation: float, brace: flo
 
     Args:
         law: with its parameters.
-        force, deformation: F = force * law(deformation * u).
+        force: F = force * law(deformation * u).
+        deformation: see `force`.
         brace: stiffness in series, N/m; 0: rigid.
 
     Returns:
