@@ -39,7 +39,9 @@ loads:
     - {floors: 1-2, bays: {x: 1-2, y: all}, G: 4 kN/m^2, Q: 2 kN/m^2, category: B, spans: x, secondary_beams: 0}
     - {floors: 3, bays: all, G: 3 kN/m^2, Q: 0.8 kN/m^2, category: snow, spans: x}
   perimeter: [{floors: 1-2, G: 1.2 kN/m, Q: 0.1 kN/m, category: B}]
-  beams: [{along: y, frames: A, bays: 1, floors: 1, G: 2 kN/m, Q: 1 kN/m, category: B}]
+  beams:
+    - {along: y, frames: A, bays: 1, floors: 1, G: 2 kN/m, Q: 1 kN/m, category: B,
+       points: [{at: [1/3, 2 m], G: 10 kN, Q: 4 kN}]}
   nodes: [{at: A1-B1, floors: 3, G: 5 kN, Q: 2 kN, category: snow}]
   self_weight: true
   live_load_reduction: true

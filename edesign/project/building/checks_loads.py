@@ -35,7 +35,8 @@ def check_loads(building: Building, problems: Problems) -> None:
     for i, beam in enumerate(loads.beams):
         keys = ("loads", "beams", i)
         _category(problems, keys, beam)
-        check.standing_beams(keys, beam)
+        if check.standing_beams(keys, beam):
+            _points(building, problems, keys, beam)
     for i, node in enumerate(loads.nodes):
         keys = ("loads", "nodes", i)
         _category(problems, keys, node)
@@ -51,6 +52,23 @@ def _category(problems: Problems, keys: Keys, load: Areas | PerimeterLoad | Beam
     if load.Q != 0.0 and load.category is None:
         message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
         problems.under(keys, "category", message)
+
+
+def _points(building: Building, problems: Problems, keys: Keys, load: BeamLoad) -> None:
+    """Places of forces must be inside the beams that have them."""
+    widths = building.widths(load.along)
+    shortest = min(widths[place.bay - 1] for place in building.layout.beam_places(load))
+    for k, point in enumerate(load.points):
+        at_point = (*keys, "points", k)
+        for i, at in enumerate(point.at):
+            if not 0.0 < at.share(shortest) < 1.0:
+                problems.at_item((*at_point, "at"), i, f"{at} is not inside a beam of {shortest:g} m")
+        if point.Q < 0.0:
+            message = "a variable load acts downwards, and is at least 0: uplift is not in the analysis"
+            problems.at_value((*at_point, "Q"), message)
+        if point.Q != 0.0 and load.category is None:
+            message = "this key is missing; a variable load has the category of its use: `A` to `H`, or `snow`"
+            problems.under(keys, "category", message)
 
 
 def _area(building: Building, problems: Problems, keys: Keys, area: Areas) -> None:
@@ -111,6 +129,11 @@ def _perimeter(building: Building, problems: Problems, keys: Keys, load: Perimet
         problems.at_value(keys, f"at the perimeter beams are missing: {listed(bare)}; give the others by `beams`")
 
 
+def has_variable_points(load: Areas | PerimeterLoad | BeamLoad | NodeLoad) -> bool:
+    """Whether a load has variable forces at places along beams."""
+    return isinstance(load, BeamLoad) and any(point.Q != 0.0 for point in load.points)
+
+
 def _masses(building: Building, problems: Problems, check: Selections) -> None:
     masses = building.masses
     if masses is None:
@@ -120,7 +143,7 @@ def _masses(building: Building, problems: Problems, check: Selections) -> None:
     if masses.given is not None and "phi" in masses.model_fields_set:
         problems.at_key(("masses", "phi"), "phi reduces variable loads, which given masses do not come from")
     if masses.from_loads is not None and isinstance(masses.from_loads.Q, dict):
-        used = {item.category for item in building.loads.items if item.Q != 0.0}
+        used = {item.category for item in building.loads.items if item.Q != 0.0 or has_variable_points(item)}
         absent = sorted(category for category in used if category and category not in masses.from_loads.Q)
         if absent:
             message = f"no factor for the category {listed(absent)} of the loads"

@@ -6,6 +6,7 @@ from typing import Annotated, Literal
 
 from pydantic import Discriminator, Field, Tag
 
+from edesign.project.actions.loads import PointLoad
 from edesign.project.building.members import BeamPlaces
 from edesign.project.building.places import ALL_BAYS, ALL_COLUMN_LINES, Bays, ColumnLines
 from edesign.project.notation.selections import ALL_NUMBERS, Numbers
@@ -60,16 +61,18 @@ class PerimeterLoad(Model):
 
 
 class BeamLoad(BeamPlaces):
-    """Uniform load on beams.
+    """Loads on beams, uniform and at points.
 
     Attributes:
-        G: permanent load, positive downwards.
-        Q: variable load, positive downwards.
+        G: permanent load on the whole beam, positive downwards.
+        Q: variable load on the whole beam, positive downwards.
+        points: forces at places along each beam, from its end with the smaller coordinate.
         category: category of the use (EN 1991-1-1, 6.3), needed where there is Q.
     """
 
     G: LineLoad = 0.0
     Q: LineLoad = 0.0
+    points: tuple[PointLoad, ...] = ()
     category: Category | None = None
 
 

@@ -244,6 +244,16 @@ def _values(building: Building) -> Iterator[tuple[Keys, float, Range]]:
             for key, value, bounds in (("G", load.G, permanent), ("Q", load.Q, permanent if stored else variable)):
                 if value:
                     yield ("loads", part, i, key), abs(value), bounds
+    yield from _points(building)
+
+
+def _points(building: Building) -> Iterator[tuple[Keys, float, Range]]:
+    """Forces at places along beams."""
+    for i, load in enumerate(building.loads.beams):
+        for k, point in enumerate(load.points):
+            for key, value in (("G", point.G), ("Q", point.Q)):
+                if value:
+                    yield ("loads", "beams", i, "points", k, key), abs(value), POINT
 
 
 def _factors(building: Building) -> Iterator[tuple[Keys, float, Range]]:

@@ -148,7 +148,12 @@ def _others(building: Building, floor: int) -> Iterator[Entry]:
         if isinstance(load, PerimeterLoad):
             yield Entry(f"beams at the edge: {values} kN/m")
         elif isinstance(load, BeamLoad):
-            yield Entry(f"beams along {load.along}, frames {load.frames}, bays {load.bays}: {values} kN/m")
+            places = f"beams along {load.along}, frames {load.frames}, bays {load.bays}"
+            if load.G or load.Q or not load.points:
+                yield Entry(f"{places}: {values} kN/m")
+            for point in load.points:
+                forces = _case_values(point.G, point.Q, load.category, 1e3)
+                yield Entry(f"{places}, at {', '.join(map(str, point.at))}: {forces} kN")
         elif isinstance(load, NodeLoad):
             yield Entry(f"nodes of column lines {load.at}: {values} kN")
     if building.loads.self_weight:

@@ -55,6 +55,8 @@ def load_cases(building: Building, frame: SpaceFrame) -> dict[str, LoadCase]:
         if load.Q != 0.0 and load.category is not None:
             case = sums.setdefault(_live_case(load.category), _Sum(load.category))
             _add(building, case, load, load.Q)
+        if isinstance(load, BeamLoad):
+            _add_points(building, sums, load)
     cases = {name: _case(name, found, frame) for name, found in sums.items()}
     if building.loads.self_weight:
         cases[SELF_WEIGHT] = self_weight(building, frame)
@@ -108,6 +110,20 @@ def _add(building: Building, case: _Sum, load: Load, value: float) -> None:
             for line in building.lines_of(load.at):
                 if line in layout.node_lines[floor]:
                     case.nodes[node_name(line, floor)] += value
+
+
+def _add_points(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> None:
+    """Add the forces at places along beams."""
+    places = [place for place in building.layout.beam_places(load) if place in building.layout.beam_at]
+    for point in load.points:
+        for value, category in ((point.G, "permanent"), (point.Q, load.category)):
+            if value == 0.0 or category is None:
+                continue
+            name = PERMANENT if category == "permanent" else live_case(category)
+            case = sums.setdefault(name, _Sum(category))
+            for place in places:
+                width = building.widths(place.along)[place.bay - 1]
+                case.add(place, BeamShare(0.0, tuple((at.share(width), value) for at in point.at)))
 
 
 def _add_area(building: Building, case: _Sum, load: Areas, value: float) -> None:
