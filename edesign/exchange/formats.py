@@ -1,4 +1,4 @@
-"""The programs that a project can be translated for, by the endings of their files."""
+"""The programs that a project or building can be translated for, by the endings of their files."""
 
 from __future__ import annotations
 
@@ -11,10 +11,13 @@ from typing import cast
 from edesign.archive.files import check_file, write_text
 from edesign.errors import InputError
 from edesign.input_files import spare_inputs
+from edesign.project.building.building import Building
 from edesign.project.project import Project
 
 MARK = "Written by edesign"
 """In the first line of every model that a translation writes, in a comment of its language."""
+TAKEN = (".s2k", ".$2k")
+"""How names of files of other programs end that edesign makes files of its own from: SAP2000's text."""
 
 
 @dataclass(frozen=True)
@@ -43,32 +46,48 @@ class Format:
         place: the module and the function that translate, loaded when they are needed. The function takes the project,
             the path of the model, and whether the dampers are left out; it raises InputError, with the place in the
             project file, for what the program lacks.
+        building: the function of the same module that takes a building in place of the project; "": there is none.
     """
 
     suffix: str
     program: str
     use: str
     place: tuple[str, str]
+    building: str = ""
 
-    def translate(self, project: Project, path: Path, without_dampers: bool = False) -> Translation:
-        """Return the files that describe a project to the program; nothing is written.
+    def translate(self, source: Project | Building, path: Path, without_dampers: bool = False) -> Translation:
+        """Return the files that describe a project or building to the program; nothing is written.
 
         Args:
-            project: the validated project.
+            source: the validated project or building.
             path: of the model.
             without_dampers: whether dampers, isolators and tuned masses are left out.
 
         Raises:
-            InputError: the program lacks something that the project has.
+            InputError: the program lacks something that the project has, or takes no buildings.
         """
         module, function = self.place
-        make = cast("Callable[[Project, Path, bool], Translation]", getattr(import_module(module), function))
-        return make(project, path, without_dampers)
+        if isinstance(source, Building):
+            function = self.building
+            if not function:
+                raise InputError(
+                    f"{source.path}: edesign writes no buildings for {self.program}; `edesign extract` takes a plane "
+                    "frame from it, which it does write"
+                )
+        make = cast("Callable[[Project | Building, Path, bool], Translation]", getattr(import_module(module), function))
+        return make(source, path, without_dampers)
 
 
 FORMATS = (
     Format(".py", "OpenSeesPy", "python {} all", ("edesign.exchange.opensees.translate", "translate_python")),
     Format(".tcl", "OpenSees", "OpenSees {} all", ("edesign.exchange.opensees.translate", "translate_tcl")),
+    Format(
+        ".s2k",
+        "SAP2000",
+        "in SAP2000 File > Import > SAP2000 .s2k Text File, {}",
+        ("edesign.exchange.sap2000.translate", "translate_project"),
+        "translate_building",
+    ),
 )
 
 
