@@ -1,19 +1,30 @@
-"""`edesign translate`: the model of a project for another program."""
+"""`edesign translate`: the model of a project or building for another program, or of another program for edesign."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+if TYPE_CHECKING:
+    from collections.abc import Iterable
+
+    from edesign.project.building.building import Building
+    from edesign.project.project import Project
+
 
 def translate(
-    project: Annotated[Path, typer.Argument(help="The project file.", show_default=False)],
-    model: Annotated[
+    source: Annotated[
+        Path, typer.Argument(help="The project or building file, or SAP2000's text (.s2k).", show_default=False)
+    ],
+    target: Annotated[
         Path,
         typer.Argument(
-            help="The file to write; its ending says for which program: .py OpenSeesPy, .tcl OpenSees.",
+            help=(
+                "The file to write; its ending says for which program: .py OpenSeesPy, .tcl OpenSees, .s2k SAP2000; "
+                ".yaml for edesign, from .s2k."
+            ),
             show_default=False,
         ),
     ],
@@ -22,20 +33,52 @@ def translate(
     ] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace files that edesign did not write.")] = False,
 ) -> None:
-    """Write the model of a project, with its analyses and motions, for another program that checks it."""
-    from edesign.building.project_file import load_project
-    from edesign.exchange.formats import check_own_files, find_format, write_translation
-    from edesign.report.tables.visible import visible_line
+    """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign."""
+    from edesign.exchange.formats import TAKEN, check_own_files, find_format, write_translation
 
-    form = find_format(model)
-    read = load_project(project)
-    found = form.translate(read, model, without_dampers)
+    if source.suffix.lower() in TAKEN:
+        _take(source, target, overwrite)
+        return
+    form = find_format(target)
+    found = form.translate(_read(source), target, without_dampers)
     check_own_files(found, overwrite)
     write_translation(found)
     others = len(found.files) - 1
     beside = f", and {others} file{'s' * (others > 1)} beside it" if others else ""
-    print(visible_line(f"{model} written for {form.program}{beside}. Next: {form.use.format(model)}"))
-    for sentence in found.left_out:
+    _tell(
+        f"{target} written for {form.program}{beside}. Next: {form.use.format(target)}",
+        found.left_out,
+        found.differences,
+    )
+
+
+def _read(source: Path) -> Project | Building:
+    from edesign.building.building_file import load_building
+    from edesign.building.project_file import load_project
+    from edesign.file_kinds import BUILDING, kind_of
+
+    return load_building(source) if kind_of(source) is BUILDING else load_project(source)
+
+
+def _take(source: Path, target: Path, overwrite: bool) -> None:
+    """Write a SAP2000 model as a project or building file."""
+    from edesign.archive.files import check_own_yaml, write_yaml
+    from edesign.errors import InputError
+    from edesign.exchange.sap2000.translate import take_model
+
+    if target.suffix.lower() not in (".yaml", ".yml"):
+        raise InputError(f"{target}: the file of edesign that a SAP2000 model makes has a name that ends in .yaml")
+    taken = take_model(source, target)
+    check_own_yaml(target, source, overwrite)
+    write_yaml(taken.text, target, source)
+    _tell(f"{target} written, a {taken.kind} file. Next: edesign check {target}", taken.left_out)
+
+
+def _tell(first: str, left_out: Iterable[str], differences: Iterable[str] = ()) -> None:
+    from edesign.report.tables.visible import visible_line
+
+    print(visible_line(first))
+    for sentence in left_out:
         print(visible_line(f"left out: {sentence}"))
-    for sentence in found.differences:
+    for sentence in differences:
         print(visible_line(f"differs: {sentence}"))
