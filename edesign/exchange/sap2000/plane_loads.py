@@ -115,8 +115,11 @@ class PlaneLoads:
                 self._nodes[point[self._across], point[2]][kind] += down
 
     def _along(self, placed: Placed, kind: int, down: float) -> None:
-        """A uniform load downwards, N/m; of columns and braces its ends carry halves, which is exact for their axial
-        forces at the ends and for all displacements of nodes."""
+        """Add a uniform load downwards, N/m.
+
+        The ends of columns and braces carry halves, which is exact for the axial forces at their ends and for all
+        displacements of nodes.
+        """
         if placed.kind == "beam":
             on = self._beams[placed.start[self._across] + 1, placed.start[2]]
             for half in (placed.half - 1,) if placed.half else (0, 1):

@@ -119,7 +119,7 @@ def _add_points(building: Building, sums: dict[str, _Sum], load: BeamLoad) -> No
         for value, category in ((point.G, "permanent"), (point.Q, load.category)):
             if value == 0.0 or category is None:
                 continue
-            name = PERMANENT if category == "permanent" else live_case(category)
+            name = PERMANENT if category == "permanent" else _live_case(category)
             case = sums.setdefault(name, _Sum(category))
             for place in places:
                 width = building.widths(place.along)[place.bay - 1]
