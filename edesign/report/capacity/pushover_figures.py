@@ -56,6 +56,9 @@ DASHES = {"right": (), "left": (4, 1.5)}
 LONGEST = 4.0  # s: EN 1998-1 gives the spectrum up to it, 3.2.2.2(1)P
 HIGHEST = 3.0  # spectra are drawn up to this multiple of the demand: the plateau says nothing of flexible frames
 ELEVATIONS = 4  # side by side
+_ROUNDING = (
+    1e-3  # share of the largest base shear, up to which one below zero is what the equilibrium under gravity left
+)
 COLUMNS = 3  # of panels, of four panels two
 
 
@@ -172,10 +175,11 @@ def capacity_figure(curves: Sequence[Curve]) -> Figure:
     for here, panel in zip(axes, panels, strict=True):
         here.set_title(in_words(panel) if over else panel, loc="left")
     right = max(float(1e3 * curve.group.variables["control_displacement"].values[-1]) for curve in curves)
-    top = max(float(1e-3 * (curve.sign * curve.group.variables["base_shear"].values).max()) for curve in curves)
+    shears = [1e-3 * curve.sign * curve.group.variables["base_shear"].values for curve in curves]
+    bottom, top = min(float(shear.min()) for shear in shears), max(float(shear.max()) for shear in shears)
     for here in axes:
         here.set_xlim(0.0, 1.03 * right)
-        here.set_ylim(0.0, 1.1 * top)
+        here.set_ylim(1.1 * bottom if bottom < -_ROUNDING * max(top, -bottom) else 0.0, 1.1 * top)
     label_outer(axes, COLUMNS, "displacement of the control node (mm)", "base shear (kN)")
     _legend(figure, drawn, happened, over)
     return figure

@@ -85,12 +85,12 @@ class EventChannels:
         found += [self._braces.forces, self._braces.elongations] if self._braces else []
         return [*found, self._distortions] if self._panels else found
 
-    def events(self, response: Response, base_shear: np.ndarray) -> list[CapacityEvent]:
+    def events(self, response: Response, resistance: np.ndarray) -> list[CapacityEvent]:
         """Return the events of a push in their order.
 
         Args:
             response: of the push.
-            base_shear: of each step, N, positive in the direction of the push.
+            resistance: base shear of each step against the resultant of the lateral loads, N.
 
         Returns:
             The events, ascending by step.
@@ -113,14 +113,14 @@ class EventChannels:
             if beyond.size:
                 storey = self._storeys[int(np.argmax(drifts[beyond[0]]))]
                 found.append(CapacityEvent(int(beyond[0]), f"drift of {level}, {100 * limit:g} %", f"storey {storey}"))
-        peak = int(np.argmax(base_shear))
-        if base_shear[-1] < base_shear[peak] * (1.0 - DESCENT):
+        peak = int(np.argmax(resistance))
+        if resistance[-1] < resistance[peak] * (1.0 - DESCENT):
             found.append(CapacityEvent(peak, "largest base shear"))
-        gone = np.nonzero(base_shear[1:] <= 0.0)[0]
+        gone = np.nonzero(resistance[1:] <= 0.0)[0]
         if gone.size:
             found.append(CapacityEvent(int(gone[0]) + 1, "no resistance left"))
         elif collapse_reason(response, self._drifts, self._storeys):
-            found.append(CapacityEvent(base_shear.size - 1, "equilibrium lost"))
+            found.append(CapacityEvent(resistance.size - 1, "equilibrium lost"))
         return sorted(found, key=lambda event: event.step)
 
 

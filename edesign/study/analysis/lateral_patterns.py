@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
 import numpy as np
 
 from edesign.building.frame_model import FrameModel
@@ -59,7 +61,7 @@ def floor_masses(frame: FrameModel) -> np.ndarray:
     return by_floor(frame, frame.masses)
 
 
-def by_floor(frame: FrameModel, values: dict[str, float]) -> np.ndarray:
+def by_floor(frame: FrameModel, values: Mapping[str, float]) -> np.ndarray:
     """Return the sums of values of nodes over each floor, without the base.
 
     Args:

@@ -16,6 +16,7 @@ from edesign.project.project import Project
 from edesign.study.analysis.buckling import buckling_warnings
 from edesign.study.analysis.capacity_events import EventChannels
 from edesign.study.analysis.dampers import core_strain_warnings
+from edesign.study.analysis.lateral_patterns import by_floor
 from edesign.study.analysis.structure import make_frame, make_structure
 from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import AnalysisWarning, store_warnings
@@ -44,6 +45,8 @@ class Push:
         target: last displacement of the control node that was asked for, that under gravity included, m.
         response: judged.
         base_shear: of each step, N, positive in the direction of the push.
+        resistance: base shear of each step against the resultant of the loads, N. It is minus `base_shear` where the
+            resultant acts against the motion of the roof, as that of a higher mode may.
         displacement: of the control node since gravity in each step, m, positive in that direction.
         group: its results, without events.
     """
@@ -53,6 +56,7 @@ class Push:
     target: float
     response: Response
     base_shear: np.ndarray
+    resistance: np.ndarray
     displacement: np.ndarray
     group: Group
     events: EventChannels
@@ -153,4 +157,25 @@ def push(
         "direction": spec.directions[0],
         "target_roof_displacement_m": target,
     }
-    return Push(frame, sign, target, response, sign * shear.values(response), moved, group, events)
+    resisting = shear.values(response)
+    return Push(
+        frame,
+        sign,
+        target,
+        response,
+        base_shear=sign * resisting,
+        resistance=_way_of_resultant(frame, loads, group.variables["floor_displacement"].values) * resisting,
+        displacement=moved,
+        group=group,
+        events=events,
+    )
+
+
+def _way_of_resultant(frame: FrameModel, loads: Mapping[str, float], floors: np.ndarray) -> float:
+    """1 where the resultant of the loads acts to the right, -1: to the left.
+
+    The sum of the loads is 1 N to the right, times a load factor. Whatever way the roof is pushed, the loads do work on
+    the motion of the first step, and this work has the sign of the load factor.
+    """
+    moved = floors[min(1, len(floors) - 1)] - floors[0]
+    return -1.0 if float(by_floor(frame, loads) @ moved) < 0.0 else 1.0

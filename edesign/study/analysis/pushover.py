@@ -29,6 +29,6 @@ def run_pushover(
         CoreError: the frame is a mechanism.
     """
     pushed = capacity(project, spec, progress, stop).push
-    events = pushed.events.events(pushed.response, pushed.base_shear)
+    events = pushed.events.events(pushed.response, pushed.resistance)
     store_capacity_events(pushed.group, events, pushed.displacement, pushed.base_shear)
     return pushed.group

@@ -59,3 +59,33 @@ def test_a_brace_has_buckled_at_its_limit_point(
     compression: list[float], shortening: list[float], step: int | None
 ) -> None:
     assert _limit_point(np.array(compression, dtype=float), np.array(shortening, dtype=float)) == step
+
+
+SECOND = """\
+edesign: 1
+title: Two storeys pushed by their second mode
+frame:
+  bays: [6 m]
+  storeys: [3 m, 3 m]
+  columns: [{storeys: all, section: HEB200, material: S}]
+  beams: [{floors: all, section: IPE300, material: S}]
+materials: {S: {law: bilinear, E: 210 GPa, fy: 235 MPa, hardening: @hardening@}}
+elements: {geometry: {columns: linear, beams: linear}}
+masses: {given: [{floors: all, mass: 20 t}]}
+analyses: [{name: push, kind: pushover, pattern: {mode: 2}, direction: @way@, roof_drift: @drift@, steps: 40}]
+"""
+
+
+@pytest.mark.parametrize("way", ["right", "left"])
+@pytest.mark.parametrize(("drift", "yields"), [("0.01 %", False), ("1 %", True)])
+def test_a_second_mode_resists_against_its_own_resultant(way: str, drift: str, yields: bool) -> None:
+    """The resultant of mode 2 acts against the roof; a frame whose steel hardens resists it at every step."""
+    text = SECOND.replace("@way@", way).replace("@drift@", drift).replace("@hardening@", "1 %")
+    project = parse_project(text, "project.yaml")
+    group = run_analysis(project, project.analyses[0])
+    shear = (1.0 if way == "right" else -1.0) * group.variables["base_shear"].values
+    assert np.all(shear[1:] < 0.0)
+    found = group.variables.get("capacity_event_what")
+    events = [] if found is None else found.values.tolist()
+    assert not {"no resistance left", "largest base shear"} & set(events)
+    assert ("first yield of a beam" in events or "first yield of a column" in events) is yields
