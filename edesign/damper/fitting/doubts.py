@@ -4,17 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-import numpy as np
-
 from edesign.damper.fitting.fit import FOLLOWS
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.fitting.uncertainty import Uncertainty
+from edesign.damper.history import sign_doubtful
 
 CORRELATED = 0.98
 _SHARE = 0.5  # of a parameter's variance in loose combinations, for it to be named
 _TOLD = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
-_REVERSED = 0.05  # of force times motion, in sums, over that of their sizes
 
 
 def doubts_of(
@@ -59,11 +57,7 @@ def reversed_doubts(loadings: Sequence[Loading]) -> list[str]:
     """
     said = []
     for loading in loadings:
-        sizes = [loading.velocity, loading.displacement - loading.displacement[0]]
-        shares = [
-            float(np.dot(loading.force, x) / max(np.dot(np.abs(loading.force), np.abs(x)), 1e-300)) for x in sizes
-        ]
-        if min(shares) < -_REVERSED and max(shares) < _REVERSED:
+        if sign_doubtful(loading.displacement, loading.force):
             said.append(
                 f"test {loading.name}: the device gives energy instead of taking it: is the sign of force or "
                 "displacement reversed?"

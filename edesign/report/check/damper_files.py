@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.damper.campaign import load_campaign
 from edesign.damper.campaign_blocks import LawChoice
+from edesign.damper.history import sign_doubtful
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law as law_of
 from edesign.damper.measured_histories import DamperTest
@@ -24,8 +25,6 @@ from edesign.project.reading.yaml_nodes import parse
 _LARGE_STRAIN = 3.0
 """Of elastomers in dampers: natural rubber breaks at 5 to 7, and laws are tested up to 0.5 to 2."""
 _FEW_SAMPLES = 20.0  # a cycle: moduli are then within 0.5 % (docs/how_to/damper_tests.md, accuracy)
-_REVERSED = 0.1
-"""Work over the product of the extremes, negative and beyond which no noise explains it."""
 
 
 def law_summary(path: Path) -> dict[str, str]:
@@ -183,9 +182,7 @@ def force_doubts(test: DamperTest) -> list[str]:
         return ["no force was measured"]
     if not np.any(test.force - np.mean(test.force)):
         return ["the force is the same throughout; was the load cell connected?"]
-    work = float(np.trapezoid(test.force, test.displacement))
-    size = float(np.ptp(test.force) * np.ptp(test.displacement))
-    if work < -_REVERSED * size:
+    if sign_doubtful(test.displacement, test.force):
         return ["the damper gives energy instead of taking it: is the sign of force or displacement reversed?"]
     return []
 
