@@ -104,13 +104,13 @@ def sheet(
 
 def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, notes: list[str]) -> list[Run | None]:
     """The runs of a test as the law gives them; none where it cannot."""
-    from edesign.damper.acceptance import design_runs
+    from edesign.damper.device_cycles import predicted_runs
     from edesign.errors import EdesignError
 
     if damper is None:
         return [None] * len(found)
     try:
-        return list(design_runs(test, damper))
+        return list(predicted_runs(test, damper))
     except EdesignError as error:
         notes.append(f"{test.name}: the law gives no force: {error}")
         return [None] * len(found)

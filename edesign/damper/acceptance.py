@@ -13,9 +13,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
-from edesign.damper.damper import Damper
-from edesign.damper.device_cycles import LEAST_CYCLES, Run, runs_of
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.device_cycles import LEAST_CYCLES, Run
 from edesign.project.notation.units import PositiveRatio
 from edesign.project.reading.base import Model
 
@@ -190,16 +188,6 @@ def _ntc(asked: Acceptance) -> list[Criterion]:
         told = [designed("11.9.5", STIFFNESS, 0.15), designed("11.9.5", DAMPING, 0.10)]
         return [*repeated("11.9.5", DAMPING), *told]
     return [*repeated("11.9.4", STIFFNESS, DAMPING), *(designed("11.9.4", one, 0.15) for one in (STIFFNESS, DAMPING))]
-
-
-def design_runs(test: DamperTest, damper: Damper) -> tuple[Run, ...]:
-    """Return the runs of a test with the forces that a damper gives in its motion.
-
-    Args:
-        test: the record.
-        damper: the law of the campaign.
-    """
-    return runs_of(test.with_force(damper.force(test.time, test.displacement)))
 
 
 def judge(runs: Sequence[Run], designs: Sequence[Run | None], asked: Acceptance) -> tuple[Judged, ...]:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.damper.cycles import find_blocks
+from edesign.damper.damper import Damper
 from edesign.damper.loops import Loops, LoopValues
 from edesign.damper.measured_histories import DamperTest
 from edesign.errors import InputError
@@ -117,6 +118,20 @@ def runs_of(test: DamperTest) -> tuple[Run, ...]:
         degrees = [_mean_temperature(test, *block.bounds[i : i + 2]) for i in range(block.cycles)]
         found.append(Run(test.name, test.title, number, loops.of(block), np.array(degrees)))
     return tuple(found)
+
+
+def predicted_runs(test: DamperTest, damper: Damper) -> tuple[Run, ...]:
+    """Find the runs of a test with the force that a damper gives in its motion.
+
+    Args:
+        test: the test; its own force does not count.
+        damper: at rest before the test.
+
+    Raises:
+        InputError: no three cycles of one amplitude and frequency.
+        CoreError: the law gives no force.
+    """
+    return runs_of(test.with_force(damper.force(test.time, test.displacement)))
 
 
 def _mean_temperature(test: DamperTest, start: float, end: float) -> float:

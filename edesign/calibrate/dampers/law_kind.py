@@ -17,7 +17,7 @@ from edesign.calibrate.dampers.trial import APART
 from edesign.calibrate.result import Calibration, LawKind
 from edesign.damper.campaign import Campaign
 from edesign.damper.damper import Damper
-from edesign.damper.device_cycles import Run, runs_of
+from edesign.damper.device_cycles import Run, predicted_runs, runs_of
 from edesign.damper.fitting import Fit, fit_forces, prediction_errors
 from edesign.damper.fitting.compare import ENOUGH, comparison
 from edesign.damper.fitting.fit import FOLLOWS
@@ -173,9 +173,8 @@ def _signs(own: Fit, tests: Sequence[DamperTest]) -> Iterator[str]:
 
 
 def _pairs(law: Law, own: Fit, test: DamperTest) -> list[tuple[Run, Run]]:
-    damper = Damper(law, own.values_at(test.temperature_C))
     try:
-        predicted = runs_of(test.with_force(damper.force(test.time, test.displacement)))
+        predicted = predicted_runs(test, Damper(law, own.values_at(test.temperature_C)))
         return list(zip(runs_of(test), predicted, strict=True))
     except InputError:  # no steady cycles
         return []
