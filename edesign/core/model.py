@@ -33,7 +33,6 @@ class Model:
         self.element_names: list[str] = []
         self.element_sections: list[int] = []
         self.node_xy: list[tuple[float, float]] = []
-        self.n_patterns = 0
         self.damper_names: list[str] = []
         self.damper_terms: list[tuple[tuple[float, int, int], ...]] = []
 
@@ -426,7 +425,6 @@ class Model:
         Returns:
             Number of the pattern.
         """
-        self.n_patterns += 1
         return self._checked(lib.ed_model_pattern(self._c))
 
     def nodal_load(self, pattern: int, node: int, fx: float = 0.0, fy: float = 0.0, mz: float = 0.0) -> None:

@@ -16,15 +16,11 @@ class GroundType:
         name: A to E, S1 or S2.
         description: of the stratigraphic profile.
         v_s30: lower and upper mean shear wave velocity of the top 30 m, m/s.
-        n_spt: lower and upper blow count of the standard penetration test, blows/30 cm.
-        c_u: lower and upper undrained shear strength, Pa.
     """
 
     name: str
     description: str
     v_s30: tuple[float, float] | None = None
-    n_spt: tuple[float, float] | None = None
-    c_u: tuple[float, float] | None = None
 
 
 _TABLE_3_1 = (
@@ -33,26 +29,18 @@ _TABLE_3_1 = (
         "B",
         "very dense sand, gravel or very stiff clay, tens of metres thick, stiffer with depth",
         (360.0, 800.0),
-        (50.0, math.inf),
-        (250e3, math.inf),
     ),
     GroundType(
         "C",
         "dense or medium dense sand, gravel or stiff clay, tens to hundreds of metres thick",
         (180.0, 360.0),
-        (15.0, 50.0),
-        (70e3, 250e3),
     ),
-    GroundType(
-        "D", "loose to medium cohesionless soil, or soft to firm cohesive soil", (0.0, 180.0), (0.0, 15.0), (0.0, 70e3)
-    ),
+    GroundType("D", "loose to medium cohesionless soil, or soft to firm cohesive soil", (0.0, 180.0)),
     GroundType("E", "5 m to 20 m of surface alluvium with the velocity of C or D over ground stiffer than 800 m/s"),
     GroundType(
         "S1",
         "at least 10 m of soft clay or silt of high plasticity (PI > 40) and high water content (velocity indicative)",
         (0.0, 100.0),
-        None,
-        (10e3, 20e3),
     ),
     GroundType("S2", "liquefiable soil, sensitive clay, or any profile outside A to E and S1"),
 )

@@ -132,17 +132,6 @@ def cqc(modal: ArrayLike, rho: np.ndarray) -> np.ndarray:
     return np.asarray(np.sqrt(np.maximum(squares, 0.0)).reshape(E.shape[1:]))
 
 
-def srss(modal: ArrayLike) -> np.ndarray:
-    """Return the largest response sqrt(sum E_i2), at least 0, in the shape of one mode.
-
-    Args:
-        modal: (n_modes, ...) responses of the modes, as in `cqc`.
-
-    Source: EN 1998-1:2004, 4.3.3.3.2(2), Eq. 4.16, for modes without `close_modes`.
-    """
-    return np.asarray(np.sqrt((np.asarray(modal, dtype=float) ** 2).sum(axis=0)))
-
-
 def _ratios(mass_ratio: ArrayLike) -> np.ndarray:
     ratios = np.asarray(mass_ratio, dtype=float)
     ratios = ratios[:, None] if ratios.ndim == 1 else ratios

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from edesign.codes.quantities import check_not_negative
-
 _WITH_STOREYS = "ABC"
 
 
@@ -25,16 +23,3 @@ def phi(category: str, factors: Mapping[str, float], roof: bool = False, correla
     if roof:
         return factors["roof"]
     return factors["correlated" if correlated else "independent"]
-
-
-def psi_E(phi: float, psi_2: float) -> float:
-    """Return psi_E = phi psi_2, the share of a variable load that has mass in an earthquake.
-
-    Args:
-        phi: by storey and category, Table 4.2.
-        psi_2: quasi-permanent factor of the load.
-
-    Source: EN 1998-1:2004, 4.2.4(2)P, Eq. 4.2.
-    """
-    check_not_negative(phi=phi, psi_2=psi_2)
-    return phi * psi_2

@@ -16,7 +16,6 @@ from edesign.codes.names import unknown
 from edesign.errors import InputError
 
 CombinationSet = Literal["fundamental", "seismic", "characteristic", "frequent", "quasi-permanent"]
-Expression = Literal["6.10", "6.10a/b"]
 
 _PAIR = "6.10a/b"
 """The expression, and the equation of a combination that both of the pair ask for."""

@@ -142,7 +142,15 @@ def check_page_path(path: Path, suffixes: Sequence[str] = PAGE_SUFFIXES, what: s
 
 
 def page_text(archive: str | os.PathLike[str] | Archive, tell: Callable[[str], None] = lambda line: None) -> str:
-    """Return the report of an archive, path or open, as HTML; other arguments and errors as `write_page`."""
+    """Return the report of an archive as HTML.
+
+    Args:
+        archive: path or open, complete or partial, of `edesign run` or `edesign match`.
+        tell: called with a line for each section and figure.
+
+    Raises:
+        ArchiveError: the archive cannot be read.
+    """
     page = page_of(archive, tell)
     return render(page.cover, page.sections)
 
