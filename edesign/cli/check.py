@@ -46,7 +46,10 @@ def check(
 def _summary(file: Path, target: Path | None) -> dict[str, str]:
     """What is in the file; what is needed for one kind alone is loaded for it alone. The model is drawn first."""
     from edesign.file_kinds import BUILDING, PROJECT, STUDY, SUBSTRUCTURE_TESTS, kind_of
+    from edesign.project.reading.file_bytes import is_there, missing
 
+    if not is_there(file):
+        raise missing(file, "file")
     kind = kind_of(file)
     if kind == SUBSTRUCTURE_TESTS:
         from edesign.building.building_sections import BuildingSections

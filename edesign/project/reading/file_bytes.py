@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+from itertools import islice
 from pathlib import Path
 from typing import BinaryIO, Protocol
 
@@ -11,6 +12,7 @@ from edesign.errors import InputError
 from edesign.file_kinds import ARCHIVE, HEAD, YAML_KINDS, FileKind, kind_of_content, refuse_kind
 from edesign.input_files import note_input
 from edesign.project.reading.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
+from edesign.project.reading.problems import nearest
 
 
 class Readable(Protocol):
@@ -21,6 +23,7 @@ class Readable(Protocol):
 
 
 _CHUNK = 1 << 20  # bytes
+_MOST_NAMES = 2000  # of files in a folder that are compared with a missing one, which takes 50 ms
 _PIPE_WAIT = 5.0  # s, for a program to open its end of a named pipe: a shell that starts both takes milliseconds
 
 
@@ -48,7 +51,7 @@ def read_file(
             size = os.fstat(file.fileno()).st_size
             data = read_up_to(file, most) if size <= most else file.read(HEAD)
     except FileNotFoundError:
-        raise InputError(f"{path}: there is no such {what}") from None
+        raise missing(path, what) from None
     except IsADirectoryError:
         raise InputError(f"{path}: this is a folder; name the {what} in it") from None
     except OSError as error:
@@ -95,6 +98,25 @@ def _has_writer(descriptor: int) -> bool:
     except BlockingIOError:  # what the system says while there may be more to come
         return True
     return False
+
+
+def missing(path: Path, what: str) -> InputError:
+    """The error of a file that is not there, with the file of its kind beside it whose name is nearest.
+
+    Args:
+        path: of the file.
+        what: it would be, for the message.
+    """
+    try:
+        beside = [entry.name for entry in islice(os.scandir(path.parent), _MOST_NAMES)]
+    except FileNotFoundError:
+        return InputError(f"{path}: there is no such {what}; the folder {path.parent} does not exist")
+    except (OSError, ValueError):
+        beside = []
+    endings = {".yaml", ".yml"} if path.suffix.lower() in (".yaml", ".yml", "") else {path.suffix.lower()}
+    alike = {Path(name).stem: name for name in beside if Path(name).suffix.lower() in endings}
+    near = alike.get(nearest(path.stem, alike))
+    return InputError(f"{path}: there is no such {what}" + (f"; did you mean `{near}`?" if near else ""))
 
 
 def read_up_to(file: Readable, most: int) -> bytes:

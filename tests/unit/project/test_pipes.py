@@ -10,7 +10,7 @@ import pytest
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.project.reading import file_bytes
-from edesign.project.reading.file_bytes import read_file
+from edesign.project.reading.file_bytes import missing, read_file
 
 pytestmark = pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes on this system")
 
@@ -70,3 +70,19 @@ def test_a_writer_that_has_gone_leaves_what_it_wrote(tmp_path: Path) -> None:
 def test_a_missing_file_is_told_as_before(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="there is no such project file"):
         read_file(tmp_path / "none.yaml", "project file")
+
+
+def test_a_missing_file_names_the_nearest_one_of_its_kind(tmp_path: Path) -> None:
+    """Only files of its ending count, and their endings make no names alike."""
+    for name in ("projekt.yaml", "project.h5", "e.yaml"):
+        (tmp_path / name).touch()
+    found = {
+        name: str(missing(tmp_path / name, "file")).partition("such file")[2]
+        for name in ("project.yaml", "project.yml", "project", "nofile.yaml", "project.csv", "no/project.yaml")
+    }
+    said = "; did you mean `projekt.yaml`?"
+    assert found == {
+        **dict.fromkeys(("project.yaml", "project.yml", "project"), said),
+        **dict.fromkeys(("nofile.yaml", "project.csv"), ""),
+        "no/project.yaml": f"; the folder {tmp_path / 'no'} does not exist",
+    }
