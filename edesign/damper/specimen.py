@@ -10,6 +10,12 @@ import numpy as np
 
 from edesign.errors import InputError
 
+LARGE_STRAIN = 3.0
+"""Of elastomers in dampers: natural rubber breaks at 5 to 7, and laws are tested up to 0.5 to 2."""
+_WIDEST = 500.0
+"""Side of a layer as a square over its thickness: bearings of bridges, with the thinnest layers for their size, have up
+to 200; a slip of a unit makes it 30 times as much or more."""
+
 Value = TypeVar("Value", float, np.ndarray)
 
 
@@ -72,3 +78,17 @@ class Specimen:
             shear_modulus: Pa.
         """
         return shear_modulus * self.area / self.layer_thickness
+
+
+def layer_doubt(area: float, thickness: float) -> str:
+    """Return what is unlikely about the size of a layer, "" if nothing is.
+
+    Args:
+        area: m2.
+        thickness: m.
+    """
+    side = math.sqrt(area)
+    if thickness <= side <= _WIDEST * thickness:
+        return ""
+    size = f"a layer of {1e6 * area:.6g} mm2, as a square {1e3 * side:.6g} mm wide, is {1e3 * thickness:.6g} mm thick"
+    return f"{size}: {'it bends rather than shears; ' if side < thickness else ''}are the units right?"

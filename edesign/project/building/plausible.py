@@ -1,80 +1,37 @@
 """What dimensions, steels, loads and masses of a steel building can be, and what is usual: slips of units are found.
 
-All bounds of this kind stand here, each with its reason. Beyond what is possible a value is refused, with the unit that
-was probably meant; beyond what is usual it is warned of, as uncommon buildings are allowed.
+All bounds of this kind stand here, each with its reason; those of lengths, which frames have too, stand in
+`notation.plausible_range`. Beyond what is possible a value is refused, with the unit that was probably meant; beyond
+what is usual it is warned of, as uncommon buildings are allowed.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterator
-from dataclasses import dataclass
 
 from edesign.project.building.building import Building
 from edesign.project.building.design import KINDS
 from edesign.project.building.layout import Panel
+from edesign.project.notation.plausible_range import HEIGHT, WIDTH, Range
 from edesign.project.notation.units import (
     ACCELERATION,
     AREA_LOAD,
     DENSITY,
     FORCE,
-    LENGTH,
     LINE_LOAD,
     MASS,
     NUMBER,
     STANDARD_GRAVITY,
     STRESS,
-    Kind,
     units_of,
 )
 from edesign.project.reading.problems import Keys, Problems, keys_text
-
-
-@dataclass(frozen=True)
-class Range:
-    """The possible and usual bounds of a quantity, in SI.
-
-    Attributes:
-        what: its name.
-        kind: the physical quantity.
-        unit: in which people write it.
-        possible, why: least and largest value that is read, and where these come from.
-        usual, why_usual: least and largest value that is not worth a word, and where these come from.
-    """
-
-    what: str
-    kind: Kind
-    unit: str
-    possible: tuple[float, float]
-    why: str
-    usual: tuple[float, float]
-    why_usual: str
-
-    def refuses(self, value: float) -> bool:
-        """Return whether a value is impossible."""
-        return not self.possible[0] <= value <= self.possible[1]
-
-    def warns(self, value: float) -> bool:
-        """Return whether a value is unusual."""
-        return not self.usual[0] <= value <= self.usual[1]
-
-    def shown(self, bounds: tuple[float, float]) -> str:
-        """Return the bounds in the unit that people write, such as `150 to 700 MPa`."""
-        factor = units_of(self.kind)[self.unit]
-        return f"{bounds[0] / factor:.4g} to {bounds[1] / factor:.4g} {self.unit}".rstrip()
-
 
 LIGHTEST, HEAVIEST = 10.0, 100e3
 """Loads of a floor, N/m2: a coated fabric of a membrane roof weighs 10 N/m2; 4 m of concrete (EN 1991-1-1, Table A.1,
 25 kN/m3) or 10 m of water weigh 100 kN/m2."""
 
-_LENGTHS = (
-    (0.5, 150.0),
-    "below it is less than the depth of an HEB500, so no bar is left; above it no rolled beam of S460 carries its own "
-    "weight",
-)
-HEIGHT = Range("height of a storey", LENGTH, "m", *_LENGTHS, (2.0, 20.0), "people stand up in 2 m; halls have 20 m")
-WIDTH = Range("width of a bay", LENGTH, "m", *_LENGTHS, (2.0, 24.0), "beams are rolled and carried up to 24 m")
 YIELD = Range(
     "yield strength of structural steel",
     STRESS,

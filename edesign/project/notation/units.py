@@ -112,6 +112,8 @@ def parse_quantity(value: Any, kind: Kind, sign: Sign = "any") -> float:
         raise refuse(f"{a(kind.name)} with its unit is needed, for example `{kind.example}`, not {as_seen(value)}")
     match = _VALUE.fullmatch(str(value))
     if not match:
+        if str(value)[:1] in _DASHES:
+            raise refuse(f"`{value}` begins with a dash that is no minus; write `-`, as in `-{kind.example}`")
         raise refuse(f"`{value}` is no {kind.name}; write number and unit, for example `{kind.example}`")
     number, unit = match[1], match[2]
     if not unit:
@@ -253,6 +255,8 @@ _OF_AMERICA = (
     "pcf = pound / foot ** 3",
 )
 """Short forms of loads and of a density that pint does not know."""
+_DASHES = tuple("\u2010\u2011\u2012\u2013\u2014\u2212")
+"""What word processors write for a minus."""
 _POWER_DASHPOT = re.compile(r"(N|kN|MN)\*\(s/(m|mm)\)\^([0-9.]+)")
 """Of F = c v^p, whose unit has the power of its parameter."""
 

@@ -18,7 +18,8 @@ def check_file(path: Path, keys: Keys, problems: Problems, what: str) -> bool:
         what: what the file is, for messages.
     """
     if not is_there(path):
-        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what})")
+        slash = "; folders are divided by `/`" if "\\" in str(path) else ""
+        problems.at_value(keys, f"there is no file `{path}` (the path is relative to the {what}){slash}")
     elif not is_file(path):
         problems.at_value(keys, f"`{path}` is not a file")
     return is_file(path)

@@ -71,6 +71,8 @@ def _explain_one(detail: ErrorDetails, model: type[BaseModel], problems: Problem
     elif kind == "tuple_type" and loc[-1] == f"{TAG}plain":
         other = _other_shape(model, loc) or "a mapping"
         problems.at_value(keys, f"a list, or {other}, is needed here, not {as_seen(detail['input'])}")
+    elif kind == "literal_error" and keys in _VERSIONS and str(detail["input"]) == "1":
+        problems.at_value(keys, "the format is the number 1; write it without quotes")
     elif kind == "literal_error" and keys in _VERSIONS:
         problems.at_value(
             keys, f"format {as_seen(detail['input'])} is unknown to this version of edesign, which reads 1"

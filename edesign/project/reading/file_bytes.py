@@ -115,7 +115,9 @@ def missing(path: Path, what: str) -> InputError:
         beside = []
     endings = {".yaml", ".yml"} if path.suffix.lower() in (".yaml", ".yml", "") else {path.suffix.lower()}
     alike = {Path(name).stem: name for name in beside if Path(name).suffix.lower() in endings}
-    near = alike.get(nearest(path.stem, alike))
+    del_digits = str.maketrans("", "", "0123456789")  # record_2 and record_7 are alike, and not the same
+    same = path.stem.translate(del_digits)
+    near = alike.get(nearest(path.stem, [stem for stem in alike if stem.translate(del_digits) != same]))
     return InputError(f"{path}: there is no such {what}" + (f"; did you mean `{near}`?" if near else ""))
 
 

@@ -97,7 +97,9 @@ def parse(text: str) -> tuple[Node, list[Fault]]:
         mark = error.problem_mark or error.context_mark
         place = Mark(mark.line + 1, mark.column + 1) if mark else Mark(1, 1)
         said = ", ".join(part for part in (error.context, error.problem) if part)
-        return Node(Mark(1, 1), entries={}), [Fault(place, (), f"this is not valid YAML: {said}{_hint(said)}")]
+        return Node(Mark(1, 1), entries={}), [
+            Fault(place, (), f"this is not valid YAML: {said}{_hint(said, text, error)}")
+        ]
     except yaml.reader.ReaderError as error:
         before = text[: error.position]
         place = Mark(before.count("\n") + 1, len(before) - before.rfind("\n"))
@@ -230,7 +232,11 @@ def _scalar(event: Any) -> Any:
     return float(text) if _FLOAT.fullmatch(text) else text
 
 
-def _hint(said: str) -> str:
+def _hint(said: str, text: str, error: yaml.MarkedYAMLError) -> str:
+    lines = text.splitlines()
+    for mark in (error.context_mark, error.problem_mark):
+        if mark is not None and mark.line < len(lines) and "\u00a0" in lines[mark.line]:
+            return f" (line {mark.line + 1} has a no-break space, as text from a web page may; write a space)"
     if "'\\t'" in said:
         return " (indent with spaces, not tabs)"
     if "mapping values are not allowed" in said:

@@ -18,12 +18,10 @@ from edesign.damper.parameters import practical_unit, write_parameters
 from edesign.damper.programme import planned_tests
 from edesign.damper.programme_file import Programme, SineTest, SweepTest, load_programme
 from edesign.damper.property_table import PropertyTable
-from edesign.damper.specimen import Specimen
+from edesign.damper.specimen import LARGE_STRAIN, Specimen, layer_doubt
 from edesign.project.reading.yaml_file import read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
 
-_LARGE_STRAIN = 3.0
-"""Of elastomers in dampers: natural rubber breaks at 5 to 7, and laws are tested up to 0.5 to 2."""
 _FEW_SAMPLES = 20.0  # a cycle: moduli are then within 0.5 % (docs/how_to/damper_tests.md, accuracy)
 
 
@@ -81,7 +79,7 @@ def tests_summary(path: Path) -> dict[str, str]:
 def _campaign_summary(path: Path) -> dict[str, str]:
     campaign = load_campaign(path, needs_force=False)
     specimen, tests = campaign.specimen, campaign.tests
-    warnings = list(campaign.left_out)
+    warnings = [*campaign.left_out, *_specimen_doubts(specimen)]
     uses = Counter(test.use for test in tests)
     if uses["fit"] < 2:
         warnings.append(f"{uses['fit']} tests with `use: fit`; `edesign calibrate` needs two, `edesign fit` one")
@@ -102,11 +100,11 @@ def _campaign_summary(path: Path) -> dict[str, str]:
 
 def _programme_summary(programme: Programme) -> dict[str, str]:
     specimen = programme.specimen.specimen
-    warnings, planned = [], []
+    warnings, planned = _specimen_doubts(specimen), []
     for plan, test in planned_tests(programme, specimen):
         planned.append(test)
         strain = specimen.strain(float(np.max(np.abs(test.displacement))))
-        if strain > _LARGE_STRAIN:
+        if strain > LARGE_STRAIN:
             warnings.append(f"{test.name}: a shear strain of {strain:.0%}; is the size of the specimen right?")
         if isinstance(plan, (SineTest, SweepTest)) and programme.sampling_rate < _FEW_SAMPLES * max(plan.frequency):
             warnings.append(
@@ -163,11 +161,17 @@ def table_range(table: PropertyTable) -> str:
     return ", ".join(f"{_span(values)} {unit}" for values, unit in spans)
 
 
+def _specimen_doubts(specimen: Specimen) -> list[str]:
+    """What is unlikely about the size of a specimen."""
+    doubt = layer_doubt(specimen.layer_area, specimen.layer_thickness)
+    return [f"specimen {specimen.name}: {doubt}"] if doubt else []
+
+
 def _test_doubts(test: DamperTest, specimen: Specimen) -> list[str]:
     """What is unlikely about a test."""
     found = []
     strain = specimen.strain(float(np.max(np.abs(test.displacement))))
-    if strain > _LARGE_STRAIN:
+    if strain > LARGE_STRAIN:
         found.append(f"a shear strain of {strain:.0%}; are the unit of the displacement and the layers right?")
     return [*found, *force_doubts(test)]
 

@@ -13,6 +13,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis,
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.criteria.checks_criteria import objective_level
+from edesign.project.criteria.criteria import MeasureCriterion
 from edesign.project.dampers.checks_designs import design_warnings
 from edesign.project.dampers.checks_placement import placement_warnings
 from edesign.project.dampers.placement import PlacementDesign
@@ -32,6 +33,7 @@ from edesign.study.run.plan import Task
 from edesign.study.variants import laws_of_design, variant_warnings
 
 MODAL = ("first_mode", "mode_1", "triangular")  # of lateral forces as elastic analyses have them
+_COLLAPSED = 0.10  # of a drift: twice that of Collapse Prevention (FEMA 356, Table C1-3)
 STEPS_A_PERIOD = 10  # Bathe (2014), 9.4.4: the trapezoidal rule lengthens a period by 3 % at ten steps
 
 
@@ -48,7 +50,7 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     pushed = [spec for spec in project.analyses if isinstance(spec, PushoverAnalysis)]
     vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
     found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
-    return [*found, *law_warnings(project), *pattern_warnings(pushed)]
+    return [*found, *law_warnings(project), *pattern_warnings(pushed), *repeated_recordings(records)]
 
 
 def _still_warnings(projects: Iterable[Project]) -> list[str]:
@@ -161,6 +163,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
         else:
             texts = design_warnings(spec)
         found += [f"design {name}: {text}" for text in texts]
+    found += [*drift_limits(study), *repeated_recordings(records)]
     return [*found, *_equal_variants(study), *variant_warnings(study, plan), *pattern_warnings(study.pushovers)]
 
 
@@ -214,6 +217,38 @@ def _unknown_events(project: Project, records: Iterable[str]) -> list[str]:
 def record_warnings(records: Mapping[str, Record]) -> list[str]:
     """Return one sentence for each doubt about records."""
     return [f"record {name}: {doubt}" for name, record in records.items() for doubt in doubts(record)]
+
+
+def repeated_recordings(records: Mapping[str, Record]) -> list[str]:
+    """Say which recordings of a suite are the same, so that means over the suite count them more than once.
+
+    Args:
+        records: as recorded, by reference.
+    """
+    same: dict[tuple[str, float, bytes], list[str]] = {}
+    for name, record in records.items():
+        if record_of(name) != name:
+            same.setdefault((record_of(name), record.time_step, record.acceleration.tobytes()), []).append(name)
+    return [
+        f"records {suite}: {listed(names)} are one and the same recording, which counts {len(names)} times in means"
+        for (suite, _, _), names in same.items()
+        if len(names) > 1
+    ]
+
+
+def drift_limits(study: Study) -> list[str]:
+    """Say which criteria allow drifts that no frame survives, as a percentage without its sign does.
+
+    Args:
+        study: the validated study.
+    """
+    allowed = [(c.name, c.most) for c in study.criteria if isinstance(c, MeasureCriterion) and "drift" in c.measure]
+    return [
+        f"criterion `{name}`: `most` allows drifts of {100.0 * most:g} %, which no frame survives; "
+        f"{most:g} per cent is written `{most:g} %`"
+        for name, most in allowed
+        if most is not None and most > _COLLAPSED
+    ]
 
 
 def unjudged(study: Study, plan: Iterable[Task]) -> list[str]:

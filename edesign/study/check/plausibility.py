@@ -13,12 +13,16 @@ from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
+from edesign.damper.specimen import LARGE_STRAIN, layer_doubt
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis.damping import NoDamping
+from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.notation.plausible_range import HEIGHT, WIDTH
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.study.analysis.gravity import run_gravity
 from edesign.study.check.warnings import warnings_of
+from edesign.study.design.plausibility import percent
 
 STIFF = 0.050
 """C_t of the stiffest structures in EN 1998-1, 4.3.3.2.2(3), Eq. 4.6: T1 = C_t H^(3/4), s and m."""
@@ -28,6 +32,8 @@ SENSITIVITY = 0.3
 """Largest interstorey drift sensitivity coefficient that EN 1998-1, 4.4.2.2(5) allows."""
 LEAST_BEHAVIOUR_FACTOR = 1.5
 """EN 1998-1, 6.1.2, Table 6.1, low dissipative steel structures: taken where the project has no `behaviour_factor`."""
+YIELD_STRAINS = (3e-4, 1e-2)
+"""fy / E: steels of a low yield point for dampers have 100 MPa, 0.05 %; S700 has 0.33 %, alloys of titanium 0.9 %."""
 LEAST_WEIGHT, LARGEST_WEIGHT = 0.3, 30.0
 """Weight of the masses over the gravity loads. Two frames at the perimeter of a building of ten bays hold ten times
 what stands on them; 30 lies half way, in logarithms, from there to a mistake of a hundred times. Masses may leave out
@@ -51,7 +57,8 @@ def implausible(project: Project, period: float | None) -> list[str]:
         CoreError: it is a mechanism.
     """
     found = [_period(project, period) if period is not None else "", _weight(project), _damping(project)]
-    return [*(text for text in found if text), *_under_gravity(project)]
+    sizes_of = [*_lengths(project), *_materials(project), *_devices(project)]
+    return [*sizes_of, *(text for text in found if text), *_under_gravity(project)]
 
 
 def sizes(project: Project) -> str:
@@ -67,6 +74,54 @@ def sizes(project: Project) -> str:
     storeys = f"storeys are {min(heights):.4g} to {max(heights):.4g} m high"
     bays = f", bays {min(widths):.4g} to {max(widths):.4g} m wide" if widths else ""
     return f"{storeys}{bays}; {moduli}; gravity loads are {gravity_load(project) / 1e3:.4g} kN"
+
+
+def _lengths(project: Project) -> list[str]:
+    """Storeys and bays that no member spans, as in building files."""
+    found = []
+    for what, places, bounds in (("storey", project.frame.y, HEIGHT), ("bay", project.frame.x, WIDTH)):
+        for number, (start, end) in enumerate(pairwise(places), start=1):
+            if bounds.refuses(end - start):
+                found.append(
+                    f"{what} {number}: {end - start:.4g} m is implausible as {bounds.what}, which is "
+                    f"{bounds.shown(bounds.possible)} ({bounds.why})"
+                )
+    return found
+
+
+def _materials(project: Project) -> list[str]:
+    """Materials that yield at a strain at which no structural metal does."""
+    low, high = YIELD_STRAINS
+    return [
+        f"material {name}: fy = {1e-6 * material.fy:.4g} MPa over E = {1e-9 * material.E:.4g} GPa is a yield strain of "
+        f"{100.0 * material.fy / material.E:.3g} %; structural metals have {100.0 * low:g} to {100.0 * high:g} %"
+        for name, material in project.materials.items()
+        if not isinstance(material, ElasticMaterial) and not low <= material.fy / material.E <= high
+    ]
+
+
+def _devices(project: Project) -> list[str]:
+    """Dampers with layers that nobody makes, or that are to strain further than elastomers do."""
+    found = []
+    for i, run in enumerate(project.dampers.devices if project.dampers is not None else ()):
+        assert project.dampers is not None
+        prototype = project.dampers.laws[run.law].prototype
+        own = run.layer_thickness or (prototype.layer_thickness if prototype is not None else None)
+        areas = run.layer_area or ((prototype.layer_area,) if prototype is not None else ())
+        texts = []
+        if own is not None:
+            areas = areas if isinstance(areas, tuple) else (areas,)
+            texts += [doubt for area in areas if (doubt := layer_doubt(area, own))][:1]
+            amplitudes = run.design_deformation or ()
+            strain = max(amplitudes if isinstance(amplitudes, tuple) else (amplitudes,), default=0.0) / own
+            if strain > LARGE_STRAIN:
+                texts.append(
+                    f"design_deformation is a shear strain of {percent(strain)} of layers {1e3 * own:.4g} mm thick"
+                )
+        if run.strain_limit is not None and run.strain_limit > LARGE_STRAIN:
+            texts.append(f"a strain limit of {percent(run.strain_limit)} is more than elastomers of dampers bear")
+        found += [f"dampers.devices[{i}]: {text}" for text in texts]
+    return found
 
 
 def _period(project: Project, period: float) -> str:
