@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -56,4 +57,4 @@ def design(
     write_building(load_building(path), found.design, archive, selection_group(found))
     if not quiet:
         print_tables(selection_tables(found))
-        print(f"{path} and {archive} written. Next: edesign report {archive}")
+        print(f"{path} and {archive} written. Next: edesign report {shlex.quote(str(archive))}")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import Annotated
 
@@ -76,7 +77,8 @@ def extract(
         check_own_yaml(path, building, overwrite)
     for path, text in texts.items():
         write_yaml(text, path, building)
-    print(f"{', '.join(map(str, texts))} written. Next: edesign check {study or output}; edesign run {study or output}")
+    file = shlex.quote(str(study or output))
+    print(f"{', '.join(map(str, texts))} written. Next: edesign check {file}; edesign run {file}")
 
 
 def _ratio(text: str) -> float:

@@ -5,6 +5,7 @@ They take one screen: `SCREEN` lines of 80 characters.
 
 from __future__ import annotations
 
+import shlex
 from collections import Counter
 from textwrap import shorten
 from typing import Any
@@ -203,7 +204,7 @@ def _add_ends(top: Table, groups: dict[str, Group]) -> None:
 
 def _more(archive: Archive, left_out: int) -> Table:
     """Where everything is, and for how many tables of what is asked first there was no room."""
-    notes = [f"All tables: edesign show {archive.path} --all"]
+    notes = [f"All tables: edesign show {shlex.quote(str(archive.path))} --all"]
     if left_out:
         notes.append(f"{left_out} of them had no room here." if left_out > 1 else "One of them had no room here.")
     return Table("", notes=notes)
