@@ -101,7 +101,7 @@ def _has_writer(descriptor: int) -> bool:
 
 
 def missing(path: Path, what: str) -> InputError:
-    """The error of a file that is not there, with the file of its kind beside it whose name is nearest.
+    """Return the error of a file that is not there, with the file of its kind beside it whose name is nearest.
 
     Args:
         path: of the file.
