@@ -122,6 +122,8 @@ def test_a_member_without_effect_has_no_overstrength() -> None:
     assert overstrength([400.0, 300.0, 2.0], [300.0, -250.0, 0.0]).tolist() == [400.0 / 300.0, 1.2, math.inf]
     with pytest.raises(InputError, match="demand must be at least zero, not nan"):
         overstrength([2.0, 2.0], [1.0, math.nan])
+    with pytest.raises(InputError, match="resistance must be greater than zero"):
+        overstrength([2.0, 0.0], [1.0, 1.0])
 
 
 def test_factor_of_foundations() -> None:

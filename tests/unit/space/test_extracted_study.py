@@ -44,6 +44,14 @@ def test_the_study_is_that_of_the_building(tmp_path: Path) -> None:
     assert study.base.damping is not None and study.base.integration is not None
 
 
+@pytest.mark.parametrize("storey", [1, 2])
+def test_a_bay_without_a_beam_has_no_dampers(tmp_path: Path, storey: int) -> None:
+    """Of the two bays of X2 the second lacks its beam at one floor."""
+    gone = f"missing: {{beams: [{{along: x, frames: 2, bays: 2, floors: {storey}}}]}}\nmaterials: {{"
+    design = study_of(tmp_path, SMALL.replace("materials: {", gone, 1)).designs["dampers"]
+    assert isinstance(design, StrainEnergyDesign) and design.bays.numbers(1, 2) == (1,)
+
+
 def test_motions_are_simulated_for_the_ground_until_recordings_are_named(tmp_path: Path) -> None:
     """Ground B: 360 to 800 m/s. Of seven motions the mean counts; their peaks need no factor above 3."""
     study_of(tmp_path, SMALL)

@@ -20,6 +20,7 @@ from edesign.one_thread import one_thread
 from edesign.project.reading.problems import FileProblems
 from edesign.report.building.basis_tables import selection_table
 from edesign.report.building.results import BuildingResults
+from edesign.space.check import check_building
 from edesign.space.checks.criteria import brace_slenderness
 from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic_design
 from edesign.space.selection.evaluate import Evaluator, utilisations
@@ -301,6 +302,19 @@ def test_wrong_lists_are_told_at_their_place() -> None:
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5]")))
     with pytest.raises(InputError, match="all larger than those of the group below"):
         select_sections(building(TEXT, ("groups: {BY", "groups: {C1: [HEB200], C2: [HEB300], BY")))
+
+
+def test_check_knows_the_families_that_have_prices() -> None:
+    """Before any analysis; `default` is none of them and stands for the rest."""
+    prices = "    objective: cost\n    prices: {%s: 2, default: 1}\n    lists:"
+    check_building(building(TEXT, ("    lists:", prices % "HEB")))
+    with pytest.raises(
+        InputError,
+        match=r"building.yaml:31:\d+: design.select.prices: no section of the lists is a `HEC`; did you mean",
+    ):
+        check_building(building(TEXT, ("    lists:", prices % "HEC")))
+    with pytest.raises(InputError, match="design.select.lists.columns: there is no section .*HEBB"):
+        check_building(building(TEXT, ("columns: [HEB]", "columns: [HEBB]")))
 
 
 def test_beams_are_no_deeper_than_the_file_allows(whole: Selection) -> None:

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from cases.incremental_portal import HEIGHT, histories, study, write
 
+from edesign.archive.reader import open_archive
 from edesign.assess.incremental import collect_stripes
 from edesign.building.project_file import load_study
 from edesign.errors import InputError
@@ -160,10 +161,30 @@ def test_the_group_of_the_study(tmp_path: Path) -> None:
     assert group.coords["intensity"].values == pytest.approx([0.1 * STANDARD_GRAVITY, 0.2 * STANDARD_GRAVITY])
     assert group.coords["intensity"].unit == "m/s^2"
     assert group.variables["period"].values.tolist()[:2] == [2.4, 1.2]
-    assert group.variables["level_intensity"].values[1] == level_intensity(project, sa, 1.2, sa.level)
+    # the branch of constant velocity, as above: inversely proportional to the period
+    at_one_second = (0.02 / 0.10) ** (-1.0 / 3.0) * 0.36 * STANDARD_GRAVITY * 1.15 * 2.5 * 0.6
+    assert group.variables["level_intensity"].values[1] == pytest.approx(at_one_second / 1.2)
     assert np.isnan(group.variables["period"].values[2]) and np.isnan(group.variables["level_intensity"].values[2])
     assert group.attributes["limits"] == {"LS": ["interstorey_drift", 0.025]}
     assert group.attributes["level"] == "MCE" and group.attributes["collapse_drift"] == 0.1
+
+
+def test_the_period_of_a_variant_is_that_with_its_dampers(tmp_path: Path) -> None:
+    """A spring k beside the frame of K: T = 2 pi sqrt(m / (K + k)), with m = 40 t and K by the period without it."""
+    path = write(
+        tmp_path, "records: shake, intensity: spectral_acceleration, levels: [0.01 g, 0.02 g]", "linear", "0 kN"
+    )
+    path.write_text(path.read_text(encoding="utf-8").replace("same: {dampers: none}", "damped: {dampers: project}"))
+    project = tmp_path / "project.yaml"
+    spring = "{type: kelvin_voigt, parameters: {k: 2 kN/mm, c: 0 N*s/m}}"
+    dampers = f"dampers: {{laws: {{spring: {spring}}}, devices: [{{kind: storey, bays: 1, storeys: 1, law: spring}}]}}"
+    project.write_text(f"{project.read_text(encoding='utf-8')}{dampers}\n", encoding="utf-8")
+    with open_archive(run_study(load_study(path), backend="serial").archive) as opened:
+        group = opened.group("incremental/ida")
+    assert group.coords["variant"].values.tolist() == ["bare", "damped"]
+    bare, damped = group.variables["period"].values
+    assert damped == pytest.approx(bare / math.sqrt(1.0 + 2e6 * bare**2 / (4.0 * math.pi**2 * 40e3)), rel=1e-6)
+    assert damped < 0.9 * bare
 
 
 RARER = (
