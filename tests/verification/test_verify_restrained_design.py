@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from design_examples import design, shear_project
+from scipy.optimize import brentq
 from shear_frames import BAY, HEIGHT, MASS, STIFFNESS
 
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
@@ -133,6 +134,15 @@ def test_core_area_by_hand() -> None:
     (run_of_devices,) = result.dampers.devices
     np.testing.assert_allclose(run_of_devices.scale, 1e3 * area, rtol=1e-9)  # over 1000 mm2
     assert run_of_devices.design_deformation is None and run_of_devices.brace == "rigid"
+
+
+def test_estimated_forces_are_compressions_at_the_estimated_strokes() -> None:
+    """A brace of this length stretches 1.4 times as far as that of its law, and is stronger in compression."""
+    values = run(f"{RISING}, number: 2, shear_share: 25 %, level: DBE, inherent_damping: 5 %", 2).group.variables
+    names = ("device_core_area", "estimated_device_stroke", "estimated_device_force")
+    for area, stroke, force in zip(*(values[name].values for name in names), strict=True):
+        strain = brentq(lambda strain, a=area, u=stroke: peaks(strain, a, DIAGONAL)[1][1] - u, 1e-6, 0.02, xtol=1e-15)
+        assert force == pytest.approx(peaks(strain, area, DIAGONAL)[1][0], rel=1e-9)
 
 
 @pytest.mark.parametrize("strain", [0.001, 0.004, 0.008, 0.018])
