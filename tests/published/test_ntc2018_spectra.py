@@ -60,12 +60,12 @@ def test_worksheet_of_a_named_site() -> None:
 
 
 def test_return_periods() -> None:
-    """V_N = 50 years, class II: 30, 50, 475 and 975 years; class III 45, 75, 712 and 1462."""
+    """V_N = 50 years, class II: 30, 50, 475 and 975 years; class III 45, 75, 712 and 1462; C_U of class I is 0.7."""
     life = reference_life(50.0, "II")
     assert [round(return_period(name, life)) for name in ("SLO", "SLD", "SLV", "SLC")] == [30, 50, 475, 975]
     life = reference_life(50.0, "III")
     assert [round(return_period(name, life)) for name in ("SLO", "SLD", "SLV", "SLC")] == [45, 75, 712, 1462]
-    assert reference_life(100.0, "IV") == 200.0
+    assert reference_life(100.0, "IV") == 200.0 and reference_life(50.0, "I") == pytest.approx(35.0)
     with pytest.raises(InputError, match="there is no limit state `SLE`"):
         return_period("SLE", life)
     with pytest.raises(InputError, match="class of use"):
