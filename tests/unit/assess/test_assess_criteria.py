@@ -13,6 +13,7 @@ from edesign.assess.criteria import Verdict, judge
 from edesign.assess.judgement import within
 from edesign.assess.members import VariantMembers, frame_members
 from edesign.assess.performance import BEYOND, drift_performance, member_performance, set_performance
+from edesign.assess.requirement import requirement_of
 from edesign.assess.sets import HistorySet, history_sets
 from edesign.project.reading.yaml_file import check_model
 from edesign.project.study.study import Study
@@ -49,6 +50,26 @@ def drifts(*values: float) -> dict[str, Group]:
 def test_limits_of_a_drift(limits: str, met: bool, remark: str) -> None:
     (found,) = verdicts(DRIFT % limits, drifts(0.007, 0.008, 0.015))  # mean 1.0 %, median 0.8 %, maximum 1.5 %
     assert (found.met, found.remark) == (met, remark)
+
+
+@pytest.mark.parametrize(
+    ("limit", "words"),
+    [
+        ("quantity: column_axial_force, side: tension, most: 1 MN", "column axial force in tension at most 1000 kN"),
+        (
+            "quantity: support_vertical_reaction, side: tension, most: 0 kN",
+            "support vertical reaction in uplift at most",
+        ),
+        (
+            "quantity: support_vertical_reaction, side: compression, most: 1 MN",
+            "reaction in compression at most 1000 kN",
+        ),
+    ],
+)
+def test_sides_of_a_force_have_their_words(limit: str, words: str) -> None:
+    """A support is lifted off, a member is in tension."""
+    (criterion,) = part(f"criteria: [{{name: force, {limit}}}]").criteria
+    assert words in requirement_of(criterion, {}, frame()).words
 
 
 def test_a_verdict_says_where_it_comes_from() -> None:
