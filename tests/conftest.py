@@ -1,6 +1,16 @@
-"""What all tests share: drawn examples are judged by what they give, never by the time that a loaded machine takes."""
+"""What all tests share: one thread of BLAS, and drawn examples that are judged by what they give.
 
-from hypothesis import HealthCheck, settings
+Never by the time that a loaded machine takes.
+"""
+
+import os
+
+# before numpy is imported, and for processes that tests start: threads of BLAS wait for each other in loops, and on
+# cores that have other tests to run this takes up to ten times the work
+for _library in ("OPENBLAS", "OMP", "MKL"):
+    os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
+
+from hypothesis import HealthCheck, settings  # noqa: E402
 
 settings.register_profile("edesign", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("edesign")
