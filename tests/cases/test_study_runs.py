@@ -122,13 +122,19 @@ def archive(study: Path, told: subprocess.CompletedProcess[str]) -> Path:
 
 
 @pytest.fixture(scope="module")
+def whole(archive: Path) -> str:
+    """All that the command tells of the archive."""
+    return edesign("show", archive, "--all").stdout
+
+
+@pytest.fixture(scope="module")
 def undisturbed(archive: Path) -> dict[str, Any]:
     """Everything in the archive of that run."""
     return everything(archive)
 
 
 def test_a_run_makes_designs_and_histories_and_judges_them(
-    told: subprocess.CompletedProcess[str], archive: Path
+    told: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
     lines = told.stderr.splitlines()
     assert lines.index("design added: round 1, target damping ratio, or beta 0.04") < lines.index("[1/29] bare.modes")
@@ -137,7 +143,6 @@ def test_a_run_makes_designs_and_histories_and_judges_them(
     for title in ("Verdicts", "Mean response of the records", "analyses  ", "All tables: edesign show"):
         assert title in told.stdout
     assert max(map(len, told.stdout.splitlines()[3:-2])) <= 80  # all but paths
-    whole = edesign("show", archive, "--all").stdout
     for title in ("Mean response", "Design added: strain energy", "Criteria", "Rehabilitation objectives", "Analyses"):
         assert title in whole
     with open_archive(archive) as opened:
@@ -169,7 +174,7 @@ def test_a_variant_and_a_history_at_a_temperature_are_the_same(archive: Path) ->
 
 
 def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
-    told: subprocess.CompletedProcess[str], archive: Path
+    told: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
     """EN 1998-1, 3.2.3.1.2(4)c. T1 is that of the modal analysis of the variant; the ratio is computed here anew."""
     with open_archive(archive) as opened:
@@ -181,7 +186,6 @@ def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
         }
         target = elastic_spectrum(load_study(archive.parent / "study.yaml").base.hazard)
     names = {"bare": "bare frame", "damped": "damped", "upper": "upper", "warm": "warm, damped at 35 degC"}
-    whole = edesign("show", archive, "--all").stdout
     found = {c["text"]: c for c in suite.attributes["criteria"] if c["clause"] == "3.2.3.1.2(4)c"}
     assert len(found) == 5  # and damped at 10 degC
     for name, period in periods.items():
@@ -201,7 +205,7 @@ def test_the_mean_spectrum_is_checked_at_the_period_of_every_variant(
 
 
 def test_scaling_beyond_the_usual_is_told_by_run_and_archive(
-    told: subprocess.CompletedProcess[str], archive: Path
+    told: subprocess.CompletedProcess[str], archive: Path, whole: str
 ) -> None:
     """The factors at the MCE are match_scale (1.54 to 1.59) times suite_factor (1.5) times gamma_I (1.71): above 3."""
     with open_archive(archive) as opened:
@@ -211,7 +215,6 @@ def test_scaling_beyond_the_usual_is_told_by_run_and_archive(
     assert said.startswith("MCE: 3 of 3 records are scaled beyond the usual 1/3 to 3 (FEMA P-751, 3.3.1.4): ")
     for name, about in of.items():
         assert f"{name} by {about['match_scale'] * about['suite_factor'] * level:.3g}" in said
-    whole = edesign("show", archive, "--all").stdout
     assert f"records set: {said}" in told.stderr and f"set: {said}" in " ".join(whole.split())
 
 

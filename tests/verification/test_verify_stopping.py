@@ -11,6 +11,7 @@ import sys
 import textwrap
 import threading
 import time
+from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -68,18 +69,64 @@ CALLS = {
 }
 
 
-@pytest.mark.parametrize("call", CALLS)
-def test_interrupt_ends_a_long_call(call: str) -> None:
-    script = textwrap.dedent(SETTING) + CALLS[call] + "\n"
+ONE_BY_ONE = """
+    import sys
+    for line in sys.stdin:
+        try:
+            eval(line)
+        except KeyboardInterrupt:
+            print("stopped", flush=True)
+        else:
+            print("ended", flush=True)
+"""
+
+
+def started(script: str) -> subprocess.Popen[str]:
+    """A process that has all that calls take and is ready for them."""
     process = subprocess.Popen(
-        [sys.executable, "-c", script], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [sys.executable, "-c", textwrap.dedent(SETTING) + script],
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     )
+    assert process.stdout is not None
+    assert process.stdout.readline() == "ready\n"
+    return process
+
+
+def interrupt(process: subprocess.Popen[str]) -> None:
+    time.sleep(1.0)  # well inside the call
+    assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+
+
+@pytest.fixture(scope="module")
+def caller() -> Iterator[subprocess.Popen[str]]:
+    process = started(textwrap.dedent(ONE_BY_ONE))
+    yield process
+    process.kill()
+    process.communicate()
+
+
+@pytest.mark.parametrize("call", CALLS)
+def test_interrupt_ends_a_long_call(call: str, caller: subprocess.Popen[str]) -> None:
+    """One process for all calls, which takes the next when one is interrupted."""
+    assert caller.stdin is not None and caller.stdout is not None
+    caller.stdin.write(CALLS[call] + "\n")
+    caller.stdin.flush()
+    interrupt(caller)
+    end = threading.Timer(SOON, caller.kill)
+    end.start()
+    said = caller.stdout.readline()
+    end.cancel()
+    assert said == "stopped\n"
+
+
+def test_a_process_ends_on_the_interrupt_of_a_call() -> None:
+    process = started(CALLS["history"] + "\n")
     try:
-        assert process.stdout is not None
-        assert process.stdout.readline() == "ready\n"
-        time.sleep(1.5)  # well inside the call
-        assert process.poll() is None
-        process.send_signal(signal.SIGINT)
+        interrupt(process)
         _, error = process.communicate(timeout=SOON)
     finally:
         process.kill()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from itertools import combinations
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -43,6 +43,7 @@ def texts(figure: Any) -> list[str]:
     return [text.get_text() for text in figure.axes[0].texts]
 
 
+@cache
 def drawings(path: Path) -> dict[str, list[str]]:
     """The texts of each drawing of a file by its name."""
     return {name: texts(figure) for name, _, figure in drawings_of(loaded(path))}
@@ -70,10 +71,13 @@ def test_no_texts_of_any_model_overlap(path: Path) -> None:
         if name.startswith("plan_"):
             continue
         renderer = FigureCanvasAgg(figure).get_renderer()
-        with_words = [(text.get_text(), outline(text, renderer, figure.dpi)) for text in figure.axes[0].texts]
-        for (one, mine), (other, its) in combinations(with_words, 2):
-            apart = np.any(mine.max(axis=0) <= its.min(axis=0)) or np.any(its.max(axis=0) <= mine.min(axis=0))
-            assert apart or not Outline(mine, closed=True).intersects_path(Outline(its, closed=True)), (one, other)
+        words = figure.axes[0].texts
+        outlines = np.array([outline(text, renderer, figure.dpi) for text in words]).reshape(-1, 5, 2)
+        low, high = outlines.min(axis=1), outlines.max(axis=1)
+        near = np.triu(np.all(low[:, None] < high[None], axis=2) & np.all(low[None] < high[:, None], axis=2), 1)
+        for i, j in np.argwhere(near):
+            mine, its = (Outline(outlines[k], closed=True) for k in (i, j))
+            assert not mine.intersects_path(its), (words[i].get_text(), words[j].get_text())
 
 
 def test_what_stands_on_the_thesis_frame() -> None:

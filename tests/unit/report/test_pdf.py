@@ -141,15 +141,16 @@ def test_what_is_folded_is_printed_on_demand(made: Path, tmp_path: Path) -> None
     assert "HTML report has them" not in "".join(full)
 
 
-@pytest.mark.parametrize(("name", "sides"), [("A4", (210.0 / 25.4, 297.0 / 25.4)), ("Letter", (8.5, 11.0))])
-def test_paper(name: str, sides: tuple[float, float], tmp_path: Path) -> None:
-    """Sizes of ISO 216 and of ANSI/ASME Y14.1, inches."""
+def test_paper(made: Path, tmp_path: Path) -> None:
+    """Sizes of ISO 216, which is that of a page of which nothing is said, and of ANSI/ASME Y14.1, inches."""
     from pypdf import PdfReader
 
-    options = PrintOptions(PAPERS[name])
-    box = PdfReader(write_page_as_pdf(_page(WIDE), tmp_path / "a.pdf", options=options)).pages[0].mediabox
-    found = (float(box.width) / 72.0, float(box.height) / 72.0)
-    assert found == pytest.approx(sides, abs=3e-4)  # points are written to a hundredth
+    short = Page(COVER, (Section("one", "First part", ("What it says.",), ()),))
+    letter = write_page_as_pdf(short, tmp_path / "a.pdf", options=PrintOptions(PAPERS["Letter"]))
+    for path, sides in ((made, (210.0 / 25.4, 297.0 / 25.4)), (letter, (8.5, 11.0))):
+        box = PdfReader(path).pages[0].mediabox
+        found = (float(box.width) / 72.0, float(box.height) / 72.0)
+        assert found == pytest.approx(sides, abs=3e-4)  # points are written to a hundredth
 
 
 def test_the_same_page_gives_the_same_bytes(tmp_path: Path) -> None:

@@ -11,6 +11,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from matplotlib.figure import Figure
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive, open_archive
@@ -101,6 +102,12 @@ def page(path: Path) -> str:
 
 
 @pytest.fixture(scope="module")
+def figures(path: Path) -> list[tuple[str, str, Figure]]:
+    with open_archive(path) as opened:
+        return list(all_figures(opened))
+
+
+@pytest.fixture(scope="module")
 def one_test(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """An archive with one test and two compensators."""
     return _ran(tmp_path_factory.mktemp("one"), _one_test(TESTS.replace("RIG", RIG)))
@@ -137,17 +144,20 @@ def test_the_verdict_says_which_compensator_keeps_the_response_right(archive: Ar
         assert who in (good if error <= 0.05 else wrong)
 
 
-def test_figures_are_drawn_as_files(archive: Archive, tmp_path: Path) -> None:
-    names = [name for name, _, _ in all_figures(archive)]
+def test_figures_are_drawn_as_files(figures: list[tuple[str, str, Figure]], one_test: Path, tmp_path: Path) -> None:
+    """All that the archive has; as files those of fewer tests."""
+    names = [name for name, _, _ in figures]
     assert names[:4] == ["loop", "model_structure", "rig", "stability_map"]
     assert len(names) == len(set(names)) == 22
     assert names[-1] == "response_shaken_shake" and set(names[-4:-1]) == set(PROFILES)
-    written = draw_figures(archive, tmp_path / "figures", "png")
-    assert [file.stem for file in written] == names and all(file.stat().st_size > 5000 for file in written)
+    written = draw_figures(one_test, tmp_path / "figures", "png")
+    drawn = [file.stem for file in written]
+    assert set(drawn) < set(names) and len(drawn) == len(set(drawn)) and {"rig", "tracking_shaken"} < set(drawn)
+    assert all(file.stat().st_size > 5000 for file in written)
 
 
-def test_captions_have_the_numbers_of_the_archive(archive: Archive) -> None:
-    captions = {name: caption for name, caption, _ in all_figures(archive)}
+def test_captions_have_the_numbers_of_the_archive(archive: Archive, figures: list[tuple[str, str, Figure]]) -> None:
+    captions = {name: caption for name, caption, _ in figures}
     direct = archive.group("tests/shaken").variables["direct_deformation"].values
     assert f"damper: direct {plain(1e3 * np.max(np.abs(direct)))}" in captions["structure_shaken"]
     rig = second_order(21.4, 0.4, 4.25e-3, 0.99488)
@@ -270,7 +280,9 @@ def test_an_interrupted_archive_shows_the_runs_so_far(one_test: Path, tmp_path: 
     assert all(f"figure-{name}" in page for name in ("tracking_shaken", "structure_shaken", "alpha_shaken"))
 
 
-@pytest.mark.parametrize("lost", ["indicators", "tests/shaken", "tests/shaken/modified"])
+@pytest.mark.parametrize(
+    "lost", ["indicators", pytest.param("tests/shaken", marks=pytest.mark.slow), "tests/shaken/modified"]
+)
 def test_of_a_damaged_archive_the_rest_is_shown(
     one_test: Path, tmp_path: Path, lost: str, capsys: pytest.CaptureFixture[str]
 ) -> None:

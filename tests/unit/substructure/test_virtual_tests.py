@@ -157,8 +157,11 @@ def test_commands_archive_csv_and_json(tmp_path: Path, capsys: pytest.CaptureFix
     assert "floor a [m/s2]" in capsys.readouterr().out
 
 
-def test_other_methods_of_a_file(tmp_path: Path) -> None:
-    """A slow test of a rate-dependent damper is called not valid; one at real speed gives the direct response."""
+def test_other_methods_of_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """A slow test of a rate-dependent damper is called not valid; one at real speed gives the direct response.
+
+    `--check` names the slow one alone, which misses half of the response.
+    """
     text = INLINE[: INLINE.index("tests:")] + (
         "tests:\n"
         "  - {name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18, time_scale: 100}\n"
@@ -166,22 +169,12 @@ def test_other_methods_of_a_file(tmp_path: Path) -> None:
     )
     path = tmp_path / "rts.yaml"
     path.write_text(text, encoding="utf-8")
-    slow, fast = VirtualLaboratory(load_rts_file(path)).run_others()
-    assert "not valid" in slow.told[0]
-    assert slow.record is not None and slow.record.response_error > 0.5
-    assert fast.record is not None and fast.record.response_error < 1e-3
-
-
-def test_check_tells_a_test_by_another_method_that_is_too_wrong(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    """A slow test of this damper misses half of the response, one at real speed does not."""
-    text = INLINE.replace("kind: rts, ", "kind: pseudo_dynamic, time_scale: @, ")
-    path = tmp_path / "rts.yaml"
-    for scale, code in (("100", 3), ("1", 0)):
-        path.write_text(text.replace("@", scale), encoding="utf-8")
-        assert main(["rts", "run", str(path), "--overwrite", "--quiet", "--check"]) == code
-        assert ("too wrong (el_centro)" in capsys.readouterr().err) is (code == 3)
+    assert main(["rts", "run", str(path), "--quiet", "--check"]) == 3
+    assert "too wrong (slow)" in capsys.readouterr().err
+    with open_archive(tmp_path / "rts.h5") as archive:
+        slow, fast = (archive.group(f"tests/{name}") for name in ("slow", "fast"))
+    assert "not valid" in slow.attributes["told"][0]
+    assert slow.variables["response_error"].values > 0.5 and fast.variables["response_error"].values < 1e-3
 
 
 THREE = """\
@@ -307,9 +300,9 @@ def test_one_ctrl_c_ends_a_pseudo_dynamic_test_and_leaves_nothing(tmp_path: Path
 
 
 def test_a_file_of_other_methods_alone_has_an_archive(tmp_path: Path) -> None:
-    test = "tests: [{name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18}]\n"
+    test = "tests: [{name: slow, kind: pseudo_dynamic, record: el_centro, scale: 0.18, time_scale: 1}]\n"
     (tmp_path / "rts.yaml").write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
-    assert main(["rts", "run", str(tmp_path / "rts.yaml"), "--quiet"]) == 0
+    assert main(["rts", "run", str(tmp_path / "rts.yaml"), "--quiet", "--check"]) == 0  # at real speed it is right
     with open_archive(tmp_path / "rts.h5") as archive:
         assert archive.group("indicators").variables["limit_first"].values.shape == (0, 4)
         assert "response_error" in archive.group("tests/slow").variables
