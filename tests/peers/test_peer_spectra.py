@@ -23,7 +23,11 @@ from edesign.project.notation.units import STANDARD_GRAVITY
 pytestmark = pytest.mark.peer
 DATA = os.environ.get("EDESIGN_PYROTD_DATA")
 PERIODS = np.geomspace(0.02, 1.5, 25)
-QUIET = np.zeros(20000)  # pyrotd's motion repeats; in 100 s the slowest oscillator calms down to exp(-8)
+
+
+def followed_by_rest(motion: np.ndarray, damping: float) -> np.ndarray:
+    """pyrotd's motion repeats: in a rest of 2 s / damping the slowest oscillator calms down to exp(-8)."""
+    return np.append(motion, np.zeros(int(2.0 / damping / 0.005)))
 
 
 @pytest.fixture
@@ -41,7 +45,9 @@ def pyrotd(monkeypatch: pytest.MonkeyPatch) -> Any:
 def test_pyrotd(pyrotd: Any, damping: float) -> None:
     """Within 0.1 %: pyrotd works in the frequency domain, here up to 60 times the oscillator's frequency."""
     motion = noise_motion(4000, 0.005)
-    theirs = pyrotd.calc_spec_accels(0.005, np.append(motion, QUIET), 1.0 / PERIODS, damping, max_freq_ratio=60)
+    theirs = pyrotd.calc_spec_accels(
+        0.005, followed_by_rest(motion, damping), 1.0 / PERIODS, damping, max_freq_ratio=60
+    )
     np.testing.assert_allclose(psa(motion, 0.005, PERIODS, damping), theirs.spec_accel, rtol=1e-3)
 
 
@@ -52,8 +58,8 @@ def test_pyrotd_rotated(pyrotd: Any) -> None:
     periods = PERIODS[2::6]
     theirs = pyrotd.calc_rotated_spec_accels(
         0.005,
-        np.append(first, QUIET),
-        np.append(second, QUIET),
+        followed_by_rest(first, 0.05),
+        followed_by_rest(second, 0.05),
         1.0 / periods,
         percentiles=[0, 50, 100],
         max_freq_ratio=60,

@@ -20,7 +20,7 @@ from edesign.study.analysis.history import run_history
 Place = tuple[int, int]
 Equipped = tuple[tuple[Place, int], ...]
 """Bay, storey and number of the item (from 1) of each equipped place, in order."""
-RECORDS = ("first", "second", "third")
+RECORDS = ("first", "second")
 STEP = 0.02  # s
 
 _FRAME = """\
@@ -57,7 +57,6 @@ integration: {method: newmark, time_step: 0.02 s}
 records:
   first: {file: first.csv, acceleration_unit: m/s^2}
   second: {file: second.csv, acceleration_unit: m/s^2}
-  third: {file: third.csv, acceleration_unit: m/s^2}
 analyses: [{name: modes, kind: modal, modes: 2}]
 """
 
@@ -68,7 +67,7 @@ def project_text(bays: str, storeys: str) -> str:
 
 
 def small_project(folder: Path, bays: str, storeys: str) -> Project:
-    """Write a frame with three motions, and load it."""
+    """Write a frame with its motions, and load it."""
     for i, name in enumerate(RECORDS):
         (folder / f"{name}.csv").write_text(motion_text(i), encoding="utf-8")
     (folder / "project.yaml").write_text(project_text(bays, storeys), encoding="utf-8")

@@ -7,6 +7,7 @@ at each.
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 
 import numpy as np
 import pytest
@@ -60,6 +61,7 @@ def extremes(t: float) -> float:
 BOUC_WEN = {"Y": 0.004, "alpha": 0.05, "A": 1.1, "beta": 0.3, "gamma": 0.6}
 
 
+@cache
 def hysteresis(n: float) -> np.ndarray:
     """z at TIME."""
     p = BOUC_WEN
@@ -145,6 +147,7 @@ def test_braced_modified_bouc_wen() -> None:
     np.testing.assert_allclose(force, expected, atol=1e-4 * np.max(np.abs(expected)), rtol=0)
 
 
+@cache
 def earthquake() -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """2.5 s at 200 Hz: deformation (m) and velocity (m/s) of a 0.8 s oscillator under noise that swells."""
     rng = np.random.default_rng(7)
@@ -173,7 +176,10 @@ CASES = (
 )
 
 
-@pytest.mark.parametrize("name, parameters", CASES)
+# every second of the parameters, the other ones are slow
+@pytest.mark.parametrize(
+    ("name", "parameters"), [pytest.param(*case, marks=[pytest.mark.slow] * (i % 2)) for i, case in enumerate(CASES)]
+)
 def test_steps_agree_with_sundials_in_an_earthquake(name: str, parameters: dict[str, float]) -> None:
     """SUNDIALS at 1e-11: at 1e-9 it misses 1.5e-6 once, behind a stiff spring."""
     time, deformation, velocity = earthquake()

@@ -31,8 +31,8 @@ FRAMES: dict[str, tuple[str, str, tuple[Item, ...]]] = {
     "viscous": ("[6 m]", "[4 m, 3.3 m, 3.3 m]", (Item("oil", 1.0, scale=40.0), Item("oil", 1.6, scale=80.0))),
     "linear": ("[6 m, 5 m]", "[4 m, 3.3 m, 3.3 m]", (Item("linear", 1.0, scale=150.0),)),
     "elastomer": (
-        "[6 m, 5 m]",
-        "[4 m, 3.3 m]",
+        "[6 m]",
+        "[4 m, 3.3 m, 3.3 m]",
         (Item("rubber", 1.0, layer_area=0.08), Item("rubber", 1.9, layer_area=0.2)),
     ),
     "friction": ("[6 m]", "[4 m, 3.3 m, 3.3 m]", (Item("slip", 1.0, scale=80.0), Item("slip", 1.4, scale=200.0))),
@@ -91,7 +91,7 @@ def test_least_cost_is_that_of_brute_force(every: EveryLayout) -> None:
     places = places_of(every)
     table = {layout: (every.cost(layout, PLACE_COST), every.drift(layout)) for layout in every.layouts(places)}
     drifts = np.sort([drift for _, drift in table.values()])
-    for share in (0.02, 0.2, 0.5, 0.8):
+    for share in (0.02, 0.2, 0.6):
         limit = float(drifts[int(share * len(drifts))]) * (1.0 + 1e-9)
         cost, drift = min(pair for pair in table.values() if pair[1] <= limit)
         result = placed(every, limit, len(table))
@@ -139,10 +139,12 @@ class Stopped:
 def test_interrupted_search_goes_on_to_the_same_last_bit(every: EveryLayout, tmp_path: Path) -> None:
     limit = 0.7 * every.drift(())
     whole = placed(every, limit, 20)
+    done = whole.group.coords["layout"].values.size // 2
+    assert done > 1
     kept: list[Group] = []
     with pytest.raises(KeyboardInterrupt):
-        placed(every, limit, 20, Stopped(every, 9).respond, keep=kept.append)
-    assert kept[-1].coords["layout"].values.tolist() == list(range(1, 9))
+        placed(every, limit, 20, Stopped(every, done + 1).respond, keep=kept.append)
+    assert kept[-1].coords["layout"].values.tolist() == list(range(1, done + 1))
     assert kept[-1].attributes["status"] == "interrupted" and "certificate" not in kept[-1].attributes
     with ArchiveWriter(tmp_path / "a.h5", Group()) as writer:
         writer.write("designs/tried", kept[-1])
@@ -151,7 +153,7 @@ def test_interrupted_search_goes_on_to_the_same_last_bit(every: EveryLayout, tmp
         read = archive.group("designs/tried")
     again = Stopped(every)
     resumed = placed(every, limit, 20, again.respond, read)
-    assert again.asked == whole.group.coords["layout"].values.tolist()[8:]
+    assert again.asked == whole.group.coords["layout"].values.tolist()[done:]
     assert resumed.group.attributes == whole.group.attributes and resumed.dampers == whole.dampers
     for name, variable in whole.group.variables.items():
         assert variable.values.tobytes() == resumed.group.variables[name].values.tobytes(), name

@@ -211,8 +211,15 @@ def test_upsampling_agrees_with_an_independent_one() -> None:
     assert np.array_equal(here[::8], motion)
 
 
-@pytest.mark.parametrize("damping", [0.01, 0.05, 0.2])
-@pytest.mark.parametrize("step", [0.02, 0.01, 0.005])
+# each step and each damping ratio once; the other pairs are slow
+@pytest.mark.parametrize(
+    ("step", "damping"),
+    [
+        pytest.param(step, damping, marks=[pytest.mark.slow] * (i != j))
+        for i, step in enumerate((0.02, 0.01, 0.005))
+        for j, damping in enumerate((0.2, 0.01, 0.05))
+    ],
+)
 def test_synthetic_motion_against_scipy(step: float, damping: float) -> None:
     """Displacement within 0.1 %, acceleration 0.2 %, velocity 0.5 % at every period.
 

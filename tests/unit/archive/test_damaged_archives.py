@@ -134,15 +134,22 @@ def test_damage_is_noticed(samples: dict[str, Path], tmp_path: Path, layout: str
     """
     sample = samples[layout]
     right = without_path(use(sample)[0], sample)
-    found = outcomes(sample, tmp_path, lambda path, random: damaged_copy(sample, path, damage, random), range(4))
+    found = outcomes(sample, tmp_path, lambda path, random: damaged_copy(sample, path, damage, random), range(2))
     codes = Counter(code for code, _ in found)
     assert set(codes) <= ({4} if layout == "whole" else {0, 4}), (codes, [text for code, text in found if code == 1])
     if layout == "partial":
         assert all(without_path(text, tmp_path / "x") == right for code, text in found if code == 0)
 
 
-@pytest.mark.parametrize("craft", CRAFTS)
-@pytest.mark.parametrize("layout", ["whole", "partial", "old"])
+# a partial archive has no seal that would do it, so that each of them counts; of the others, every fifth
+@pytest.mark.parametrize(
+    ("layout", "craft"),
+    [
+        pytest.param(layout, craft, marks=[pytest.mark.slow] * (layout != "partial" and i % 5 != first))
+        for first, layout in enumerate(("whole", "partial", "old"))
+        for i, craft in enumerate(CRAFTS)
+    ],
+)
 def test_crafted_archives_are_refused(samples: dict[str, Path], tmp_path: Path, layout: str, craft: Craft) -> None:
     """In a complete archive all of them, as the seal does not fit; elsewhere, what an archive cannot contain."""
     sample = samples[layout]
@@ -219,7 +226,7 @@ def test_numbers_of_a_chunk_of_zeros_are_not_taken_for_right(samples: dict[str, 
 
 def test_a_promise_of_24_gigabytes_takes_no_memory(samples: dict[str, Path], tmp_path: Path) -> None:
     """The fork may take 1 GB, and nothing of 24 GB is on the disk."""
-    for seed in range(3):
+    for seed in range(2):
         path = tmp_path / "partial.h5.partial"
         crafted_copy(samples["partial"], path, huge_data, np.random.default_rng(seed))
         ended = command(["show", str(path)])

@@ -41,9 +41,9 @@ title: Pushovers
 project: project.yaml
 variants: {bare: {dampers: none}, damped: {dampers: project}}
 pushovers:
-  - {variants: bare, pattern: [first_mode, uniform], direction: both, targets: [n2, asce41, fema356], steps: 60}
-  - {name: spring, variants: damped, pattern: uniform, targets: n2, levels: DBE, steps: 60}
-  - {name: wet, variants: damped, pattern: uniform, roof_drift: 0.5 %, targets: n2, damping: 20 %, steps: 60}
+  - {variants: bare, pattern: [first_mode, uniform], direction: both, targets: [n2, asce41, fema356], steps: 30}
+  - {name: spring, variants: damped, pattern: uniform, targets: n2, levels: DBE, steps: 30}
+  - {name: wet, variants: damped, pattern: uniform, roof_drift: 0.5 %, targets: n2, damping: 20 %, steps: 30}
 criteria:
   - {name: drift, measure: interstorey_drift, most: 1 %, levels: DBE}
   - {name: life, performance: LS, levels: MCE, variants: bare}

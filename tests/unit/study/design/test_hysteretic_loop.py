@@ -108,11 +108,8 @@ def test_an_optimum_without_values_fails() -> None:
     "text",
     [
         OPTIMUM.replace("@", "9"),
-        *(
-            TEXT.replace("@", target) + VERIFY.replace("@", change)
-            for target in ("shear_share: 8 %", "damping: 3 %")
-            for change in ("target", "yield_force")
-        ),
+        TEXT.replace("@", "shear_share: 8 %") + VERIFY.replace("@", "target"),
+        TEXT.replace("@", "damping: 3 %") + VERIFY.replace("@", "yield_force"),
     ],
 )
 def test_finished_rounds_of_an_archive_are_not_run_again(tmp_path: Path, text: str) -> None:

@@ -142,7 +142,7 @@ def test_a_miss_of_the_fullest_layout_does_not_hide_what_meets() -> None:
     assert (2,) * 8 in asked and found.best is not None and proof.harmed_by_more
     assert sum(found.best.layout) == 13 and "more dampers did harm" in proof.sentence
     # whatever is left out of a shorter search, nothing is claimed by an assumption that histories contradict
-    shorter = [certify(run(space, ratio, n, believed=falling(space, 1, 3.0))[0], True) for n in range(20, 200, 20)]
+    shorter = [certify(run(space, ratio, n, believed=falling(space, 1, 3.0))[0], True) for n in (20, 60, 120)]
     harmed = [one for one in shorter if one.harmed_by_more]
     assert harmed and not any("if_monotone" in one.proof for one in (proof, *harmed))
 
