@@ -8,7 +8,8 @@ from pathlib import Path
 import pytest
 
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import checked_hazard, design_spectrum, elastic_spectrum, factor_of_level
+from edesign.ground_motion.hazard import action_of, checked_hazard, design_spectrum, elastic_spectrum, factor_of_level
+from edesign.ground_motion.seismic_action.ntc2018 import NtcAction
 from edesign.project import Problem, parse_project
 from edesign.project.actions.hazard_base import Hazard
 
@@ -147,6 +148,19 @@ def test_levels(small: str) -> None:
         elastic_spectrum(ntc, "SLC")
     # the worked table of tests/published/test_ntc2018_spectra.py
     assert float(design_spectrum(ntc, "SLV").acceleration(1.0)) == pytest.approx(0.099516 * 9.80665, abs=6e-6)
+
+
+def test_design_spectra_of_ntc_2018(small: str) -> None:
+    """On the plateau a_g F_V / q with F_V = 1.35 F_0 sqrt(a_g / g) = 1.6875; 3.2.3.4: none at SLO; 7.3.1: q <= 1.5."""
+    action = action_of(hazard_of(small, NTC.replace("SLD", "SLO")))
+    assert isinstance(action, NtcAction)
+    vertical = action.vertical_design("SLV", 1.5)
+    assert float(vertical.acceleration(0.1)) == pytest.approx(0.25 * 1.6875 / 1.5 * 9.80665, rel=1e-9)
+    with pytest.raises(InputError, match=r"q = 2 is too large for the vertical component: 1.5 at most"):
+        action.vertical_design("SLV", 2.0)
+    assert action.design("SLO", None) is None
+    with pytest.raises(InputError, match="for SLO the design spectrum is the elastic one"):
+        action.design("SLO", 3.0)
 
 
 def test_what_only_the_code_knows(small: str) -> None:
