@@ -62,10 +62,17 @@ def _ends(values: tuple[float, float]) -> str:
 
 
 def _column(load: ColumnLoad) -> str:
-    where = f"lines {load.lines}, storeys {load.storeys}".replace("lines all, storeys all", "all columns")
+    where = f"{_named('line', load.lines)}, {_named('storey', load.storeys)}"
+    where = where.replace("lines all, storeys all", "all columns").removesuffix(", storeys all")
     return f"{where}: G = {plain(load.G / 1e3)} kN/m, Q = {plain(load.Q / 1e3)} kN/m to the right"
 
 
 def _beams(load: FloorLoad | BeamLoad) -> str:
-    floors = f"floor {load.floors}" if str(load.floors).isdecimal() else f"floors {load.floors}"
-    return f"{floors}, bays {load.bays}".replace("floors all, bays all", "all beams").removesuffix(", bays all")
+    where = f"{_named('floor', load.floors)}, {_named('bay', load.bays)}"
+    return where.replace("floors all, bays all", "all beams").removesuffix(", bays all")
+
+
+def _named(kind: str, chosen: object) -> str:
+    """One place, or the places, of a selection, as `floor 1` and `floors 1-3`."""
+    text = str(chosen)
+    return f"{kind} {text}" if text.isalnum() and text != "all" else f"{kind}s {text}"

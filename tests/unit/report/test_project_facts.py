@@ -29,3 +29,18 @@ def test_every_storey_bay_and_floor_of_loads_is_said(tmp_path: Path) -> None:
     assert rows["Bays"] == "3 of 6 m; 18 m in all"
     first, second = rows["Floor loads"].split("; ")
     assert first.startswith("floors 1-2: G = 4.50") and second.startswith("floor 3: G = 4.00")
+
+
+def test_loads_inside_members_and_of_a_leaning_column_are_said() -> None:
+    """As the files have them: forces at thirds, a wall that grows, earth pressure on one storey."""
+    rows = dict(project_rows(load_project(CASES / "loads_inside_members" / "project.yaml")))
+    thirds, wall, post = rows["Beam loads"].replace("; G = ", " and G = ").split("; ")
+    assert thirds == "floor 1, bay 1: G = 60.0 kN, Q = 20.0 kN at 33.3 %, 66.7 %"
+    assert wall == (
+        "floor 1, bay 2: G = 40.0 kN, Q = 0 kN at 3 m and G = 6.00 to 12.0 kN/m, Q = 0 kN/m from 4 m to 6 m"
+    )
+    assert post.startswith("floor 2, bay 1: G = 30.0 kN, Q = 0 kN at 50 % and G = 4.00 to 8.00 kN/m")
+    assert rows["Column loads"] == "line A, storey 1: G = 5.00 kN/m, Q = 0 kN/m to the right"
+    assert rows["Floor loads"] == "all beams: G = 3.00 kN/m², Q = 2.00 kN/m² on a tributary width of 2.5 m"
+    rows = dict(project_rows(load_project(CASES / "leaning_column" / "project.yaml")))
+    assert rows["Leaning column"] == "at each floor G = 1400 kN, Q = 500 kN"
