@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import shlex
 from collections import Counter
+from collections.abc import Sequence
 from textwrap import shorten
 from typing import Any
 
@@ -41,13 +42,14 @@ from edesign.report.assessment.verdicts_in_short import verdicts_in_short
 from edesign.report.capacity.incremental_tables import incremental_tables
 from edesign.report.capacity.pushover_tables import target_tables
 from edesign.report.design.isolation_tables import isolation_estimate_table, isolation_statistics_table, isolation_table
-from edesign.report.ground_motion.record_tables import tables_of
+from edesign.report.ground_motion.record_tables import CRITERIA, tables_of
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.ground_tables import first_mode_table
 from edesign.report.summary import all_results, design_warnings, ending, entry, input_warnings
 from edesign.report.tables.table import Table, number
 from edesign.report.tables.text import PAPER, fitted, plain
 from edesign.study.check.warnings import warning_lines
+from edesign.study.results.kinds import ANALYSES
 from edesign.study.run.outcome import COMPLETED
 
 WARNINGS_SHOWN = 3
@@ -91,7 +93,7 @@ def short_tables(archive: Archive) -> list[Table]:
                 raise
             study = None
         of_kind = _of_project(archive, groups) if study is None else _of_study(archive, study, groups)
-        _add_ends(top, groups)
+        _add_ends(top, groups, [place for place in archive.damage if place.startswith(ANALYSES)])
         tables = [_warnings(archive, groups), *of_kind]
     tables = [top, *(table for table in tables if table.rows or table.notes)]
     shown = _on_a_screen(tables)
@@ -128,8 +130,8 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
 
 
 def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
-    if not groups:  # of `edesign match`
-        return tables_of(archive)
+    if not groups:  # of `edesign match`, whose verdicts are the criteria of its sets
+        return sorted(tables_of(archive), key=lambda table: table.name != CRITERIA)
     entries = [entry(name, group) for name, group in groups.items()]
     targets = any(item["kind"] in KINDS for item in entries)
     sets = history_sets(groups)
@@ -189,14 +191,15 @@ def _warnings(archive: Archive, groups: dict[str, Group]) -> Table:
     return Table("Warnings", notes=found)
 
 
-def _add_ends(top: Table, groups: dict[str, Group]) -> None:
+def _add_ends(top: Table, groups: dict[str, Group], damaged: Sequence[str]) -> None:
     """Tell in the head how many analyses were completed, and below it the first that were not."""
-    if not groups:
+    if not groups and not damaged:
         return
     ends = {name: ending(group) for name, group in groups.items()}
     counts = Counter(end["status"] for end in ends.values())
     others = "".join(f", {count} {status}" for status, count in counts.items() if status != COMPLETED)
-    top.rows.append(["analyses", f"{counts[COMPLETED]} of {len(ends)} completed{others}"])
+    others += f", {len(damaged)} damaged" if damaged else ""
+    top.rows.append(["analyses", f"{counts[COMPLETED]} of {len(ends) + len(damaged)} completed{others}"])
     failed = [f"{name}: {end['status']}: {end['reason']}" for name, end in ends.items() if end["status"] == "failed"]
     top.notes += failed[:FAILED_SHOWN]
     top.notes += [f"and {len(failed) - FAILED_SHOWN} more"] if len(failed) > FAILED_SHOWN else []

@@ -23,6 +23,8 @@ MATCH_COLUMNS = (  # header, which of before and after, measure, unit of the hea
     ("Arias [m/s]", "arias", 1.0),
     ("D5-95 [s]", "duration_5_95", 1.0),
 )
+CRITERIA = "criteria_of_sets_of_records"
+"""Name of the tables of criteria, in files too."""
 DIGITS = 3
 NEGLIGIBLE = 1e-7  # m, m/s: far below what any recorder resolves
 
@@ -217,7 +219,7 @@ def criteria_table(name: str, about: Mapping[str, Any]) -> Table:
         left=2,
         sentences=1,
         each=("Criteria of sets of records", name),
-        name="criteria_of_sets_of_records",
+        name=CRITERIA,
     )
     for found in about["criteria"]:
         verdict = {True: "met", False: "NOT MET", None: "-"}[found["passed"]]

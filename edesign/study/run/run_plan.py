@@ -125,15 +125,15 @@ def _with_new_head(job: Job, path: Path, listener: Listener, started: float) -> 
     """
     root = job.root
     root.attributes[ATTRIBUTE] = list(job.warnings)
-    if not path.is_file() or partial_path(path).exists():
-        return None
     try:
+        if not path.is_file() or partial_path(path).exists():
+            return None
         with open_archive(path) as opened:
             old = opened.attributes
             made = opened.group_attributes("provenance") if opened.has("provenance") else {}
             ends = {task.path: opened.group_attributes(task.path) for task in job.tasks if opened.has(task.path)}
             complete = opened.complete and not opened.damage
-    except EdesignError:
+    except (EdesignError, OSError):  # who writes the archive tells why it cannot
         return None
     alike = all(old.get(name) == root.attributes.get(name) for name in (*IDENTITY, "planned"))
     whole = complete and old.get("status") == COMPLETED and len(ends) == len(job.tasks)

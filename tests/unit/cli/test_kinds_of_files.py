@@ -52,7 +52,7 @@ COMMANDS: dict[str, tuple[list[str], tuple[str, ...]]] = {
     "run": (["run", "FILE"], ("project", "study", "building")),
     "design": (["design", "FILE"], ("building",)),
     "extract": (["extract", "FILE", "--frame", "A", "-o", "made.yaml"], ("building",)),
-    "translate": (["translate", "FILE", "made.py"], ("project",)),
+    "translate": (["translate", "FILE", "made.py"], ("project", "building")),
     "test": (["test", "FILE"], ("campaign",)),
     "calibrate": (["calibrate", "FILE"], CAMPAIGNS),
     "fit": (["fit", "FILE"], CAMPAIGNS),

@@ -100,7 +100,7 @@ def test_limit_and_value_of_the_drift_have_one_unit(archive: Archive) -> None:
     storeys = tables["Storeys, direction x"]
     largest = max(float(row[-1]) for row in storeys.rows)
     rule = next(row for row in tables[RULES].rows if row[0] == "4.4.3.2(1)")
-    assert float(rule[2]) == largest and f"limit of nu d_r/h: {rule[3]} " in storeys.notes[-1]
+    assert float(rule[2]) == largest and f"Limit of nu d_r/h: {rule[3]} " in storeys.notes[-1]
 
 
 def test_json_is_valid(path: Path, capsys: pytest.CaptureFixture[str]) -> None:
