@@ -8,9 +8,9 @@ from edesign.building.frame_model import FrameModel
 from edesign.building.rigid_ends import rigid_ends
 from edesign.errors import InputError
 from edesign.exchange.opensees.dampers import Dampers
-from edesign.exchange.opensees.structure import RIGID, NotTranslated
+from edesign.exchange.opensees.structure import NotTranslated
 from edesign.project.analysis.damping import CaugheyDamping, ModalDamping
-from edesign.project.analysis.integration import NewmarkIntegration
+from edesign.project.analysis.integration import GeneralisedAlphaIntegration, NewmarkIntegration
 from edesign.project.frame.materials import BilinearMaterial, Material, MenegottoPintoMaterial
 from edesign.project.project import Project
 
@@ -82,10 +82,15 @@ def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[s
     if project.frame.braces and project.elements.geometry.braces == "p_delta":
         found.append("braces with P-Delta are corotational, which differs by the square of the drift")
     if rigid_ends(project):
-        found.append(f"rigid ends are members {RIGID:g} times as stiff as theirs")
+        found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by a few 1e-6")
     modal = isinstance(project.damping, ModalDamping | CaugheyDamping)
     if modal and project.integration is not None and not isinstance(project.integration, NewmarkIntegration):
         found.append("modal damping acts at another instant of a step with a method other than Newmark's")
+    if isinstance(project.integration, GeneralisedAlphaIntegration) and project.integration.rho_inf < 1.0:
+        found.append(
+            "GeneralizedAlpha of OpenSees 3.7 grows without bounds in frames of several storeys, and ends without "
+            "convergence; compare with Newmark's method or HHT in a copy of the project"
+        )
     if dampers.moving or dampers.at_rest:
         found.append(
             "dampers follow their laws in the steps of the analysis; edesign follows them exactly within a step"

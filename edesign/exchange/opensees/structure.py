@@ -24,8 +24,9 @@ ITERATIONS: tuple[str | int | float, ...] = ("-iter", 50, 1e-10)
 """Within a force-based element: iterations at most, and the energy in J at which they end."""
 MOST_SECTIONS = 20
 """That a force-based element of OpenSees can have."""
-RIGID = 1e6
-"""Stiffness of rigid ends over that of their member."""
+RIGID = 3e8
+"""Stiffness of a rigid end over that of its member, times the square of the member's length over that of the end: what
+the end bends, and what rounding does to its large terms of stiffness, change a frame by as little as each other."""
 GRAVITY = 1
 """Tag of the pattern of the gravity loads, and of its time series."""
 SAME_PLACE = 1e-9  # m
@@ -233,15 +234,15 @@ class StructureBuilder:
         self._calls[number] = call
         ends = [call["i"], call["j"]]
         places = [to.places[end] for end in ends]
-        for at, free in enumerate(call["release"]):
-            if free:
-                name = f"{call['name']}, released at {to.names[ends[at]]}"
-                ends[at] = to.tied_copy(name, ends[at], (0, 1))
         length = hypot(places[1][0] - places[0][0], places[1][1] - places[0][1])
         tags, lengths = [number + 1], [length]
         arms = self._rigid.get(number, (0.0, 0.0))
         if any(arms):
             tags, lengths, ends = self._arms(call, ends, places, length, arms)
+        for at, free in enumerate(call["release"]):
+            if free:  # where the member begins to bend: behind its rigid end
+                name = f"{call['name']}, released at {to.names[ends[at]]}"
+                ends[at] = to.tied_copy(name, ends[at], (0, 1))
         self._pieces[number] = tags, Stretches((0.0, 0.0), tuple(lengths))
         section = call["section"]
         i, j = (to.nodes[end] for end in ends)
@@ -309,7 +310,8 @@ class StructureBuilder:
             inner[at] = to.add_node(f"{call['name']}, face at {to.names[ends[at]]}", place)
             pair = (ends[at], inner[at]) if at == 0 else (inner[at], ends[at])
             tag = to.tags.next("element")
-            words = (tag, *(to.nodes[one] for one in pair), RIGID * EA, 1.0, RIGID * EI, transformation)
+            rigid = RIGID * (arm / length) ** 2
+            words = (tag, *(to.nodes[one] for one in pair), rigid * EA, 1.0, rigid * EI, transformation)
             comment = f"{call['name']}: rigid end"
             to.elements.append(command("element", "elasticBeamColumn", *words, comment=comment))
             where = 0 if at == 0 else len(tags)
