@@ -142,7 +142,7 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
     if overwrite or other == source_file(source, path):
         return
     what = f"this is the result of {other}" if other else "edesign did not write this file"
-    raise InputError(f"{path}: {what}, and it is left as it is; choose another --output, or --overwrite")
+    raise InputError(f"{path}: {what}, and it is left as it is; choose another name, or --overwrite")
 
 
 def write_yaml(text: str, path: Path, source: Path) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -42,6 +42,8 @@ from edesign.study.run.plan import make_plan
 
 PUSH, QUAKE, VERTICAL = 2, 3, 4
 """Tags of the patterns beside gravity, and of their time series."""
+NAMED = 4
+"""Analyses that a sentence names."""
 
 
 @dataclass(frozen=True)
@@ -129,14 +131,16 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
     """
     found = Programme()
     tasks = [task.spec for task in make_plan(project)]
-    has_dampers = project.dampers is not None
     motions = _motions(project, tasks)
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
     if histories:
         found.damping = _damping(project, not without_dampers)
+    bare = [spec.name for spec in tasks if spec.dampers] if without_dampers and has_placed_dampers(project) else []
+    if bare:
+        found.left_out.append(f"the dampers of {_listed(bare)}")
+    targets: list[str] = []
     for spec in tasks:
-        if without_dampers and has_dampers and spec.dampers:
-            _without(found, spec)
+        if spec.name in bare:
             spec = spec.model_copy(update={"dampers": False})
         match spec:
             case ModalAnalysis():
@@ -148,12 +152,23 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
             case HistoryAnalysis():
                 _history(found, project, spec, parts, motions, stem)
             case _:
-                found.left_out.append(f"analysis {spec.name}: a target displacement follows from clauses of a code")
+                targets.append(spec.name)
+    if targets:
+        found.left_out.append(f"{_listed(targets)}: target displacements follow from clauses of a code")
     return found
 
 
-def _without(found: Programme, spec: PlannedAnalysis) -> None:
-    found.left_out.append(f"analysis {spec.name}: runs without its dampers")
+def has_placed_dampers(project: Project) -> bool:
+    """Return whether a project has dampers, tuned masses or isolators, and not their laws alone."""
+    dampers = project.dampers
+    return dampers is not None and bool(dampers.devices or dampers.attachments or dampers.isolation is not None)
+
+
+def _listed(analyses: Sequence[str]) -> str:
+    """Names of analyses, and of more than `NAMED` how many others there are."""
+    named = ", ".join(analyses[:NAMED])
+    others = len(analyses) - NAMED
+    return f"the analys{'es' if len(analyses) > 1 else 'is'} {named}" + (f" and {others} more" if others > 0 else "")
 
 
 def _modal(found: Programme, project: Project, spec: ModalAnalysis, parts: Parts) -> None:

@@ -13,6 +13,8 @@ from edesign.exchange.opensees.commands import Block, one_line, python_block, tc
 
 WIDTH = 100
 """Of lines of the head."""
+USE = (("lists the analyses",), ("NAME ...", "runs some of them"), ("all", "runs all"))
+"""What may follow the call of a script, and what the script does then."""
 SETTINGS: Mapping[str, Value] = {"TOLERANCE": 1e-8, "SMALLEST": 256}
 
 
@@ -71,8 +73,8 @@ def tcl_text(script: Script, path: Path) -> str:
 def _head(paragraphs: Sequence[str], run: str) -> list[str]:
     """Lines of the comment at the top; the first paragraph is one line."""
     first, *others = paragraphs
-    use = f"{run} all: all analyses; {run} NAME ...: some; without a name it lists them."
-    return [f"# {one_line(first)}", "#", *(f"# {line}".rstrip() for line in (*_wrapped(others), "", use))]
+    use = [f"{' '.join((run, *words))}: {what}" for *words, what in USE]
+    return [f"# {one_line(first)}", "#", *(f"# {line}".rstrip() for line in (*_wrapped(others), "", *use))]
 
 
 def _wrapped(paragraphs: Sequence[str]) -> list[str]:

@@ -15,7 +15,7 @@ from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, Translation
-from edesign.exchange.opensees.analyses import Name, Parts, Value, integrator_words, programme
+from edesign.exchange.opensees.analyses import Name, Parts, Value, has_placed_dampers, integrator_words, programme
 from edesign.exchange.opensees.commands import Block, Command, command
 from edesign.exchange.opensees.dampers import DamperBuilder
 from edesign.exchange.opensees.joined import JoinedDegrees
@@ -77,7 +77,7 @@ def opensees_script(project: Project, path: Path, without_dampers: bool = False)
         laws: dict[str, DeviceLaw] = device_laws(project)
         added: Sequence[Attached] = attachments(project)
         devices = build_frame(project, model, laws=laws, attachments=added)
-    if without_dampers and project.dampers is not None:
+    if without_dampers and has_placed_dampers(project):
         left_out.append("dampers, isolators and tuned masses, as --without-dampers asks")
     base, extra = plain.calls, model.calls[len(plain.calls) :] if has_dampers else []
     materials = 1 + sum(call.name == "material" for call in model.calls)

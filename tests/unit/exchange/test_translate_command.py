@@ -11,6 +11,7 @@ import pytest
 from edesign import load_project
 from edesign.building.loads import MemberLoads
 from edesign.cli.main import main
+from edesign.exchange.opensees.analyses import has_placed_dampers
 from edesign.exchange.opensees.commands import Block, command, heading, python_block, tcl_block
 from edesign.exchange.opensees.fixed_ends import released_flexibility_loads, stiffness_factors
 from edesign.exchange.opensees.integration import gauss_lobatto, piecewise_lobatto
@@ -87,8 +88,16 @@ def test_what_opensees_lacks_is_refused_at_its_place(
 def test_without_dampers(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     model = tmp_path / "model.tcl"
     assert main(["translate", case("chevron_mgmm"), str(model), "--without-dampers"]) == 0
-    assert "left out: dampers, isolators and tuned masses" in capsys.readouterr().out
+    told = capsys.readouterr().out
+    assert "left out: dampers, isolators and tuned masses" in told
+    assert told.count("left out:") == 2 and "left out: the dampers of the analys" in told
     assert "- dampers, isolators and tuned masses" in model.read_text()
+
+
+def test_laws_that_no_damper_has_are_not_left_out() -> None:
+    """A project may keep the laws that its studies size dampers of."""
+    assert not has_placed_dampers(load_project(CASES.parents[1] / "projects/office_6_storeys/frame.yaml"))
+    assert has_placed_dampers(load_project(case("chevron_mgmm")))
 
 
 def test_other_names_and_files_of_others(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
