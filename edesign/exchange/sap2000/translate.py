@@ -39,6 +39,10 @@ def translate_building(building: Building, path: Path, without_dampers: bool) ->
     return Translation({path: model_text(model, path.name, MARK)}, tuple(left_out))
 
 
+MASS_SOURCES = ("MASS SOURCE", "MASSES 1 - MASS SOURCE")
+"""Tables of the loads and parts that masses come from: of version 16 on, and up to 15."""
+
+
 @dataclass(frozen=True)
 class TakenModel:
     """A file of edesign made of a SAP2000 model.
@@ -65,7 +69,10 @@ def take_model(source: Path, target: Path) -> TakenModel:
         InputError: the file is no such text, or the model does not fit into a file of edesign; the message has the
             table, the line, the part and the reason.
     """
-    read = read_model(read_tables(source))
+    tables = read_tables(source)
+    read = read_model(tables)
+    if not any(map(any, (*read.model.restraints.values(), *read.model.springs.values()))):
+        raise InputError(f"{source}: no joint has a support: the table JOINT RESTRAINT ASSIGNMENTS holds none")
     try:
         grid = Grid(read.model)
         make = project_text if grid.is_plane else building_text
@@ -75,6 +82,8 @@ def take_model(source: Path, target: Path) -> TakenModel:
         raise InputError(message if message.startswith(str(source)) else f"{source}: {message}") from error
     kind: Literal["project", "building"] = "project" if grid.is_plane else "building"
     lines = [_one_line(sentence) for sentence in (*left_out, *(f"table {line}" for line in read.left_out))]
+    if not any(tables.of(name) for name in MASS_SOURCES):
+        lines.append("there is no mass source: the masses are those of members and joints, as in SAP2000")
     head = [f"# The {'plane frame' if grid.is_plane else 'building'} of a SAP2000 model."]
     head += ["# Not taken:", *(f"# - {line}" for line in lines)] if lines else []
     whole = "\n".join([*head, text])

@@ -288,3 +288,32 @@ def test_masses_at_joints_of_no_member_are_refused(tmp_path: Path) -> None:
     )
     text = with_table(text, "JOINT ADDED MASS ASSIGNMENTS", "Joint=9   CoordSys=GLOBAL   Mass1=50   Mass2=50   Mass3=0")
     assert "joint 9: it has a mass, and no member ends there" in refusal(text, tmp_path)
+
+
+def without_table(name: str) -> str:
+    """The text of the frame without a table."""
+    before, _, after = FRAME.partition(f'TABLE:  "{name}"')
+    return before + after[after.index("TABLE:") :] if "TABLE:" in after else before + "END TABLE DATA\n"
+
+
+def test_missing_tables(tmp_path: Path) -> None:
+    """Without supports nothing is written that `edesign check` would refuse; masses that nobody asked for are told."""
+    file = tmp_path / "model.s2k"
+    file.write_text(without_table("JOINT RESTRAINT ASSIGNMENTS"))
+    with pytest.raises(InputError, match="no joint has a support: the table JOINT RESTRAINT ASSIGNMENTS"):
+        take_model(file, tmp_path / "model.yaml")
+    file.write_text(without_table("MASS SOURCE"))
+    assert any("no mass source" in line for line in take_model(file, tmp_path / "model.yaml").left_out)
+
+
+def test_order_and_line_ends_do_not_matter(tmp_path: Path) -> None:
+    """Joints in another order, tables in another order and the line ends of Windows make the same file."""
+    file, target = tmp_path / "model.s2k", tmp_path / "model.yaml"
+    file.write_text(FRAME)
+    whole = take_model(file, target).text
+    head, *tables = FRAME.removesuffix("\nEND TABLE DATA\n").split('TABLE:  "')
+    joints = [line for line in FRAME.splitlines(keepends=True) if "CoordType" in line]
+    last_first = "".join([head, *(f'TABLE:  "{table.rstrip()}\n\n' for table in reversed(tables)), "END TABLE DATA\n"])
+    last_first = last_first.replace("".join(joints), "".join(reversed(joints)))
+    file.write_bytes(last_first.replace("\n", "\r\n").encode())
+    assert sorted(take_model(file, target).text.splitlines()) == sorted(whole.splitlines())
