@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from edesign.building.damping import modal_ratios, modes_needed
-from edesign.exchange.opensees.commands import Block, Command, File, command
+from edesign.exchange.opensees.commands import Block, Command, File, Name, Value, command
+from edesign.exchange.opensees.dynamics import damping_values
 from edesign.exchange.opensees.structure import Structure
 from edesign.ground_motion.project_records import find_recordings, references
 from edesign.project.analysis.analyses import (
@@ -19,15 +19,6 @@ from edesign.project.analysis.analyses import (
     PlannedAnalysis,
     PushoverAnalysis,
 )
-from edesign.project.analysis.damping import (
-    CaugheyDamping,
-    MassDamping,
-    ModalDamping,
-    NoDamping,
-    RayleighDamping,
-    StiffnessDamping,
-)
-from edesign.project.analysis.integration import GeneralisedAlphaIntegration, HHTIntegration, NewmarkIntegration
 from edesign.project.project import Project
 from edesign.project.records.records import record_of
 from edesign.study.analysis.capacity import capacity
@@ -35,7 +26,7 @@ from edesign.study.analysis.damper_stiffness import damped_modes
 from edesign.study.analysis.history import check_motion, input_motion, scale_factor
 from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
-from edesign.study.analysis.structure import GRAVITY_STEPS, frame_alone, make_frame, make_structure
+from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
 from edesign.study.analysis.vertical_motion import ground_motion
 from edesign.study.motions.motions import Motion, project_motions
 from edesign.study.run.plan import make_plan
@@ -44,16 +35,6 @@ PUSH, QUAKE, VERTICAL = 2, 3, 4
 """Tags of the patterns beside gravity, and of their time series."""
 NAMED = 4
 """Analyses that a sentence names."""
-
-
-@dataclass(frozen=True)
-class Name:
-    """The name of a function or procedure of the script."""
-
-    name: str
-
-
-Value = str | int | float | Name | tuple["Value", ...]
 
 
 @dataclass
@@ -134,7 +115,7 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
     motions = _motions(project, tasks)
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
     if histories:
-        found.damping = _damping(project, not without_dampers)
+        found.damping = damping_values(project, not without_dampers)
     bare = [spec.name for spec in tasks if spec.dampers] if without_dampers and has_placed_dampers(project) else []
     if bare:
         found.left_out.append(f"the dampers of {_listed(bare)}")
@@ -297,43 +278,6 @@ def _file_of(found: Programme, name: str, samples: np.ndarray) -> str:
             return other
     found.files[name] = text
     return name
-
-
-def _damping(project: Project, dampers: bool) -> dict[str, Value]:
-    damping = project.damping
-    if damping is None or isinstance(damping, NoDamping):
-        return {}
-    if isinstance(damping, ModalDamping | CaugheyDamping):
-        alone = frame_alone(project, dampers)
-        if damping.state == "gravity":
-            alone.apply_gravity()
-        count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
-        ratios = modal_ratios(damping, alone.modes(count).omega)
-        return {"kind": "modal", "state": damping.state, "ratios": tuple(float(ratio) for ratio in ratios)}
-    values: dict[str, Value] = {"kind": damping.kind, "state": damping.state, "ratio": damping.ratio}
-    if isinstance(damping, RayleighDamping):
-        values |= {"modes": damping.modes, "periods": damping.periods or ()}
-    elif isinstance(damping, MassDamping | StiffnessDamping):
-        values |= {"modes": (damping.mode,), "periods": (damping.period,) if damping.period is not None else ()}
-    values["stiffness"] = "initial" if isinstance(damping, MassDamping) else damping.stiffness
-    return values
-
-
-def integrator_words(project: Project) -> tuple[str | float, ...]:
-    """Return the integrator of histories.
-
-    Source: OpenSees' HHT has 1 + alpha, its GeneralizedAlpha 1 - alpha_m and 1 - alpha_f of Chung & Hulbert (1993).
-    """
-    integration = project.integration
-    match integration:
-        case HHTIntegration():
-            return "HHT", 1.0 + integration.alpha
-        case GeneralisedAlphaIntegration():
-            rho = integration.rho_inf
-            return "GeneralizedAlpha", (2.0 - rho) / (1.0 + rho), 1.0 / (1.0 + rho)
-        case NewmarkIntegration():
-            return "Newmark", integration.gamma, integration.beta
-    return "Newmark", 0.5, 0.25
 
 
 def _identifier(name: str) -> str:

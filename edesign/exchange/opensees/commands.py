@@ -15,7 +15,16 @@ class File:
     name: str
 
 
+@dataclass(frozen=True)
+class Name:
+    """The name of a function or procedure of the script."""
+
+    name: str
+
+
 Word = str | int | float | File
+Value = str | int | float | Name | tuple["Value", ...]
+"""Data of the script."""
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,7 @@ from importlib.resources import files
 from pathlib import Path
 from textwrap import wrap
 
-from edesign.exchange.opensees.analyses import Name, Value
-from edesign.exchange.opensees.commands import Block, one_line, python_block, tcl_block, tcl_comment
+from edesign.exchange.opensees.commands import Block, Name, Value, one_line, python_block, tcl_block, tcl_comment
 
 WIDTH = 100
 """Of lines of the head."""

@@ -15,9 +15,10 @@ from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, Translation
-from edesign.exchange.opensees.analyses import Name, Parts, Value, has_placed_dampers, integrator_words, programme
-from edesign.exchange.opensees.commands import Block, Command, command
+from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, programme
+from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
+from edesign.exchange.opensees.dynamics import integrator_words
 from edesign.exchange.opensees.joined import JoinedDegrees
 from edesign.exchange.opensees.limits import differences, places, refuse
 from edesign.exchange.opensees.script import SETTINGS, Script, python_text, tcl_text
@@ -26,9 +27,9 @@ from edesign.exchange.opensees.structure import (
     NotTranslated,
     NotTranslatedParts,
     Structure,
-    StructureBuilder,
     Tags,
 )
+from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
 from edesign.project.project import Project
 from edesign.study.analysis.dampers import attachments, device_laws

@@ -1,0 +1,62 @@
+"""Inherent damping and time integration as data of a script."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from edesign.building.damping import modal_ratios, modes_needed
+from edesign.exchange.opensees.commands import Value
+from edesign.project.analysis.damping import (
+    CaugheyDamping,
+    MassDamping,
+    ModalDamping,
+    NoDamping,
+    RayleighDamping,
+    StiffnessDamping,
+)
+from edesign.project.analysis.integration import GeneralisedAlphaIntegration, HHTIntegration, NewmarkIntegration
+from edesign.project.project import Project
+from edesign.study.analysis.structure import frame_alone
+
+
+def damping_values(project: Project, dampers: bool) -> dict[str, Value]:
+    """Return the inherent damping of histories; empty: none.
+
+    Args:
+        project: the validated project.
+        dampers: whether the script has dampers; modal damping is of the modes without them.
+    """
+    damping = project.damping
+    if damping is None or isinstance(damping, NoDamping):
+        return {}
+    if isinstance(damping, ModalDamping | CaugheyDamping):
+        alone = frame_alone(project, dampers)
+        if damping.state == "gravity":
+            alone.apply_gravity()
+        count = modes_needed(damping, int(np.count_nonzero(alone.analysis.masses())))
+        ratios = modal_ratios(damping, alone.modes(count).omega)
+        return {"kind": "modal", "state": damping.state, "ratios": tuple(float(ratio) for ratio in ratios)}
+    values: dict[str, Value] = {"kind": damping.kind, "state": damping.state, "ratio": damping.ratio}
+    if isinstance(damping, RayleighDamping):
+        values |= {"modes": damping.modes, "periods": damping.periods or ()}
+    elif isinstance(damping, MassDamping | StiffnessDamping):
+        values |= {"modes": (damping.mode,), "periods": (damping.period,) if damping.period is not None else ()}
+    values["stiffness"] = "initial" if isinstance(damping, MassDamping) else damping.stiffness
+    return values
+
+
+def integrator_words(project: Project) -> tuple[str | float, ...]:
+    """Return the integrator of histories.
+
+    Source: OpenSees' HHT has 1 + alpha, its GeneralizedAlpha 1 - alpha_m and 1 - alpha_f of Chung & Hulbert (1993).
+    """
+    integration = project.integration
+    match integration:
+        case HHTIntegration():
+            return "HHT", 1.0 + integration.alpha
+        case GeneralisedAlphaIntegration():
+            rho = integration.rho_inf
+            return "GeneralizedAlpha", (2.0 - rho) / (1.0 + rho), 1.0 / (1.0 + rho)
+        case NewmarkIntegration():
+            return "Newmark", integration.gamma, integration.beta
+    return "Newmark", 0.5, 0.25
