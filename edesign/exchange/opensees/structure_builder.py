@@ -26,6 +26,9 @@ MOST_SECTIONS = 20
 RIGID = 3e8
 """Stiffness of a rigid end over that of its member, times the square of the member's length over that of the end: what
 the end bends, and what rounding does to its large terms of stiffness, change a frame by as little as each other."""
+PINNED = 1e-6
+"""Of the bending stiffness of struts pinned at both ends, which carry no moment. The rotations of their ends are free
+in OpenSees: where a strut turns far, they feel damping, and the base shear holds what balances it."""
 SAME_PLACE = 1e-9  # m
 
 
@@ -142,6 +145,8 @@ class StructureBuilder:
             return
         EA, EI = self._elastic[section]
         E = self._modulus(number)
+        if number not in self._member_of and all(call["release"]):
+            EI *= PINNED
         if number in self._without:
             factors = stiffness_factors(EI, length, self._without[number])
             words = ("ModElasticBeam2d", number + 1, i, j, EA / E, E, EI / E, *factors, transformation)
