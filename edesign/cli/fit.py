@@ -101,7 +101,7 @@ def fit(
             check_folder(folder)  # rather than after a long fit
     if not quiet:
         for note in given.notes:
-            print(f"note: not fitted to: {note}", file=sys.stderr, flush=True)
+            print(f"note: {note}", file=sys.stderr, flush=True)
     laws = read.read_laws(law or [], given.law)
     alone = len(laws) == 1
     places = {item.name: output if alone else output / item.name for item in laws} if output is not None else {}
@@ -130,6 +130,8 @@ def fit(
             fits, outs = [result.fit for result in results], [result.held_out for result in results]
             comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
             print_tables(tables_of(fits, comparison, [result.validated for result in results]))
+            for place in places.values():
+                print(f"written: {place / 'law.yaml'}, fit.json")
     if figures is not None:
         make_folder(figures)
         draw_fits([result.fit for result in results], [*given.tests, *given.validation], figures, figure_format)

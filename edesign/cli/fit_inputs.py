@@ -32,7 +32,7 @@ class FitInput:
         tests: to fit to; () for a property table.
         validation: tests to compare with only.
         table: properties; None when forces are fitted.
-        notes: on columns that are not read, and on tests that have no properties.
+        notes: on columns that are not read, on how files are read, and on tests that have no properties.
     """
 
     against: str
@@ -61,7 +61,10 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
         if against == "forces":
             raise InputError("--against forces: a property table has no forces; give the campaign file of the tests")
         if specimen is None:
-            raise InputError("a property table needs the specimen: --layers, --layer-area and --layer-thickness")
+            raise InputError(
+                f"{path}: a property table needs the specimen: --layers, --layer-area and --layer-thickness; a test "
+                f"with forces is fitted to by a campaign file that lists it (`edesign inspect {path}` prints its entry)"
+            )
         return FitInput("properties", path.stem, specimen, None, (), (), read_property_table(path))
     if specimen is not None:
         raise InputError("--layers, --layer-area, --layer-thickness: the campaign file says what the specimen is")
@@ -71,7 +74,8 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
         raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
     if against == "properties":
         table, notes = _properties(tests, campaign.specimen, path)
-        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, campaign.notes + notes)
+        left_out = tuple(f"not fitted to: {note}" for note in notes)
+        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, campaign.notes + left_out)
     validation = campaign.used_for("validate")
     return FitInput("forces", title, campaign.specimen, campaign.law, tests, validation, None, campaign.notes)
 

@@ -50,6 +50,7 @@ def test_files_and_tables(campaign: Path, tmp_path: Path, capsys: pytest.Capture
     assert command.main(words) == 0
     text = capsys.readouterr().out
     assert "test_3 (validate)" in text and "held out" in text and "tested: shear strain" in text
+    assert f"written: {out / 'law.yaml'}, fit.json" in text
     data = yaml.safe_load((out / "law.yaml").read_text())
     values = read_parameters(LAWS[data["type"]], data["parameters"])
     result = json.loads((out / "fit.json").read_text())
@@ -147,3 +148,19 @@ def test_mistakes_in_files(campaign: Path, tmp_path: Path, capsys: pytest.Captur
     assert command.main(["fit", str(path), "--law", "zener", *SPECIMEN, "--against", "forces"]) == 2
     assert command.main(["fit", str(path), *SPECIMEN]) == 2
     assert "--law: which law" in capsys.readouterr().err
+
+
+def test_how_a_file_is_read_does_not_say_that_it_is_left_out(
+    campaign: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = campaign.parent / "test_0.csv"
+    path.write_text(path.read_text(encoding="utf-8").replace(",", ";"), encoding="utf-8")
+    assert command.main(["fit", str(campaign), "--starts", "1", "--law", "kelvin_voigt"]) == 0
+    told = capsys.readouterr().err
+    assert "note: test_0: read: semicolons between columns" in told and "not fitted" not in told
+
+
+def test_a_test_file_is_told_from_a_property_table(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    (tmp_path / "a.csv").write_text("time_s,displacement_mm,force_kN\n0,0,0\n1,1,1\n", encoding="utf-8")
+    assert command.main(["fit", str(tmp_path / "a.csv")]) == 2
+    assert "a campaign file that lists it" in capsys.readouterr().err
