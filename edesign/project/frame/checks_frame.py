@@ -294,7 +294,7 @@ def _section_of(project: Project, problems: Problems, keys: Keys, run: Run, prof
     if weak and own is not None and not isinstance(own, PlateSection):
         message = f"the own section `{run.section}` has one axis; only I and hollow sections have a weak one"
         problems.at_value((*keys, "axis"), message)
-    if own is None and profiles is not None and run.section not in profiles:
+    if own is None and profiles is not None and profiles.canonical(run.section) is None:
         problems.at_value((*keys, "section"), no_section(run.section, project.sections, profiles))
     if isinstance(own, ElasticSection) and own.inertia is None and not isinstance(run, BraceRun):
         message = f"the section `{run.section}` has no `inertia`; only a brace can do without"

@@ -129,3 +129,12 @@ def test_a_project_has_the_catalogue_s_own_names(tmp_path: Path) -> None:
     path.write_text(text.replace("HEB240", "HE265B"), encoding="utf-8")
     with pytest.raises(ProjectError, match=r"there is no section `HE265B`; of HEB the catalogue has near it `HEB240`"):
         edesign.load_project(path)
+
+
+def test_other_mistakes_of_a_file_do_not_make_its_section_names_unknown(tmp_path: Path) -> None:
+    path = edesign.new_project(tmp_path / "frame")
+    text = path.read_text(encoding="utf-8")
+    path.write_text(text.replace("HEB240", "HE 240 B").replace("title:", "titel:"), encoding="utf-8")
+    with pytest.raises(ProjectError) as error:
+        edesign.load_project(path)
+    assert "titel" in str(error.value) and "no section" not in str(error.value)
