@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from pydantic_core import PydanticCustomError
 
@@ -39,6 +39,17 @@ class ParameterError(InputError):
         )
 
 
+def _laws_with(names: Iterable[str]) -> str:
+    """The laws that have all parameters of some names, as a clause; those with the fewest parameters alone."""
+    from edesign.damper.laws import LAWS
+
+    asked = set(names)
+    found = [law for law in LAWS.values() if asked <= {parameter.name for parameter in law.parameters}]
+    fewest = min((len(law.parameters) for law in found), default=0)
+    shown = [law.name for law in found if len(law.parameters) == fewest]
+    return f"; the law {listed(shown)} has them all" if len(shown) == 1 else ""
+
+
 def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, float]:
     """Read the parameters of a law.
 
@@ -63,7 +74,11 @@ def read_parameters(law: Law, values: Mapping[str, object] | str) -> dict[str, f
         raise ParameterError(law, problems)
     known = {parameter.name: parameter for parameter in law.all_parameters(dict.fromkeys(values, 0.0))}
     problems += [
-        (name, f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)})")
+        (
+            name,
+            f"there is no such parameter{did_you_mean(str(name), known)} (there are: {', '.join(known)})"
+            f"{_laws_with(values)}",
+        )
         for name in values
         if name not in known
     ]

@@ -122,3 +122,10 @@ def test_lists_are_of_branches() -> None:
         read_parameters(LAWS["generalised_maxwell"], one | {"k": ["6 kN/mm", "8 kN/mm"]})
     with pytest.raises(ParameterError, match="parameter `c`: `3 m` is a length"):
         read_parameters(LAWS["generalised_maxwell"], one | {"c": "3 m"})
+
+
+def test_a_parameter_of_a_kindred_law_names_that_law() -> None:
+    with pytest.raises(InputError, match=r"there are: c\); the law `viscous_power` has them all"):
+        read_parameters(LAWS["viscous"], {"c": "5 kN*s/m", "alpha": 0.3})
+    with pytest.raises(InputError, match=r"there are: c\)$"):
+        read_parameters(LAWS["viscous"], {"c": "5 kN*s/m", "nothing": 0.3})
