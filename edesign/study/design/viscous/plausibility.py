@@ -15,6 +15,8 @@ from edesign.study.design.viscous.sizing import ViscousSizing
 
 LARGEST_FORCE = 8e6
 """N, of one fluid viscous damper: the end of the standard sizes of Taylor Devices (250 to 8000 kN)."""
+LEAST_SHARE = 0.03
+"""Of the largest force: the least and the largest standard size are 250 and 8000 kN, which is about this share."""
 
 
 def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousEstimate | None) -> Iterator[str]:
@@ -50,6 +52,14 @@ def viscous_warnings(frame: ViscousFrame, sizing: ViscousSizing, found: ViscousE
             f"one damper of storey {building.storeys[int(force.argmax())]} has an estimated force of "
             f"{1e-3 * force.max():.4g} kN; standard sizes end at {1e-3 * LARGEST_FORCE:g} kN (Taylor Devices), so "
             f"take more places or a larger `number` than {spec.number}"
+        )
+    weak = force < LEAST_SHARE * force.max()
+    if weak.any():
+        storeys = ", ".join(str(building.storeys[i]) for i in np.flatnonzero(weak))
+        yield (
+            f"the dampers of storey {storeys} have less than {100 * LEAST_SHARE:g} % of the strongest one's force, "
+            f"{1e-3 * force.min():.3g} kN at least: they do next to nothing; leave these storeys out by `storeys`, or "
+            "take another `distribution`"
         )
     yield from _amplitude(frame, sizing)
 

@@ -76,3 +76,12 @@ def test_an_amplitude_that_the_spectrum_does_not_have() -> None:
     )
     assert ratio == pytest.approx((reached / 10.0) ** -0.5, rel=5e-3) and ratio < 0.85
     assert warnings_of("damping: 8 %, level: DBE, amplitude: spectrum", "0.5") == []
+
+
+def test_dampers_with_next_to_no_force_beside_the_strongest(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = shear_project(2, LAW.replace("@", "1"))
+    spec = design(TEXT + "storeys: all, damping: 8 %, level: DBE, distribution: storey_shear", made)
+    assert first_warnings(made, "tried", spec, Path(".")) == []
+    monkeypatch.setattr(plausibility, "LEAST_SHARE", 0.99)  # the upper storey has the smaller shear
+    (told,) = first_warnings(made, "tried", spec, Path("."))
+    assert "the dampers of storey 2 have less than 99 % of the strongest one's force" in told
