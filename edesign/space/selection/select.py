@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,6 +18,9 @@ from edesign.space.selection.evaluate import Choice, Evaluator
 from edesign.space.selection.groups import Group, groups_of
 from edesign.space.selection.search import Found, Listener, Search, column_order
 from edesign.space.structure.design_block import design_of
+
+_SHOWN = 6
+"""Sections of a list that a line of progress names."""
 
 
 @dataclass(frozen=True)
@@ -110,10 +113,8 @@ def select_sections(building: Building, tell: Listener = lambda line: None, work
     with one_thread():
         analysis = ElasticAnalysis(building)
         groups = groups_of(analysis)
-        for group in groups:
-            if group.left_out:
-                names = ", ".join(group.left_out)
-                tell(f"group {group.name}: left out for their class, thickness or slenderness: {names}")
+        for line in _left_out(groups):
+            tell(line)
         select = design_of(building).select
         evaluate = Evaluator(analysis, groups, workers)
         order = column_order(analysis.frame, groups) if select.columns_not_larger_above else []
@@ -130,6 +131,18 @@ def select_sections(building: Building, tell: Listener = lambda line: None, work
         if not found.best.met:
             raise InputError(_in_the_way(building, evaluate, found))
         return _selection(evaluate, order, found, before)
+
+
+def _left_out(groups: Iterable[Group]) -> Iterator[str]:
+    """Yield a line for all groups from whose lists the same sections are left out."""
+    named: dict[tuple[str, ...], list[str]] = {}
+    for group in groups:
+        if group.left_out:
+            named.setdefault(group.left_out, []).append(group.name)
+    for sections, names in named.items():
+        which = f"group {names[0]}" if len(names) == 1 else f"groups {', '.join(names)}"
+        shown = ", ".join(sections[:_SHOWN]) + (f" and {len(sections) - _SHOWN} more" if len(sections) > _SHOWN else "")
+        yield f"{which}: left out for their class, thickness or slenderness: {shown}"
 
 
 def _sections(analysis: ElasticAnalysis, groups: Sequence[Group]) -> dict[str, str]:

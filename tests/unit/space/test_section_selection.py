@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -26,7 +27,7 @@ from edesign.space.elastic_design import ElasticAnalysis, ElasticDesign, elastic
 from edesign.space.selection.evaluate import Evaluator, utilisations
 from edesign.space.selection.groups import groups_of
 from edesign.space.selection.search import Search, column_order
-from edesign.space.selection.select import Selection, governing_check, select_sections, with_sections
+from edesign.space.selection.select import Selection, _left_out, governing_check, select_sections, with_sections
 
 TEXT = FRAMES.format(
     bays=2,
@@ -266,6 +267,14 @@ def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     with pytest.raises(InputError, match="its evaluations are used up"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]"), brief), lines.append)
     assert lines[0] == "group D: left out for their class, thickness or slenderness: SHS200x5"
+
+
+def test_groups_of_the_same_list_share_a_line_that_stays_short() -> None:
+    base = next(of for of in groups_of(ElasticAnalysis(building(TEXT))) if of.name == "D")
+    names = tuple(f"SHS{i}" for i in range(9))
+    groups = [replace(base, name=name, left_out=names) for name in ("D1", "D2")]
+    (line,) = _left_out([*groups, replace(base, left_out=())])
+    assert line.startswith("groups D1, D2: left out") and line.endswith("SHS4, SHS5 and 3 more")
 
 
 def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
