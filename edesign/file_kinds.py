@@ -21,6 +21,13 @@ _MAY_HAVE_KEYS = re.compile(r"[{?]|:(?!\S)")
 """What every mapping has. The parser takes 0.04 s to find none in the numbers of a record."""
 
 
+_TABLE_OF_SAP2000 = re.compile(rb'^\s*TABLE:\s+"', re.MULTILINE)
+_NUMBER_OF_POINTS = re.compile(rb"\bNPTS\s*=\s*\d")
+"""Of the headers of the PEER data base."""
+_JSON = re.compile(rb'\{\s*"[^"\n]*"\s*:|\[\s*\{\s*"')
+"""Keys in quotes at the beginning, as programs write them."""
+
+
 @dataclass(frozen=True)
 class FileKind:
     """A kind of file.
@@ -50,25 +57,56 @@ def _kind(name: str, use: str, keys: str, without: str = "") -> FileKind:
 
 ARCHIVE = FileKind("archive of results (HDF5)", "`edesign show` prints what it holds")
 TABLE = FileKind(
-    "table of numbers (CSV)", "`edesign characterise`, `sheet`, `fit`, `rts identify` and `rts judge` read such"
+    "table of numbers (CSV)",
+    "`edesign inspect` tells what is in it; `characterise`, `sheet`, `rts identify` and `rts judge` read such",
 )
 PROJECT = _kind("project file", "`edesign run` runs it", "edesign")
 STUDY = _kind("study file", "`edesign run` runs it", "edesign_study")
 BUILDING = _kind("building file", "`edesign run` runs it", "edesign_building")
 SUBSTRUCTURE_TESTS = _kind("substructure test file", "`edesign rts run` runs it", "edesign_rts")
-SUITE = _kind("suite file", "`edesign match` and `spectrum` read it", "edesign_suite")
+SUITE = _kind("suite file", "`edesign records`, `match` and `spectrum` read it", "edesign_suite")
 REFERENCE = _kind("reference file", "`edesign compare ARCHIVE` puts an archive beside it", "edesign_reference")
 RIG = _kind("rig file", "a substructure test file names it by `rig: {file: ...}`", "rig", "compensators tests")
-LAW = _kind("law file", "projects and substructure tests name it by `law_file`", "type parameters")
+LAW = _kind(
+    "law file",
+    "a project names it by `dampers: {laws: {NAME: {file: ...}}}`, substructure tests by `law_file`",
+    "type parameters",
+)
 STRUCTURE_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "structure channels")
 PROPERTY_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "properties specimen")
 CAMPAIGN_OR_PROGRAMME = _kind(
-    "campaign or programme file", "`edesign calibrate` or `test` reads it", "specimen tests", "compensators rig"
+    "campaign or programme file",
+    "of a campaign `edesign characterise`, `sheet`, `fit` and `calibrate` take the tests; `test` runs a programme",
+    "specimen tests",
+    "compensators rig",
 )
 STRUCTURE = _kind(
     "structure file", "its `structure` goes into a campaign of records", "structure", "channels compensators rig tests"
 )
 NATIONAL = _kind("national data file", "a `hazard` names it by `country: NAME.yaml`", "zones")
+SAP2000 = FileKind("model of SAP2000 (text)", "`edesign translate MODEL.s2k project.yaml` makes a project of it")
+PDF = FileKind("PDF document", "edesign writes such and reads none")
+PICTURE = FileKind("picture", "edesign writes such and reads none")
+PAGE = FileKind("page of HTML", "edesign writes such and reads none; the archive that it shows has the numbers")
+WORKBOOK = FileKind("workbook or another zip file", "save a sheet of numbers as CSV; unpack other files")
+PACKED = FileKind("compressed file", "unpack it")
+JSON = FileKind("file of JSON", "edesign writes such beside its results and reads none")
+EMPTY = FileKind("file without content", "it may not have been written to its end")
+RECORDING = FileKind(
+    "recorded motion", "`edesign inspect`, `spectrum` and `match` read it; a project names it under `records`"
+)
+TEXT = FileKind("file of text", "`edesign check` tells what edesign takes it for")
+_SIGNATURES = (
+    (b"%PDF-", PDF),
+    (b"\x89PNG", PICTURE),
+    (b"\xff\xd8\xff", PICTURE),
+    (b"PK\x03\x04", WORKBOOK),
+    (b"\xd0\xcf\x11\xe0", WORKBOOK),  # of Excel before 2007
+    (b"\x1f\x8b", PACKED),
+    (b"BZh", PACKED),
+    (b"\xfd7zXZ", PACKED),
+)
+_TAGS = ((b"<!doctype html", PAGE), (b"<html", PAGE), (b"<svg", PICTURE))
 YAML_KINDS = (
     PROJECT,
     STUDY,
@@ -117,6 +155,44 @@ def kind_of_content(head: bytes) -> FileKind | None:
     return TABLE if _has_numbers(text) else kind_of_keys(_top_level_keys(text))
 
 
+def foreign_kind(path: Path | str) -> FileKind | None:
+    """Return what a file is that no command of edesign takes in this place, by its first bytes; None: nothing known.
+
+    Args:
+        path: of the file.
+    """
+    try:
+        if not Path(path).is_file():  # what a pipe gives its reader needs
+            return None
+        with Path(path).open("rb") as file:
+            head = file.read(HEAD)
+    except (OSError, ValueError):  # what its reader tells
+        return None
+    found = foreign_content(head)
+    return TEXT if found is None and _is_text(head) else found
+
+
+def foreign_content(head: bytes) -> FileKind | None:
+    """Return what a file is that is none of edesign, by its first bytes; None: nothing that is known.
+
+    Args:
+        head: first bytes of the file.
+    """
+    if not head.strip():
+        return EMPTY
+    found = next((kind for mark, kind in _SIGNATURES if head.startswith(mark)), None)
+    if found is not None:
+        return found
+    text = head.removeprefix(b"\xef\xbb\xbf").lstrip()
+    begin = text[:64].lower()
+    found = next((kind for mark, kind in _TAGS if begin.startswith(mark)), None)
+    if found is None and _TABLE_OF_SAP2000.search(head):
+        return SAP2000
+    if found is None and _NUMBER_OF_POINTS.search(head[:500]):
+        return RECORDING
+    return JSON if found is None and _JSON.match(text) else found
+
+
 def kind_of(path: Path | str) -> FileKind | None:
     """Return the kind of a file; None: none that is known, or the file cannot be read.
 
@@ -159,6 +235,11 @@ def other_kind(path: Path | str, found: FileKind, what: str) -> str:
     """
     article = "an" if what[0] in "aeiou" else "a"
     return f"{path}: this is {found.described}, and {article} {what} is needed; {found.use}"
+
+
+def _is_text(head: bytes) -> bool:
+    """Whether bytes are text in UTF-8; a last character that is cut off counts as whole."""
+    return b"\0" not in head and "\ufffd" not in head.decode("utf-8", errors="replace").rstrip("\ufffd")
 
 
 def _top_level_keys(text: str) -> Iterator[str]:

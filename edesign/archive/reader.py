@@ -16,7 +16,7 @@ from edesign.archive.survey import survey
 from edesign.archive.tree import FORMAT, Damaged
 from edesign.archive.writer import partial_path
 from edesign.errors import ArchiveError, EdesignError
-from edesign.file_kinds import ARCHIVE, kind_of, other_kind
+from edesign.file_kinds import ARCHIVE, foreign_kind, kind_of, other_kind
 
 Found = TypeVar("Found")
 NAMED = 5  # damaged groups that a message names
@@ -220,6 +220,8 @@ class Archive:
     def _check_file(self) -> None:
         if self.path.is_file():
             kind = kind_of(self.path)
+            if kind is None:
+                kind = foreign_kind(self.path)
             if kind not in (None, ARCHIVE):
                 raise ArchiveError(other_kind(self.path, kind, "archive"))
             return

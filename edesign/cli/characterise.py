@@ -124,15 +124,19 @@ def _campaign(
     if any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
         if len(inputs) > 1:
             raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+        campaign = load_campaign(inputs[0])
         for option, value in {**options, "--temperature": temperature}.items():
             if value is not None:
                 raise InputError(f"{option}: the campaign says this; leave the option out")
-        return load_campaign(inputs[0])
+        return campaign
     for path in inputs:
         refuse_kind(path, kind_of(path), "test file or campaign file", ARCHIVE, *YAML_KINDS)
-    for option, value in options.items():
-        if value is None:
-            raise InputError(f"{option}: test files do not say this; give it, or a campaign file")
+    missing = [option for option, value in options.items() if value is None]
+    if missing:
+        raise InputError(
+            f"{', '.join(missing)}: test files do not say this; give it, or a campaign file; moduli are those of "
+            "layers, and `edesign sheet` finds stiffness and damping of a device without them"
+        )
     assert layers is not None and area is not None and thickness is not None
     celsius = None
     if temperature is not None:

@@ -90,16 +90,25 @@ def sheet(
     if output is not None:
         headers, rows = tables.csv_rows(runs)
         write_csv_file(headers, rows, output, digits=7)
+        _told(output, as_json)
     if page is not None or pdf is not None:
         from edesign.report.page.sheet import sheet_page
 
         report = sheet_page(title, tests, runs, judged, asked, notes, document)
         if page is not None:
             write_html(report, page)
+            _told(page, as_json)
         if pdf is not None:
             from edesign.report.pdf.document import write_page_as_pdf
 
             write_page_as_pdf(report, pdf, options=options)
+            _told(pdf, as_json)
+
+
+def _told(path: Path, as_json: bool) -> None:
+    """Say which file was written, unless JSON alone is asked for."""
+    if not as_json:
+        print(f"written: {path}")
 
 
 def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, notes: list[str]) -> list[Run | None]:
@@ -132,9 +141,9 @@ def _read(
         return inputs[0].stem, tests, _with_device(Acceptance(), device), None, Document(), list(notes_of(tests))
     if len(inputs) > 1:
         raise InputError(f"{inputs[0]}: one campaign, or test files; not both, and not two campaigns")
+    campaign = load_campaign(inputs[0])
     if temperature is not None:
         raise InputError("--temperature: the campaign says this; leave the option out")
-    campaign = load_campaign(inputs[0])
     damper = None
     if campaign.law is not None and campaign.law.parameters is not None:
         chosen = law(campaign.law.type)

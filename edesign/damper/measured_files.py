@@ -91,7 +91,10 @@ def read_test(
     temperatures = columns.get("temperature")
     if temperature_C is None:
         if temperatures is None:
-            raise InputError(f"{table.where()}: the temperature is not said, and the file has no column of it")
+            raise InputError(
+                f"{table.where()}: the temperature is not said, and the file has no column of it; "
+                'a campaign says it by `temperature: 20 degC`, the commands by --temperature "20 degC"'
+            )
         temperature_C = float(np.mean(temperatures))
     return DamperTest(
         name or path.stem,

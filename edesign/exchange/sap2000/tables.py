@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from edesign.errors import InputError
+from edesign.file_kinds import ARCHIVE, PAGE, PDF, PICTURE, YAML_KINDS
 from edesign.project.reading.file_bytes import read_file
 
 Value = str | float | int | bool
@@ -95,7 +96,7 @@ def read_tables(path: Path) -> Tables:
     Raises:
         InputError: the file cannot be read, is no such text, or is cut off.
     """
-    text = _decoded(path, read_file(path, "SAP2000 file"))
+    text = _decoded(path, read_file(path, "SAP2000 file", refused=(ARCHIVE, *YAML_KINDS, PDF, PICTURE, PAGE)))
     found, name, ended = Tables(path), "", False
     for number, line in _logical_lines(path, text):
         if table := _TABLE.fullmatch(line):

@@ -9,7 +9,19 @@ from pathlib import Path
 from typing import BinaryIO, Protocol
 
 from edesign.errors import InputError
-from edesign.file_kinds import ARCHIVE, HEAD, YAML_KINDS, FileKind, kind_of_content, refuse_kind
+from edesign.file_kinds import (
+    ARCHIVE,
+    HEAD,
+    PAGE,
+    PDF,
+    PICTURE,
+    SAP2000,
+    YAML_KINDS,
+    FileKind,
+    foreign_content,
+    kind_of_content,
+    refuse_kind,
+)
 from edesign.input_files import note_input
 from edesign.project.reading.limits import TABLE_ADVICE, TABLE_BYTES, megabytes
 from edesign.project.reading.problems import nearest
@@ -32,7 +44,7 @@ def read_file(
     what: str,
     most: int = TABLE_BYTES,
     advice: str = TABLE_ADVICE,
-    refused: tuple[FileKind, ...] = (ARCHIVE, *YAML_KINDS),
+    refused: tuple[FileKind, ...] = (ARCHIVE, *YAML_KINDS, SAP2000, PDF, PICTURE, PAGE),
 ) -> bytes:
     """Read a file within a limit of size.
 
@@ -58,7 +70,8 @@ def read_file(
         raise InputError(f"{path}: the {what} cannot be read: {error.strerror}") from None
     except ValueError as error:  # Python's for a null byte in a name
         raise InputError(f"{path}: the {what} cannot be read: {error}") from None
-    refuse_kind(path, kind_of_content(data[:HEAD]), what, *refused)
+    head = data[:HEAD]
+    refuse_kind(path, kind_of_content(head) or foreign_content(head), what, *refused)
     if size > most or len(data) > most:
         raise too_large(path, what, max(size, len(data)), most, advice)
     note_input(path)

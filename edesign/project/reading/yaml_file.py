@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 from pydantic import BaseModel, ValidationError
 
 from edesign.errors import InputError
-from edesign.file_kinds import ARCHIVE, TABLE, kind_of_keys
+from edesign.file_kinds import ARCHIVE, PACKED, PAGE, PDF, PICTURE, RECORDING, SAP2000, TABLE, WORKBOOK, kind_of_keys
 from edesign.project.reading.explain import explain
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.limits import YAML_ADVICE, YAML_BYTES
@@ -17,6 +17,7 @@ from edesign.project.reading.problems import Keys, Problem, Problems, keys_text
 from edesign.project.reading.yaml_nodes import Mark, Node, parse
 
 M = TypeVar("M", bound=BaseModel)
+_FOREIGN = (RECORDING, SAP2000, PDF, PICTURE, PAGE, WORKBOOK, PACKED)
 
 
 def read_yaml_text(path: Path, what: str) -> str:
@@ -34,7 +35,7 @@ def read_yaml_text(path: Path, what: str) -> str:
 
 def read_yaml_file(path: Path, what: str) -> bytes:
     """Read the content of a YAML file; arguments and errors as `read_yaml_text`."""
-    return read_file(path, what, YAML_BYTES, YAML_ADVICE, refused=(ARCHIVE, TABLE))
+    return read_file(path, what, YAML_BYTES, YAML_ADVICE, refused=(ARCHIVE, TABLE, *_FOREIGN))
 
 
 def yaml_text(data: bytes, path: Path) -> str:

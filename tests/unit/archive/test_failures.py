@@ -231,7 +231,7 @@ def test_reader_names_what_is_wrong(tmp_path: Path) -> None:
     with pytest.raises(ArchiveError, match="folder"):
         open_archive(tmp_path)
     (tmp_path / "text.h5").write_text("hello")
-    with pytest.raises(ArchiveError, match="not an HDF5 file, or damaged"):
+    with pytest.raises(ArchiveError, match="this is a file of text, and an archive is needed"):
         open_archive(tmp_path / "text.h5")
     with h5py.File(tmp_path / "foreign.h5", "w") as foreign:
         foreign.attrs["x"] = 1

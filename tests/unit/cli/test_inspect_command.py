@@ -113,7 +113,10 @@ def test_the_account_for_people(tmp_path: Path, capsys: pytest.CaptureFixture[st
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        (SPECIMEN + "tests: []\n", "campaign or programme file (YAML), no table of numbers; `edesign calibrate`"),
+        (
+            SPECIMEN + "tests: []\n",
+            "campaign or programme file (YAML), no table of numbers; of a campaign",
+        ),
         ("time_s;displacement_mm;force_kN\n0;0;0\n1;1,234;1\n2;2,345;3\n", "is `1,234` 1.234 or 1234?"),
         ("time_s,displacement_mm,force_kN\n0,0,0\n1,---,1\n", "`---` is not a number"),
         ("", "the"),

@@ -137,3 +137,47 @@ def test_compare_says_which_file_comes_first(files: Path, capsys: pytest.Capture
     assert "the archive comes first: `edesign compare archive reference`" in capsys.readouterr().err
     assert main(["compare", "archive", "archive"]) == 2
     assert "two archives are not compared; the second file is a reference file" in capsys.readouterr().err
+
+
+FOREIGN = {
+    "x.pdf": (b"%PDF-1.4\n\xff", "this is a PDF document"),
+    "x.png": (b"\x89PNG\r\n\x1a\n", "this is a picture"),
+    "x.xlsx": (b"PK\x03\x04\x14\x00\x06", "this is a workbook or another zip file"),
+    "x.gz": (b"\x1f\x8b\x08\x00", "this is a compressed file"),
+    "x.html": (b"<!DOCTYPE html>\n<html>", "this is a page of HTML"),
+    "x.s2k": (b'File x\nTABLE:  "PROGRAM CONTROL"\n', "this is a model of SAP2000 (text)"),
+    "x.AT2": (b"PEER\nx\nG\nNPTS=  2, DT= .01 SEC\n 0.1 0.2\n", "this is a recorded motion"),
+}
+"""Content of files of other programs, and what messages call them."""
+
+
+@pytest.mark.parametrize("words", [["show", "FILE"], ["run", "FILE"], ["fit", "FILE"], ["compare", "archive", "FILE"]])
+@pytest.mark.parametrize("name", FOREIGN)
+def test_a_file_of_another_program_is_called_what_it_is(
+    files: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str], words: list[str], name: str
+) -> None:
+    content, message = FOREIGN[name]
+    (tmp_path / name).write_bytes(content)
+    assert main([str(tmp_path / name) if word == "FILE" else word for word in words]) in (2, 4)
+    error = capsys.readouterr().err
+    assert f"{name}: {message}" in error and "damaged" not in error and "Traceback" not in error
+
+
+@pytest.mark.parametrize(
+    ("content", "message"),
+    [(b"", "this is a file without content"), (b"notes: [\n", "this is a file of text"), (b'{"a": 1}', "file of JSON")],
+)
+def test_what_is_no_archive_is_not_called_a_damaged_one(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], content: bytes, message: str
+) -> None:
+    (tmp_path / "x.h5").write_bytes(content)
+    assert main(["show", str(tmp_path / "x.h5")]) == 4
+    assert message in capsys.readouterr().err
+
+
+def test_mistakes_in_the_file_come_before_options_that_do_not_belong_to_it(
+    files: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["sheet", "nowhere.yaml", "--temperature", "20 degC"]) == 2
+    assert main(["characterise", "nowhere.yaml", "--layers", "1"]) == 2
+    assert capsys.readouterr().err.count("there is no such campaign file") == 2

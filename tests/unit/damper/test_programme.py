@@ -162,9 +162,9 @@ def test_the_commands(tmp_path: Path, app: typer.Typer) -> None:
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["a.csv"], "--layers: test files do not say this"),
+        (["a.csv"], "--layers, --layer-area, --layer-thickness: test files do not say this"),
         (["a.csv", "b.yaml"], "one campaign, or test files"),
-        (["b.yaml", "--layers", "2"], "--layers: the campaign says this"),
+        (["b.yaml", "--layers", "2"], "b.yaml: there is no such campaign file"),
         (["a.csv", "--cycles", "five"], "--cycles: `five` is no range"),
         (["a.csv", "--cycles", "9-5"], "9 to 5 is no range"),
         (["a.csv", "--format", "jpg"], "--format: `jpg` is unknown"),
