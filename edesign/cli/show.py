@@ -6,11 +6,14 @@ import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from edesign.cli.complete import archived_names
+
+if TYPE_CHECKING:
+    from edesign.archive.reader import Archive
 
 
 def show(
@@ -29,6 +32,10 @@ def show(
         str | None,
         typer.Option("--member", "-m", metavar="NAME", help="Checks of one member of a building, written out."),
     ] = None,
+    devices: Annotated[
+        str | None,
+        typer.Option("--devices", metavar="DESIGN", help="The devices that a design found, for a project's `dampers`."),
+    ] = None,
     csv: Annotated[
         Path | None, typer.Option("--csv", metavar="FILE", help="Write the verdicts on the criteria of a study.")
     ] = None,
@@ -40,7 +47,7 @@ def show(
 ) -> None:
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
     from edesign.archive.files import check_folder
-    from edesign.archive.reader import Archive, DamagedArchive, read_archive, refuse_calibration
+    from edesign.archive.reader import DamagedArchive, read_archive, refuse_calibration
     from edesign.report.archive_tables import details, overview
     from edesign.report.drawing.style import check_format
     from edesign.report.short_tables import short_tables
@@ -68,6 +75,9 @@ def show(
         return lambda: print_tables(tables)
 
     check_format(figure_format)
+    if devices is not None:
+        print(read_archive(archive, lambda opened: _devices(opened, devices))[0], end="")
+        return
     if csv is not None:
         from edesign.report.assessment.verdict_data import write_verdicts
 
@@ -85,3 +95,22 @@ def show(
             print(nothing, file=sys.stderr, flush=True)
     if damage:
         raise DamagedArchive(damage)
+
+
+def _devices(opened: Archive, design: str) -> str:
+    """The devices that a design found, as YAML.
+
+    Raises:
+        InputError: there is no such design, or it found none.
+    """
+    from edesign.errors import InputError
+    from edesign.project.reading.problems import unknown_name
+    from edesign.report.inputs.designed_dampers import DESIGNS
+
+    names = opened.names(DESIGNS)
+    if design not in names:
+        raise InputError(f"{opened.path}: --devices: {unknown_name('design', design, names)}")
+    attributes = opened.group_attributes(f"{DESIGNS}/{design}")
+    if attributes.get("status") != "completed" or "devices" not in attributes:
+        raise InputError(f"{opened.path}: --devices: the design `{design}` found no devices")
+    return str(attributes["devices"])

@@ -55,9 +55,16 @@ def translate(
 def _read(source: Path) -> Project | Building:
     from edesign.building.building_file import load_building
     from edesign.building.project_file import load_project
-    from edesign.file_kinds import BUILDING, kind_of
+    from edesign.errors import InputError
+    from edesign.file_kinds import BUILDING, STUDY, kind_of
 
-    return load_building(source) if kind_of(source) is BUILDING else load_project(source)
+    kind = kind_of(source)
+    if kind is STUDY:
+        raise InputError(
+            f"{source}: this is {STUDY.described}, and a project or building file is needed: name that of its "
+            "`project`; dampers that a design found come into its `dampers` by `edesign show ARCHIVE --devices DESIGN`"
+        )
+    return load_building(source) if kind is BUILDING else load_project(source)
 
 
 def _take(source: Path, target: Path, overwrite: bool) -> None:

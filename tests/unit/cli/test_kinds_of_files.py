@@ -181,3 +181,24 @@ def test_mistakes_in_the_file_come_before_options_that_do_not_belong_to_it(
     assert main(["sheet", "nowhere.yaml", "--temperature", "20 degC"]) == 2
     assert main(["characterise", "nowhere.yaml", "--layers", "1"]) == 2
     assert capsys.readouterr().err.count("there is no such campaign file") == 2
+
+
+def test_a_study_is_translated_by_its_project(files: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["translate", "study", "made.tcl"]) == 2
+    assert "`edesign show ARCHIVE --devices DESIGN`" in capsys.readouterr().err
+
+
+def test_show_prints_the_devices_of_a_design(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "a.h5"
+    with ArchiveWriter(path, Group(attributes={"title": "x", "planned": []})) as writer:
+        writer.write(
+            "designs/added", Group(attributes={"status": "completed", "devices": "devices:\n- kind: chevron\n"})
+        )
+        writer.write("designs/broken", Group(attributes={"status": "failed", "devices": "devices: []\n"}))
+        writer.finish({"status": "completed"})
+    assert main(["show", str(path), "--devices", "added"]) == 0
+    assert capsys.readouterr().out == "devices:\n- kind: chevron\n"
+    assert main(["show", str(path), "--devices", "broken"]) == 2
+    assert main(["show", str(path), "--devices", "adde"]) == 2
+    told = capsys.readouterr().err
+    assert "the design `broken` found no devices" in told and "did you mean `added`" in told
