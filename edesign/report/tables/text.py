@@ -183,6 +183,8 @@ def _aligned(table: Table, column: int, cell: str, width: int) -> str:
 def folded(table: Table, width: int) -> list[Table]:
     """Cut a table that is wider than `width` characters into tables below each other that repeat its first column.
 
+    Where rows are alike there, the next columns of its left are repeated too, as far as they take half a line.
+
     Args:
         table: the table; one without headers is returned as it is.
         width: characters of a line; a column that is wider alone stands alone.
@@ -191,16 +193,17 @@ def folded(table: Table, width: int) -> list[Table]:
         return [table]
     widths = [one + _GAP for one in _widths(table)]
     room = width + _GAP - _indent(table)
+    repeated = _telling_apart(table, widths, room)
     blocks: list[list[int]] = []
-    for i in range(1, len(widths)):
+    for i in range(len(repeated), len(widths)):
         if i in table.joined and blocks:
             blocks[-1].append(i)
         else:
             blocks.append([i])
-    parts: list[list[int]] = [[0]]
+    parts: list[list[int]] = [[*repeated]]
     for block in blocks:
-        if len(parts[-1]) > 1 and sum(widths[j] for j in (*parts[-1], *block)) > room:
-            parts.append([0])
+        if len(parts[-1]) > len(repeated) and sum(widths[j] for j in (*parts[-1], *block)) > room:
+            parts.append([*repeated])
         parts[-1] += block
     if len(parts) == 1:
         return [table]
@@ -220,6 +223,15 @@ def folded(table: Table, width: int) -> list[Table]:
             )
         )
     return tables
+
+
+def _telling_apart(table: Table, widths: list[int], room: int) -> list[int]:
+    """The first columns, of those at the left, by which no two rows are alike; the first where that takes much room."""
+    for count in range(1, max(1, table.left) + 1):
+        alike = len({tuple(row[:count]) for row in table.rows}) < len(table.rows)
+        if not alike and 2 * sum(widths[:count]) <= room:
+            return list(range(count))
+    return [0]
 
 
 def _forced(table: Table, width: int) -> Table:

@@ -59,6 +59,16 @@ def test_a_wide_table_is_cut_between_columns_and_repeats_the_first() -> None:
     ]
 
 
+def test_columns_that_tell_rows_apart_are_repeated() -> None:
+    """The third cycle of a test and the mean of all have one name."""
+    rows = [["sine", "3", "1.2", "8.8"], ["sine", "1-18", "1.2", "8.9"]]
+    parts = folded(Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), rows, left=2), 28)
+    assert [list(part.columns) for part in parts] == [["test", "cycle", "x0 [mm]"], ["test", "cycle", "k' [kN/mm]"]]
+    assert [part.left for part in parts] == [2, 2]
+    much = Table("Tests", ("test", "cycle", "x0 [mm]", "k' [kN/mm]"), [[10 * "x", *row[1:]] for row in rows], left=2)
+    assert [list(part.columns)[0:2] for part in folded(much, 28)][-1] == ["test", "k' [kN/mm]"]
+
+
 def test_a_column_that_is_wider_than_the_terminal_stands_alone() -> None:
     assert [len(part.columns) for part in folded(WIDE, 10)] == [2, 2, 2]
     heading = Table("t", (), [["archive", "x" * 100]], left=2)
