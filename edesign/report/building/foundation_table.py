@@ -14,7 +14,10 @@ def reaction_table(of: Group) -> Table:
     static, seismic = of.variables["static"].values, of.variables["seismic"].values
     cases = [str(case) for case in of.coords["case"].values]
     table = Table(
-        "Supports: F_z on the frame by action, upwards, kN", ("support", *cases, "E_x", "E_y"), name="supports"
+        "Supports: F_z on the frame by action, upwards, kN",
+        ("support", *cases, "E_x", "E_y"),
+        formulas=(),
+        name="supports",
     )
     table.units = ("", *("kN" for _ in table.columns[1:]))
     for k, support in enumerate(of.coords["support"].values):
@@ -32,6 +35,7 @@ def foundation_table(of: Group) -> Table:
         "Foundations: design actions, kN and kNm",
         ("support", "f_x", "f_y", "F_z,d", "to", "F_x,d", "F_y,d", "M_x,d", "M_y,d"),
         units=("", "", "", "kN", "kN", "kN", "kN", "kNm", "kNm"),
+        formulas=(),
         name="foundations",
     )
     for k, support in enumerate(of.coords["support"].values):

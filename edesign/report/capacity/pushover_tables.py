@@ -87,7 +87,7 @@ def target_tables(project: Project | None, groups: Mapping[str, Group], study: S
     for method, columns in COLUMNS.items():
         headers = ("pushover", "level", *(header for header, _, _ in columns))
         table = Table(f"Target displacements, {METHODS[method]}", headers, name=f"target_displacements_{method}")
-        table.left = 2
+        table.left, table.formulas = 2, ()
         for name, group in targets.items():
             if group.attributes.get("method") != method or f"{method}_d_t" not in group.variables:
                 continue

@@ -24,7 +24,7 @@ def isolation_estimate_table(name: str, group: Group) -> Table:
         group: its results.
     """
     header = ("level", "d [mm]", f"{GAMMA_X:g} d [mm]", "T_eff [s]", "xi_eff [%]", "S_e [m/s2]", "F [kN]", "F/W [%]")
-    table = Table(f"{name}: isolated base, equivalent linear (EN 1998-1, 10.9)", header)
+    table = Table(f"{name}: isolated base, equivalent linear (EN 1998-1, 10.9)", header, formulas=())
     table.each = ("Isolated base, equivalent linear (EN 1998-1, 10.9)", name)
     table.name = "isolated_base_design"
     if "isolation_displacement" not in group.variables:

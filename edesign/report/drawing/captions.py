@@ -9,7 +9,7 @@ from collections.abc import Collection
 
 LONGEST = 64  # characters of a part of a file name; file systems take 255 bytes for all parts
 
-ROUNDING = 1e-6  # in the units of people: what is smaller is shown as 0.0000
+ROUNDING = 1e-6  # in the units of people: what is smaller is rounding, and is shown as 0
 
 
 def plain(value: float, digits: int = 3) -> str:
@@ -23,8 +23,10 @@ def plain(value: float, digits: int = 3) -> str:
     places = 0
     while 0.0 < rounded * 10.0**places < 10.0 ** (digits - 1) and places < digits + 1:
         places += 1
+    if rounded < ROUNDING:
+        return "0"
     text = f"{value:.{places}f}"
-    return text if rounded < ROUNDING or float(text) else f"{value:.1e}"
+    return text if float(text) else f"{value:.1e}"
 
 
 def record_label(reference: str) -> str:

@@ -19,6 +19,8 @@ from matplotlib.text import Text
 from matplotlib.ticker import FixedFormatter, FixedLocator, NullLocator
 from matplotlib.transforms import Bbox, IdentityTransform
 
+from edesign.report.drawing.symbols import power_of_ten
+
 Kind = Literal["major", "minor"]
 
 _KINDS: tuple[Kind, ...] = ("major", "minor")
@@ -227,12 +229,17 @@ class _LightAxis(Axis):
         place = [0.5, 0.5]
         place[1 - self._along] = far - renderer.points_to_pixels(self.labelpad)
         self.label.set_position((place[0], place[1]))
-        self.offsetText.set_text(self.get_major_formatter().get_offset())
+        factor = self.get_major_formatter().get_offset()
+        self.offsetText.set_text(f"× {power_of_ten(factor)}" if factor.startswith("1e") else factor)
         if self.offsetText.get_text():
             away = renderer.points_to_pixels(self.OFFSETTEXTPAD)
             own = self._outside(renderer)
             at = (1.0, own.y0 - away) if self._along == 0 else (0.0, self.axes.bbox.ymax + away)
             self.offsetText.set_position(at)
+            if self._along == 0 and self.label.get_text():
+                label = self.label.get_window_extent(renderer)
+                if label.overlaps(self.offsetText.get_window_extent(renderer)):
+                    self.offsetText.set_position((1.0, label.y0 - away))
 
 
 class _LightXAxis(_LightAxis, XAxis):

@@ -14,6 +14,7 @@ import numpy as np
 
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
+from edesign.report.drawing.symbols import in_parts
 from edesign.report.tables.visible import visible
 
 if TYPE_CHECKING:
@@ -122,6 +123,7 @@ def save(figure: Figure, path: Path) -> None:
         text = svg_text(figure)
         write_whole(path, lambda partial: partial.write_text(text, encoding="utf-8"))
         return
+    set_indices(figure)
     metadata = {"CreationDate": None} if suffix == ".pdf" else None
     with in_style_of_figures():
         write_whole(path, lambda partial: figure.savefig(partial, dpi=160, metadata=metadata))
@@ -150,11 +152,34 @@ def check_figure_name(path: Path) -> None:
         raise InputError(f"{path}: a figure ends in {', '.join(f'.{name}' for name in FORMATS)}")
 
 
+def set_indices(figure: Figure) -> None:
+    """Set the symbols of the codes in the texts of a figure with their indices, as matplotlib does; the rest stays.
+
+    Args:
+        figure: that goes into a file of its own; a page sets its texts itself.
+    """
+    texts: list[Any] = list(figure.texts)
+    legends = list(figure.legends)
+    for axes in figure.axes:  # not all children of the figure: light axes would make objects of their ticks
+        texts += [*axes.texts, axes.title, axes._left_title, axes._right_title, axes.xaxis.label, axes.yaxis.label]  # type: ignore[attr-defined]
+        legends += [legend for legend in [axes.get_legend()] if legend is not None]
+    texts += [text for legend in legends for text in legend.get_texts()]
+    for text in texts:
+        parts = list(in_parts(text.get_text()))
+        if any(index for _, index in parts):
+            escaped = ((before.replace("$", r"\$"), index) for before, index in parts)
+            text.set_text(
+                "".join(f"{before}$_{{\\mathrm{{{index}}}}}$" if index else before for before, index in escaped)
+            )
+            text.set_parse_math(True)
+
+
 def svg_text(figure: Figure) -> str:
     """Return a figure, as drawn by a `styled` function, as an SVG file; `savefig` would draw it twice to lay it out."""
     from matplotlib.backends.backend_svg import FigureCanvasSVG
 
     text, dpi = StringIO(), figure.dpi
+    set_indices(figure)
     with in_style_of_figures():
         FigureCanvasSVG(figure).print_svg(text, metadata={"Date": None})
     figure.dpi = dpi

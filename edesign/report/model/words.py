@@ -11,17 +11,23 @@ from edesign.project.frame.sections import ElasticSection, PlateSection, Section
 from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.report.drawing.style import VARIANTS
+from edesign.report.drawing.symbols import power_of_ten
 
+SCIENTIFIC = 1e9  # such as the area of a member that stands for a rigid one
 MOST = 170  # letters of parameters
 
 
 def short(value: float, digits: int = 4) -> str:
     """Return a number with at most so many digits, without zeros at its end, and all that stand before the point.
 
+    Numbers from 10⁹ are written with a power of ten.
+
     Args:
         value: the number.
         digits: number of digits.
     """
+    if abs(value) >= SCIENTIFIC:
+        return power_of_ten(f"{value:.{digits}g}")
     return f"{value:.{digits}g}" if abs(value) < 10.0**digits else f"{value:.0f}"
 
 

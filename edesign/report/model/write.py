@@ -11,7 +11,7 @@ from edesign.archive.files import check_file, write_text, write_whole
 from edesign.errors import ArchiveError, InputError
 from edesign.project.reading.file_model import FileModel
 from edesign.project.reading.problems import did_you_mean
-from edesign.report.drawing.style import FORMATS, garbage_between_figures, in_style_of_figures, save
+from edesign.report.drawing.style import FORMATS, garbage_between_figures, in_style_of_figures, save, set_indices
 from edesign.report.model.figures import Named
 
 if TYPE_CHECKING:
@@ -87,6 +87,7 @@ def _pdf(drawings: Iterable[Named], path: Path) -> None:
     def write(partial: Path) -> None:
         with in_style_of_figures(), PdfPages(partial, metadata={"CreationDate": None}) as pages:
             for figure in _figures(drawings):
+                set_indices(figure)
                 pages.savefig(figure)
 
     write_whole(path, write)

@@ -16,6 +16,7 @@ from matplotlib.path import Path
 from matplotlib.transforms import Affine2D, Bbox
 
 from edesign.report.drawing.style import in_style_of_figures
+from edesign.report.drawing.symbols import in_parts
 from edesign.report.drawing.thin_out import thin_out_all
 from edesign.report.tables.visible import visible_line
 
@@ -152,7 +153,7 @@ class PageRenderer(RendererBase):
         place = f'x="{UNITS * x:.0f}" y="{UNITS * y:.0f}"'
         if angle:
             place = f'transform="translate({UNITS * x:.0f} {UNITS * y:.0f}) rotate({_number(-angle)})"'
-        text = f'<text {place} style="{";".join(style)}">{_escaped(s)}</text>'
+        text = f'<text {place} style="{";".join(style)}">{_with_indices(s)}</text>'
         _, high, _ = _text_size(s, prop)
         self._clipped(gc, text, np.array([[x, y - high], [x, y]]))
 
@@ -319,6 +320,16 @@ def _number(value: float) -> str:
     """A number to a hundredth, as short as can be."""
     text = f"{value:.2f}".rstrip("0").rstrip(".")
     return "0" if text in ("-0", "") or not math.isfinite(value) else text
+
+
+def _with_indices(text: str) -> str:
+    """A text of a figure as content of its element, with its symbols as in the text of the page."""
+    found = ""
+    for before, index in in_parts(text):
+        found += _escaped(before)
+        if index:  # the base line is moved back by the next part; not all browsers know baseline-shift
+            found += f'<tspan dy=".25em" font-size="75%">{index}</tspan><tspan dy="-.19em">&#8203;</tspan>'
+    return found
 
 
 def _escaped(text: str) -> str:

@@ -13,6 +13,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
+from edesign.report.drawing.symbols import GREEK, in_parts
 from edesign.report.page.section import Part, Section, Viewer
 from edesign.report.page.shared_styles import share_styles
 from edesign.report.tables.table import Table
@@ -26,31 +27,18 @@ LONG = 34  # characters, from which a cell is broken into lines
 _NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
 _SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"), ("N*s", "N·s"), ("N*(", "N·("))
 _OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), (" - ", " \N{MINUS SIGN} "))
-_GREEK = {
-    **{
-        "alpha": "α",
-        "beta": "β",
-        "gamma": "γ",
-        "chi": "χ",
-        "lambda": "λ\N{COMBINING MACRON}",
-        "mu": "μ",
-        "epsilon": "ε",
-        "rho": "ρ",
-        "theta": "θ",
-    },
-    **{"nu": "ν", "psi": "ψ", "pi": "π", "Phi": "Φ", "Omega": "Ω", "sum": "Σ"},
-}
 _ROOT = re.compile(r"\bsqrt(?=\()")
 _TIMES = re.compile(r"(?<=[0-9)]) x (?=[0-9(])")
 _UNIT = re.compile(r"(?<![A-Za-z])(cm)([2346])(?![A-Za-z0-9])")
 _POWER = re.compile(r"\^([0-9.]+)")
 _INDEX = r"(?:_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)*))?"
-_INDEXED = re.compile(rf"(?<![A-Za-z0-9_&#])({'|'.join(_GREEK)}|[A-Za-z]){_INDEX}(?![A-Za-z0-9_])")
+_INDEXED = re.compile(rf"(?<![A-Za-z0-9_&#])({'|'.join(GREEK)}|[A-Za-z]){_INDEX}(?![A-Za-z0-9_])")
 # behind a number or in a header, where it is no name
 _AREA = re.compile(r"(?:(?<=[0-9] )|(?<=[\[(/])|(?<= in ))(mm|cm|m|s)([234])(?![A-Za-z0-9_])")
 _CODE = re.compile(r"`([^`<>]+)`")
 _RAISED = {"2": "²", "3": "³", "4": "⁴", "6": "⁶"}
-_SYMBOL = re.compile(r"(?<![A-Za-z0-9_])(a_gR|a_g|f_y|gamma_I|T_[BCD1]|G_eq|P_CL|alpha_[012])(?![A-Za-z0-9_])")
+_MINUS = re.compile(r"(?<![A-Za-z0-9_.)\]+-])-(?=[0-9])")  # before a number, where it joins nothing
+_POWER_OF_TEN = re.compile(r"(?<![A-Za-z0-9_.])([0-9]+(?:\.[0-9]+)?)e([-+])0*([1-9][0-9]*)(?!\.?[A-Za-z0-9_])")
 
 
 @dataclass(frozen=True)
@@ -141,14 +129,27 @@ def _viewer() -> dict[str, str]:
 
 
 def typeset(text: str) -> Markup:
-    """Return text, escaped, with the signs of print in place of those of a terminal."""
+    """Return text, escaped, with the signs of print in place of those of a terminal; what a user types stays."""
     if text == "-":
         return Markup("–")
+    words = _CODE.split(text)  # every second one is code
+    return Markup("".join(f"<code>{escape(word)}</code>" if i % 2 else _in_print(word) for i, word in enumerate(words)))
+
+
+def _in_print(text: str) -> str:
     found = str(escape(text))
     for plain, printed in _SIGNS:
         found = found.replace(plain, printed)
-    found = _CODE.sub(r"<code>\1</code>", _AREA.sub(_raised, found))
-    return Markup(_SYMBOL.sub(_with_index, found))
+    found = _POWER_OF_TEN.sub(_power_of_ten, _AREA.sub(_raised, found))
+    found = _MINUS.sub("\N{MINUS SIGN}", found)
+    return "".join(f"{before}<sub>{index}</sub>" if index else before for before, index in in_parts(found))
+
+
+def _power_of_ten(found: re.Match[str]) -> str:
+    factor, sign, exponent = found.groups()
+    minus = "\N{MINUS SIGN}" if sign == "-" else ""
+    power = f"10<sup>{minus}{exponent}</sup>"
+    return power if factor == "1" else f"{factor} × {power}"
 
 
 def formula(text: str) -> Markup:
@@ -169,13 +170,8 @@ def _raised(found: re.Match[str]) -> str:
 
 def _indexed(found: re.Match[str]) -> str:
     name, index = found[1], found[2]
-    name = _GREEK.get(name, name)
+    name = GREEK.get(name, name)
     return f"{name}<sub>{index}</sub>" if index else name
-
-
-def _with_index(found: re.Match[str]) -> str:
-    name, _, index = found[0].partition("_")
-    return f"{_GREEK.get(name, name)}<sub>{index}</sub>"
 
 
 def state(cell: str) -> str:

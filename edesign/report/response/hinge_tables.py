@@ -89,6 +89,7 @@ def _hinges(groups: Mapping[str, Group]) -> Table | None:
             "strength left [%]",
             "analysis",
         ],
+        formulas=(),
         name="plastic_hinges",
     )
     theta_p = {name: float(np.asarray(facts[name][1])) for name in turned}
@@ -137,7 +138,7 @@ def _joints(groups: Mapping[str, Group]) -> Table | None:
         "rotation [mrad]",
         "analysis",
     ]
-    table = Table("Joints", columns, name="joints")
+    table = Table("Joints", columns, formulas=(), name="joints")
     for name, (rotation, analysis) in _most(turned):
         stiffness, resistance, ratio, word = facts[name]
         capacity = float(np.asarray(resistance))

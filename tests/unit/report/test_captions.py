@@ -17,7 +17,7 @@ from edesign.report.drawing.captions import file_name, plain, record_label
         (0.0456, "0.0456"),
         (-2.0, "-2.00"),
         (0.0, "0"),
-        (1e-9, "0.0000"),
+        (1e-9, "0"),
     ],
 )
 def test_three_significant_digits(value: float, text: str) -> None:

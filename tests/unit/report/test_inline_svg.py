@@ -119,7 +119,10 @@ def test_what_stands_within_its_axes_needs_no_clip() -> None:
 
 
 def test_texts_stand_where_matplotlib_puts_them() -> None:
-    """Labels of ticks, titles and legends against the SVG file of matplotlib itself, drawn with its own ticks."""
+    """Labels of ticks, titles and legends against the SVG file of matplotlib itself, drawn with its own ticks.
+
+    The power of ten is written as in print, where matplotlib writes 1e−8.
+    """
     from matplotlib.axes import Axes
 
     @styled
@@ -134,8 +137,9 @@ def test_texts_stand_where_matplotlib_puts_them() -> None:
         return figure
 
     found = _texts(inline_svg(drawn(LightAxes), "one", "")[0], UNITS)
-    own = _texts(svg_text(drawn(Axes)), 1.0)
+    own = _texts(svg_text(drawn(Axes)).replace("1e\N{MINUS SIGN}8", "× 10⁻⁸"), 1.0)
     assert [text for text, *_ in found] == [text for text, *_ in own] and len(own) > 10
+    assert "× 10⁻⁸" in {text for text, *_ in found}
     for (text, *here), (_, *there) in zip(found, own, strict=True):
         assert here == pytest.approx(there, abs=0.3), text  # the height of a line, and rounding to a tenth of a point
 
@@ -148,3 +152,41 @@ def _texts(svg: str, units: float) -> list[tuple[str, float, float]]:
         assert place is not None, about
         found.append((text, float(place[1]) / units, float(place[2]) / units))
     return sorted(found)
+
+
+def test_a_power_of_ten_stands_below_a_label_that_is_in_its_way() -> None:
+    """A narrow panel of residual drifts of an elastic frame: power and label have no point in common."""
+
+    @styled
+    def drawn() -> Figure:
+        figure, ((axes,),) = new_figure(1, 1, 2.0, 2.2)
+        axes.plot([0.0, 1.1e-5], [1.0, 2.0])
+        axes.set_xlabel("residual interstorey drift (%)")
+        return figure
+
+    below = {text: y for text, _, y in _texts(inline_svg(drawn(), "one", "")[0], UNITS)}
+    assert below["× 10⁻⁵"] - below["residual interstorey drift (%)"] > 8.0  # points, the size of the type
+
+
+def test_symbols_in_figures_have_an_index_as_those_in_the_text() -> None:
+    @styled
+    def drawn() -> Figure:
+        figure, ((axes,),) = new_figure(1, 1, 5.0, 3.0)
+        axes.set_title("a_gR = 0.2 g, steel_f_y, gamma_Rd Omega", loc="left")
+        return figure
+
+    svg = ElementTree.fromstring(inline_svg(drawn(), "one", "")[0])
+    (title,) = (element for element in svg.iter("text") if "= 0.2" in "".join(element.itertext()))
+    assert "".join(title.itertext()).replace("\N{ZERO WIDTH SPACE}", "") == "agR = 0.2 g, steel_f_y, γRd Ω"
+    assert [element.text for element in title.iter("tspan") if element.get("font-size")] == ["gR", "Rd"]
+
+
+def test_a_figure_in_a_file_of_its_own_has_indices_too_and_its_dollar_signs() -> None:
+    @styled
+    def drawn() -> Figure:
+        figure, ((axes,),) = new_figure(1, 1, 5.0, 3.0)
+        axes.set_title("$5, f_y = 355 MPa, $6", loc="left")
+        return figure
+
+    letters = re.findall(r">([^<])</tspan>", svg_text(drawn()))
+    assert sorted("".join(letters).replace("\N{NO-BREAK SPACE}", " ")) == sorted("$5, fy = 355 MPa, $6")

@@ -13,6 +13,23 @@ from edesign.report.tables.table import Table
 HOSTILE = "<img src=x onerror=alert(1)> & \"quotes\" 'too' -> T_B"
 
 
+@pytest.mark.parametrize(
+    ("plain", "printed"),
+    [
+        ("-1.1", "−1.1"),
+        ("1.849 (-0.0076 %)", "1.849 (−0.0076 %)"),
+        ("0.1 -> -0.2", "0.1 → −0.2"),
+        ("FER-L1, 1-15, EN 1998-1, 2026-11-27, run-3.csv", "FER-L1, 1-15, EN 1998-1, 2026-11-27, run-3.csv"),
+        ("3.1e-04 of the input", "3.1 × 10<sup>−4</sup> of the input"),
+        ("alpha_2 [1e-6 s2]", "α<sub>2</sub> [10<sup>−6</sup> s²]"),
+        ("1.5e+16", "1.5 × 10<sup>16</sup>"),
+        ("`tolerance: 1e-5, -3`, 5e-3.csv", "<code>tolerance: 1e-5, -3</code>, 5e-3.csv"),
+    ],
+)
+def test_numbers_have_the_signs_of_print_and_names_stay(plain: str, printed: str) -> None:
+    assert typeset(plain) == printed
+
+
 def test_numbers_stand_right_words_left_sentences_in_lines() -> None:
     rows = [
         ["a", "1.2e-05", "0.4 -> 0.5", "4 of 4", "met", "a sentence that is longer than a column should be"],
@@ -33,6 +50,9 @@ def test_verdicts(cell: str, found: str) -> None:
 def test_signs_of_print_and_escaping() -> None:
     assert typeset("-") == "–"
     assert typeset("1 m/s2 -> 20 degC, gamma_I") == "1 m/s² → 20 °C, γ<sub>I</sub>"
+    assert typeset("pulled with gamma_Rd Omega, by F_z; Omega_1") == (
+        "pulled with γ<sub>Rd</sub> Ω, by F<sub>z</sub>; Omega_1"
+    )
     assert typeset("max_T_B_x <b>") == "max_T_B_x &lt;b&gt;"
 
 
