@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 COLUMNS = 3
+HEIGHT = 2.2  # of a panel, inches: two figures of two rows stand on a sheet of the PDF
 WITH_DAMPERS = Kind("storey shear, columns and dampers", "kN", 1e-3, "storey")
 Read = Mapping[str, Sequence[tuple[History, Group]]]
 
@@ -85,7 +86,7 @@ def mean_profile_figure(panels: Sequence[tuple[Kind, Mapping[str, np.ndarray]]],
     """
     from matplotlib.lines import Line2D
 
-    figure, axes = grid_figure(len(panels), COLUMNS, 2.35, 2.6)
+    figure, axes = grid_figure(len(panels), COLUMNS, 2.35, HEIGHT)
     for axis, (kind, values) in zip(axes, panels, strict=True):
         _draw(axis, kind, values, colors)
     for place, axis in enumerate(axes):
