@@ -246,4 +246,6 @@ def _velocity_notes(found: dict[tuple[int, str], dict[str, Demand | None]], alik
     if not any(known) and not any(law.rate_dependent for law in laws):
         return []  # none asks for it
     kept = "`dampers` among the kept histories"
+    if not any(known):
+        return [f"The archive has no velocities of the dampers; they are found with {kept}."]
     return [f"The velocity v is known of dashpots, and of other dampers that were kept over time ({kept})."]

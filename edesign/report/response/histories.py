@@ -115,7 +115,11 @@ def by_temperature(chosen: Iterable[History]) -> dict[tuple[str, str, str], list
 
 def missing_text(chosen: Iterable[History]) -> str:
     """Return a sentence that names the histories that did not complete; "" if all did."""
-    named = [f"{h.variant} {h.motion}".strip() + f" ({h.reason})" * bool(h.reason) for h in chosen if not h.completed]
+    named = [
+        ", ".join(filter(None, (h.variant, h.motion))) + f" ({h.reason})" * bool(h.reason)
+        for h in chosen
+        if not h.completed
+    ]
     return f" Missing, as the analysis did not complete: {'; '.join(named)}." if named else ""
 
 

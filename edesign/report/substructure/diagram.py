@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import textwrap
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -169,10 +170,17 @@ def _hertz(frequencies: Sequence[float] | np.ndarray) -> str:
     return f"{', '.join(plain(float(one)) for one in frequencies[:3])}{more} Hz"
 
 
+def kind_words(kind: str) -> str:
+    """Return the words for the kind of a compensator, plant or integration, as the file of tests names it.
+
+    Args:
+        kind: of the file, such as `modified_ats`.
+    """
+    return re.sub(r"\bats\b", "adaptive time series (ATS)", kind.replace("_", " "))
+
+
 def _compensators(file: RtsFile) -> Lines:
-    names = [
-        name if name == one.kind else f"{name}: {one.kind.replace('_', ' ')}" for name, one in file.compensators.items()
-    ]
+    names = [name if name == one.kind else f"{name}: {kind_words(one.kind)}" for name, one in file.compensators.items()]
     return (*names[:MOST_LINES], f"and {len(names) - MOST_LINES} more") if len(names) > MOST_LINES + 1 else tuple(names)
 
 

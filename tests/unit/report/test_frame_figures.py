@@ -58,7 +58,7 @@ def test_a_hinge_stands_near_its_end(figures: dict[str, tuple[str, Any]]) -> Non
 def test_numbers_in_the_caption(figures: dict[str, tuple[str, Any]]) -> None:
     caption = figures["hinges_DBE_mean"][0]
     assert "bare, 3 records: 5 of 12 ends rotate by more than 1 mrad, the largest is 60.0 mrad (B_1_1)" in caption
-    assert "damped Borrego 1942 B-ELC000" in caption
+    assert "damped, Borrego 1942 B-ELC000" in caption
 
 
 @pytest.mark.parametrize(("rotation", "rank"), [(0.0, 0), (0.00099, 0), (0.001, 1), (0.0051, 2), (0.012, 3), (0.03, 4)])

@@ -44,7 +44,7 @@ def test_a_failed_history_is_not_drawn_but_named(path: Path) -> None:
     with open_archive(path) as archive:
         found = {name: (caption, figure) for name, caption, figure in response_figures(archive)}
     caption, figure = found[f"response_DBE_{RECORDS[2]}"]
-    assert "damped Borrego 1942 B-ELC000 (no equilibrium at 3 s)" in caption
+    assert "damped, Borrego 1942 B-ELC000 (no equilibrium at 3 s)" in caption
     assert {line.get_label() for line in figure.axes[1].lines if len(line.get_xdata()) > 2} == {"bare"}
 
 

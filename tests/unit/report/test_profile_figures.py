@@ -74,7 +74,7 @@ def test_the_record_with_the_largest_value_is_named_and_the_failed_one_is_missin
     assert damped.get_title("left") == "damped, 2 records"
     assert "bare: mean of 3 records up to 2.00 %, largest 3.00 % (Borrego 1942 B-ELC000)" in caption
     assert caption.endswith(
-        "Missing, as the analysis did not complete: damped Borrego 1942 B-ELC000 (no equilibrium at 3 s)."
+        "Missing, as the analysis did not complete: damped, Borrego 1942 B-ELC000 (no equilibrium at 3 s)."
     )
 
 

@@ -20,7 +20,7 @@ from edesign.report.response.mean_profiles import mean_profile_figures
 from edesign.report.response.profile_figures import profile_figures
 from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
-from edesign.report.substructure.diagram import loop_diagrams
+from edesign.report.substructure.diagram import kind_words, loop_diagrams
 from edesign.report.substructure.file import ArchivedTests
 from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
 from edesign.report.substructure.map_figures import map_figures
@@ -212,7 +212,7 @@ def _words(described: ArchivedTests) -> dict[str, str]:
     kinds: list[str] = [compensator.kind for compensator in file.compensators.values()]
     kinds += [described.plant.kind] if described.plant is not None else []
     kinds.append(file.integration.method)
-    found = {kind: kind.replace("_", " ") for kind in kinds}
+    found = {kind: kind_words(kind) for kind in kinds}
     law = file.law
     return found | ({law.law.type: LAWS[law.law.type].title} if law is not None and law.law.type in LAWS else {})
 

@@ -19,16 +19,18 @@ from edesign.report.page.source import Source
 from edesign.report.tables.table import Table, number, whole
 
 Measured = tuple[HistorySet, dict[str, Statistics]]
+RESIDUAL = "residual_interstorey_drift"
+NO_RESIDUAL = 1e-4  # rad; 0.35 mm in a storey: what is less is less than frames are plumb, and has no tile
 TILES = (  # label, measure, unit, unit in SI
     ("Interstorey drift", "interstorey_drift", "%", 0.01),
-    ("Residual interstorey drift", "residual_interstorey_drift", "%", 0.01),
+    ("Residual interstorey drift", RESIDUAL, "%", 0.01),
     ("Roof acceleration", "roof_acceleration_m_s2", "m/s2", 1.0),
     ("Base shear", "base_shear_N", "kN", 1e3),
     ("Column shear at the base", "column_base_shear_N", "kN", 1e3),
 )
 GOVERNING = (
     ("drift, mean [%]", "drift, largest [%]", "interstorey_drift", 0.01),
-    ("residual drift, mean [%]", "residual drift, largest [%]", "residual_interstorey_drift", 0.01),
+    ("residual drift, mean [%]", "residual drift, largest [%]", RESIDUAL, 0.01),
 )
 MEMBERS = (
     ("beam rotation, largest [mrad]", "beam_plastic_rotation_rad", 1e-3),
@@ -114,7 +116,8 @@ def _tiles(sets: Iterable[Measured]) -> tuple[Headline, ...]:
         for label, measure, unit, factor in TILES:
             means = [(histories.variant, found[measure]) for histories, found in beside]
             shown = [(variant, s.mean / factor, s.count) for variant, s in means if s.mean is not None]
-            if len(shown) == len(beside):
+            negligible = measure == RESIDUAL and all(value * factor < NO_RESIDUAL for _, value, _ in shown)
+            if len(shown) == len(beside) and not negligible:
                 tiles.append(_tile(f"{label}{at_level(level)}", unit, shown))
     return tuple(tiles)
 
@@ -175,8 +178,8 @@ def _doubts(source: Source) -> list[Part]:
     count = len(warning_table(source).rows)
     if not count:
         return []
-    told = "1 warning stands" if count == 1 else f"{count} warnings stand"
-    return [Warnings("Read the warnings", (f"{told} in the section Warnings, with what they apply to.",))]
+    told, what = ("1 warning stands", "it applies") if count == 1 else (f"{count} warnings stand", "they apply")
+    return [Warnings("Read the warnings", (f"{told} in the section Warnings, with what {what} to.",))]
 
 
 def _failures(entries: Sequence[dict[str, Any]]) -> list[Part]:
