@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-import io
 import os
+import shutil
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, suppress
 from itertools import count
@@ -17,7 +17,6 @@ from edesign.archive.files import is_hdf5, reason
 from edesign.archive.global_heap import broken_collections, disable
 from edesign.archive.hdf5 import LIBRARY_VERSIONS, write_attributes, write_group
 from edesign.archive.opening import PARTIAL_SUFFIX
-from edesign.archive.seal import LENGTH as SEAL_LENGTH
 from edesign.archive.seal import seal_of, sealed_size
 from edesign.archive.survey import survey
 from edesign.archive.transaction import TransactionFile
@@ -326,16 +325,25 @@ def renew_root(
         attributes: last attributes of the root group, as of `ArchiveWriter.finish`.
 
     Raises:
-        ArchiveError: the disk is full, or another failure.
+        ArchiveError: the archive cannot be read, the disk is full, or another failure.
     """
     partial = partial_path(path)
     try:
-        content = Path(path).read_bytes()
-        with partial.open("xb") as copy:
-            copy.write(content[: len(content) - (SEAL_LENGTH if sealed_size(io.BytesIO(content)) else 0)])
+        with Path(path).open("rb") as archive, partial.open("xb") as copy:
+            try:
+                size = sealed_size(archive)
+                archive.seek(0)
+                shutil.copyfileobj(archive, copy)
+                copy.truncate(size)
+            except BaseException:
+                partial.unlink(missing_ok=True)
+                raise
     except OSError as error:
         raise ArchiveError(f"{path}: cannot write the archive: {reason(error)}") from error
     with ArchiveWriter(path, root, (), lambda place, found: place not in others, others) as writer:
+        if writer.note:  # the copy was not taken over: finished, it would be an archive without results
+            writer.discard()
+            raise ArchiveError(f"{path}: cannot renew its head: its copy could not be read back; it is left as it was")
         writer.finish(attributes)
 
 

@@ -17,7 +17,7 @@ from unit.archive.archive_samples import history_group
 from edesign.archive.dataset import Group
 from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive, read_archive
-from edesign.archive.writer import ArchiveWriter, partial_path
+from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import ArchiveError
 
 IDENTITY = ("project_checksum", "edesign_version")
@@ -282,3 +282,14 @@ def test_a_partial_archive_is_read_while_its_run_writes(tmp_path: Path) -> None:
         process.kill()
         process.communicate()
     assert counts == sorted(counts) and counts[-1] > counts[0]
+
+
+def test_a_head_that_cannot_be_renewed_leaves_the_archive_as_it_was(tmp_path: Path) -> None:
+    """An archive of an earlier layout is none whose copy the writer goes on with."""
+    path = tmp_path / "run.h5"
+    path.write_bytes((Path(__file__).parent / "layout_2" / "project.h5").read_bytes())
+    before = path.read_bytes()
+    with pytest.raises(ArchiveError, match="left as it was"):
+        renew_root(path, Group(attributes={"title": "another"}), {}, {"status": "completed"})
+    assert path.read_bytes() == before
+    assert [item.name for item in tmp_path.iterdir()] == ["run.h5"]
