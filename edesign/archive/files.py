@@ -135,14 +135,23 @@ def check_own_yaml(path: Path, source: Path, overwrite: bool = False) -> None:
     spare_inputs(path)
     try:
         with path.open(encoding="utf-8", errors="replace") as file:
-            written = _WRITTEN.match(file.readline(10_000))
+            first_line = file.readline(10_000)
     except (OSError, ValueError):
         return
-    other = "" if written is None else json.loads(written[1])
+    other = _named_source(first_line)
     if overwrite or other == source_file(source, path):
         return
     what = f"this is the result of {other}" if other else "edesign did not write this file"
     raise InputError(f"{path}: {what}, and it is left as it is; choose another name, or --overwrite")
+
+
+def _named_source(first_line: str) -> str:
+    """The source that the first line of a YAML file of results names; "" if edesign did not write the line."""
+    written = _WRITTEN.match(first_line)
+    try:
+        return "" if written is None else str(json.loads(written[1]))
+    except ValueError:  # changed by hand
+        return ""
 
 
 def write_yaml(text: str, path: Path, source: Path) -> None:

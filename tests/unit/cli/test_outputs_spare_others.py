@@ -302,7 +302,13 @@ def test_any_first_line_is_read(tmp_path: Path) -> None:
         check_own_yaml(path, tmp_path / name)
         with pytest.raises(InputError, match="this is the result of"):
             check_own_yaml(path, tmp_path / "other.yaml")
-    for text in (b"", b"\xff\xfe\n", b'# Written by edesign 1 from "a', b"x" * 100_000):
+    for text in (
+        b"",
+        b"\xff\xfe\n",
+        b'# Written by edesign 1 from "a',
+        b'# Written by edesign 1 from "a" and "b"',
+        b"x" * 100_000,
+    ):
         path.write_bytes(text)
         with pytest.raises(InputError, match="did not write"):
             check_own_yaml(path, tmp_path / "campaign.yaml")
