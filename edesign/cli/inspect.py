@@ -27,7 +27,7 @@ def inspect(
     """Print what a table of numbers is read as, and the YAML that reads it."""
     from edesign.errors import InputError
     from edesign.file_kinds import TABLE, kind_of
-    from edesign.ground_motion.read import FORMATS, component_labels, detect, format_by_marks
+    from edesign.ground_motion.formats.read import FORMATS, component_labels, detect, format_by_marks
     from edesign.report.inspection.account import quoted
     from edesign.report.inspection.damper_test import damper_test_account
     from edesign.report.inspection.property_table import property_table_account

@@ -71,9 +71,9 @@ def match(
     from edesign.archive.files import check_folder, make_folder
     from edesign.cli.progress import listener
     from edesign.errors import AnalysisError, InputError
+    from edesign.ground_motion.formats.write import write_csv
     from edesign.ground_motion.hazard import elastic_spectrum
     from edesign.ground_motion.matching import MatchOptions
-    from edesign.ground_motion.write import write_csv
     from edesign.input_files import spare_inputs
     from edesign.project.notation.units import TIME
     from edesign.report.archive_figures import draw_figures

@@ -126,7 +126,7 @@ def _is_suite(path: Path) -> bool:
 
 
 def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
-    from edesign.ground_motion.read import detect, names_components
+    from edesign.ground_motion.formats.read import detect, names_components
     from edesign.ground_motion.sources import Found
 
     recordings: dict[str, Found] = {}
@@ -154,8 +154,8 @@ def _files(inputs: Sequence[Path], reading: Reading) -> dict[str, Found]:
 
 def _record(path: Path, name: str, reading: Reading) -> Record:
     """Read a file with those of the options that belong to its format."""
-    from edesign.ground_motion.read import detect, names_components, read_record_file
-    from edesign.ground_motion.units import ACCELERATION_UNITS
+    from edesign.ground_motion.formats.read import detect, names_components, read_record_file
+    from edesign.ground_motion.formats.units import ACCELERATION_UNITS
 
     found = detect(path)
     if found == "sac":

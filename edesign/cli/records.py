@@ -38,7 +38,7 @@ def records(
 ) -> None:
     """List the recordings of a folder, package or suite with their measures; without a name, what there is."""
     from edesign.ground_motion.catalogue import listing as found_in
-    from edesign.ground_motion.units import ACCELERATION_UNITS
+    from edesign.ground_motion.formats.units import ACCELERATION_UNITS
     from edesign.project.reading.file_bytes import is_folder
     from edesign.project.reading.problems import unknown_name
     from edesign.project.records.chosen_records import FolderSource

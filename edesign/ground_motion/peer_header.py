@@ -6,7 +6,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from edesign.ground_motion.text import read_lines
+from edesign.ground_motion.formats.text import read_lines
 
 _DATE = re.compile(r"(?<![0-9/])[0-9]{1,2}/[0-9]{1,2}/([0-9]{4}|[0-9]{2})(?![0-9/])")
 _AZIMUTH = re.compile(r"[0-9]{1,3}(?![0-9.])")

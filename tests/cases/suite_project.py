@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 from cases.small_frame import TEXT
 
+from edesign.ground_motion.formats.write import write_csv
 from edesign.ground_motion.simulation import simulate
-from edesign.ground_motion.write import write_csv
 
 HAZARD = """\
 hazard:

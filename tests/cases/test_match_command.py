@@ -14,7 +14,7 @@ from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
 from edesign.errors import ArchiveError
-from edesign.ground_motion.csv_record import read_csv
+from edesign.ground_motion.formats.csv_record import read_csv
 from edesign.ground_motion.suite import TAKEN
 from edesign.project.notation.units import STANDARD_GRAVITY
 

@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from benchmarks.peers.scipy_spectrum import noise_motion
-from edesign.ground_motion.at2 import read_at2
+from edesign.ground_motion.formats.at2 import read_at2
 from edesign.ground_motion.response_spectrum import psa, rotated_spectra
 from edesign.project.notation.units import STANDARD_GRAVITY
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.ground_motion.record import Record
 
 SHARED = Path(os.environ.get("EDESIGN_SHARED") or Path(__file__).parents[3] / "shared") / "records"

@@ -13,8 +13,8 @@ import pytest
 from shared_records import SHARED, needs_recordings
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.ground_motion.intensity import measures
-from edesign.ground_motion.read import read_record_file
 from edesign.ground_motion.response_spectrum import psa
 from edesign.ground_motion.simulation import SINGLE_CORNER, Crust, simulate
 from edesign.ground_motion.simulation.fourier_spectrum import fourier_amplitude

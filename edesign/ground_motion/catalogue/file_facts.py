@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-from edesign.ground_motion import esm, knet
 from edesign.ground_motion.catalogue.candidate import Facts
+from edesign.ground_motion.formats import esm, knet
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.peer_header import read_peer_header
 from edesign.ground_motion.peer_name import PeerName
-from edesign.ground_motion.text import read_lines
 from edesign.project.records.records import FileFormat
 
 _VERTICAL_WORD = re.compile(r"(up|ud|u-d|down|dwn|dn|vert|vertical|ver|vrt|v|z)[0-9]?", re.IGNORECASE)

@@ -15,7 +15,7 @@ from typing import Any
 
 from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Facts
-from edesign.ground_motion.text import read_lines
+from edesign.ground_motion.formats.text import read_lines
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 

@@ -11,8 +11,8 @@ from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Candidate, Names, Refusal, entry_of, suite_of
 from edesign.ground_motion.catalogue.file_facts import facts_of, is_vertical
 from edesign.ground_motion.catalogue.flatfile import Flatfile, read_flatfile
+from edesign.ground_motion.formats.read import component_labels, detect
 from edesign.ground_motion.peer_name import PeerName
-from edesign.ground_motion.read import component_labels, detect
 from edesign.ground_motion.sources import unreadable_folder
 from edesign.ground_motion.suite import Suite
 from edesign.project.records.chosen_records import FolderSource

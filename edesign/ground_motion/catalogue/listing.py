@@ -10,10 +10,10 @@ from typing import get_args
 from edesign.errors import InputError
 from edesign.ground_motion.catalogue.candidate import Candidate, Refusal
 from edesign.ground_motion.catalogue.gather import candidates_of, short_reason
+from edesign.ground_motion.formats.read import detect
 from edesign.ground_motion.intensity import Measures, measures
 from edesign.ground_motion.packages import PackageNotInstalled
 from edesign.ground_motion.plausibility import doubts
-from edesign.ground_motion.read import detect
 from edesign.ground_motion.suite import PACKAGES, load_suite
 from edesign.project.reading.file_bytes import is_folder
 from edesign.project.reading.problems import did_you_mean

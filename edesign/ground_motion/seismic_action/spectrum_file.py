@@ -7,7 +7,7 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.units import ACCELERATION_UNITS
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.actions.spectrum_tables import SpectrumFile
 from edesign.project.reading.file_bytes import read_file

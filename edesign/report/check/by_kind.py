@@ -21,7 +21,7 @@ from edesign.file_kinds import (
     FileKind,
 )
 from edesign.ground_motion.catalogue.folder import ENDINGS
-from edesign.ground_motion.read import format_by_marks
+from edesign.ground_motion.formats.read import format_by_marks
 from edesign.report.check.damper_files import law_summary, property_campaign_summary, tests_summary
 from edesign.report.check.other_files import (
     archive_summary,

@@ -8,9 +8,9 @@ import numpy as np
 
 from edesign.damper.measured_files import EXAMPLE, read_test
 from edesign.damper.property_table import COLUMNS, read_property_table
+from edesign.ground_motion.formats.read import FORMATS, component_labels, detect, read_record_file
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.plausibility import doubts
-from edesign.ground_motion.read import FORMATS, component_labels, detect, read_record_file
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.report.check.damper_files import force_doubts, table_range
 from edesign.tables.quantities import names_quantity

@@ -8,9 +8,9 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.csv_record import rises_evenly
+from edesign.ground_motion.formats.csv_record import rises_evenly
+from edesign.ground_motion.formats.record_table import RecordTable, acceleration_unit_of
 from edesign.ground_motion.plausibility import LONGEST_STEP
-from edesign.ground_motion.record_table import RecordTable, acceleration_unit_of
 from edesign.report.inspection.account import OPEN, Account, Column, Sampling, ends, quoted, table_keys
 from edesign.tables.text import number
 

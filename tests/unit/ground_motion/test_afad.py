@@ -9,7 +9,7 @@ import pytest
 from strong_motion_samples import afad_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.formats.read import read_record_file
 
 PEAK = float(np.max(np.abs(motion(40))))  # gal
 

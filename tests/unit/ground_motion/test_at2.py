@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edesign.errors import InputError
-from edesign.ground_motion.at2 import read_at2
+from edesign.ground_motion.formats.at2 import read_at2
 
 TITLE = "PEER NGA STRONG MOTION DATABASE RECORD\nSomewhere, 1/1/1990, A Station, 180\n"
 TITLE += "ACCELERATION TIME SERIES IN UNITS OF G\n"

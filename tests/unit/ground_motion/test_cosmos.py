@@ -9,8 +9,8 @@ import pytest
 from strong_motion_samples import cosmos_channel, csmip_channel, csmip_channel_of_1983, fixed, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.cosmos import read_cosmos
-from edesign.ground_motion.csmip import read_csmip
+from edesign.ground_motion.formats.cosmos import read_cosmos
+from edesign.ground_motion.formats.csmip import read_csmip
 from edesign.ground_motion.record import Record
 
 G = 9.80665  # m/s2

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edesign.errors import InputError
-from edesign.ground_motion.csv_record import read_csv
+from edesign.ground_motion.formats.csv_record import read_csv
 
 G = 9.80665  # m/s2
 

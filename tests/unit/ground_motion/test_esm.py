@@ -9,7 +9,7 @@ import pytest
 from strong_motion_samples import esm_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.esm import read_esm
+from edesign.ground_motion.formats.esm import read_esm
 
 G = 9.80665  # m/s2
 

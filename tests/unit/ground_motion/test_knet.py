@@ -9,7 +9,7 @@ import pytest
 from strong_motion_samples import knet_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.knet import read_knet
+from edesign.ground_motion.formats.knet import read_knet
 
 COUNTS = np.round(motion(100, 4.0e5)).astype(int) - 9876
 WHOLE = knet_file(COUNTS)

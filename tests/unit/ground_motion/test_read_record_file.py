@@ -10,9 +10,9 @@ from shared_records import SHARED, needs_recordings
 from strong_motion_samples import cosmos_channel, csmip_channel, esm_file, knet_file, motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.at2 import read_at2
-from edesign.ground_motion.csv_record import read_csv
-from edesign.ground_motion.read import FORMATS, read_record_file
+from edesign.ground_motion.formats.at2 import read_at2
+from edesign.ground_motion.formats.csv_record import read_csv
+from edesign.ground_motion.formats.read import FORMATS, read_record_file
 
 G = 9.80665  # m/s2
 AT2_OLD = (

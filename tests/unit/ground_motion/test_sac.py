@@ -9,8 +9,8 @@ import pytest
 from strong_motion_samples import motion
 
 from edesign.errors import InputError
-from edesign.ground_motion.read import detect, read_record_file
-from edesign.ground_motion.sac import read_sac
+from edesign.ground_motion.formats.read import detect, read_record_file
+from edesign.ground_motion.formats.sac import read_sac
 
 VALUES = motion(40).astype("f4")
 

@@ -11,7 +11,7 @@ import yaml
 
 import edesign
 from edesign.calibrate.dampers.effects import MODULES
-from edesign.ground_motion.read import FORMATS
+from edesign.ground_motion.formats.read import FORMATS
 
 ROOT = Path(__file__).parents[3]
 PAPERS = (

@@ -20,7 +20,7 @@ from edesign.damper.measured_files import read_test
 from edesign.damper.programme_file import load_programme
 from edesign.damper.property_table import read_property_table
 from edesign.errors import InputError
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.ground_motion.suite import load_suite
 from edesign.project import load_project
 from edesign.project.reading import limits

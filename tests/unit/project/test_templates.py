@@ -10,7 +10,7 @@ import pytest
 from edesign.cli.main import main
 from edesign.damper.measured_files import read_test
 from edesign.errors import InputError
-from edesign.ground_motion.at2 import read_at2
+from edesign.ground_motion.formats.at2 import read_at2
 from edesign.project.template import DEFAULT, FOLDER, new_project, template, templates
 from tools import template_data
 

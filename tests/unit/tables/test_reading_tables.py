@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from edesign.damper.campaign import load_campaign
 from edesign.damper.measured_files import read_test
 from edesign.errors import InputError
-from edesign.ground_motion.read import read_record_file
+from edesign.ground_motion.formats.read import read_record_file
 from edesign.project.notation.table_format import Decimal, Delimiter, Encoding, TableFormat
 from edesign.tables.columns import Chosen
 from edesign.tables.form import SIGNS

@@ -12,10 +12,10 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.header_peak import check_peak, last_place
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.header_peak import check_peak, last_place
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.tables.text import number
 
 _COUNT = re.compile(r"\s*NO\.?\s+OF\s+POINTS\s*:\s*(\S+)\s+EQUALLY\s+SPACED\s+INTERVALS\s+OF\s*:\s*(\S+)\s+SEC", re.I)

@@ -12,11 +12,11 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.fixed_width import FieldFormat, read_fields
-from edesign.ground_motion.header_peak import check_peak, last_place
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
+from edesign.ground_motion.formats.header_peak import check_peak, last_place
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.tables.text import number
 
 TITLE = re.compile(r"\s*(Uncorrected|Corrected)\s+accelerogram\b(.*)", re.IGNORECASE)

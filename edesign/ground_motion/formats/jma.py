@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 

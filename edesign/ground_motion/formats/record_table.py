@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.units import ACCELERATION_UNITS, acceleration_factor
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.project.notation.table_format import Delimiter, TableFormat
 from edesign.tables.form import SIGNS, Form, decimal_of, header_cells, mark_of
 from edesign.tables.text import clock_seconds, is_clock, is_number, like_number, number, table_text

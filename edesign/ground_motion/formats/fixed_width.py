@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.header_peak import last_place
+from edesign.ground_motion.formats.header_peak import last_place
 from edesign.tables.text import number
 
 _FORMAT = re.compile(r"\(\s*([0-9]*)\s*([FEGI])\s*([0-9]+)(?:\.([0-9]+))?\s*\)", re.IGNORECASE)

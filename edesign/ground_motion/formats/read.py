@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion import (
+from edesign.ground_motion.formats import (
     afad,
     asa,
     at2,
@@ -25,10 +25,10 @@ from edesign.ground_motion import (
     smc,
     volume_one,
 )
-from edesign.ground_motion.channels import Channel
+from edesign.ground_motion.formats.channels import Channel
+from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.unknown_format import describe_text
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
-from edesign.ground_motion.unknown_format import describe_text
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.reading.problems import did_you_mean
 from edesign.project.records.record_tables import Layout

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 

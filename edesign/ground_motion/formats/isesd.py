@@ -10,9 +10,9 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.tables.text import number
 
 _KEY = re.compile(r"\s*([a-z][a-zA-Z &/]*?)\s*:\s+(.*?)\s*$")

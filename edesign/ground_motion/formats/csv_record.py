@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
+from edesign.ground_motion.formats.record_table import COLUMNS, ROWS, RecordTable, check_units, told
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.ground_motion.plausibility import LONGEST_STEP
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.record_table import COLUMNS, ROWS, RecordTable, check_units, told
-from edesign.ground_motion.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.records.record_tables import Layout

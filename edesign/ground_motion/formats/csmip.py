@@ -10,11 +10,11 @@ import re
 from pathlib import Path
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
-from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
+from edesign.ground_motion.formats.header_peak import check_peak
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 

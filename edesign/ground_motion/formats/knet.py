@@ -11,10 +11,10 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.header_peak import check_peak
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.text import read_lines
 from edesign.tables.text import number
 
 FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"

@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.header_peak import check_peak
+from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.project.reading.file_bytes import read_file
 from edesign.project.reading.problems import listed
 

@@ -12,12 +12,12 @@ from pathlib import Path
 import numpy as np
 
 from edesign.errors import InputError
-from edesign.ground_motion.channels import Channel, choose
-from edesign.ground_motion.fixed_width import FieldFormat, read_fields
-from edesign.ground_motion.header_peak import check_peak
+from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
+from edesign.ground_motion.formats.header_peak import check_peak
+from edesign.ground_motion.formats.sampled_pairs import evenly_sampled
+from edesign.ground_motion.formats.text import read_lines
 from edesign.ground_motion.record import Record
-from edesign.ground_motion.sampled_pairs import evenly_sampled
-from edesign.ground_motion.text import read_lines
 
 TITLE = re.compile(r"\s*([0-6])\s+(UNCORRECTED|CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER|UNKNOWN)\b(.*)")
 _TEXTS, _INTEGERS, _REALS = 11, 48, 50
