@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from edesign.cli.pdf_options import PaperOption, print_options
+from edesign.cli.shared.pdf_options import PaperOption, print_options
 
 if TYPE_CHECKING:
     from edesign.report.page.render import Page

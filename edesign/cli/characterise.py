@@ -112,7 +112,7 @@ def _campaign(
     """The campaign of a file, or one made of test files and options."""
     from pydantic_core import PydanticCustomError
 
-    from edesign.cli.hazard_options import quantity
+    from edesign.cli.shared.hazard_options import quantity
     from edesign.damper.campaign import Campaign, load_campaign, short_names
     from edesign.damper.measured_files import read_test
     from edesign.damper.specimen import Specimen

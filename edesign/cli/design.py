@@ -32,7 +32,7 @@ def design(
     """
     from edesign.archive.files import check_own_yaml, write_yaml
     from edesign.building.building_file import load_building
-    from edesign.cli.stages import in_stages
+    from edesign.cli.shared.stages import in_stages
     from edesign.report.building.selection_tables import selection_tables
     from edesign.report.tables.text import print_tables
     from edesign.report.tables.visible import visible_line

@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import effect_names
+from edesign.cli.shared.complete import effect_names
 
 
 def effects(

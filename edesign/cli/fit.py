@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from edesign.cli.complete import law_names
+from edesign.cli.shared.complete import law_names
 
 if TYPE_CHECKING:
-    from edesign.cli.fit_inputs import FitInput
+    from edesign.cli.shared.fit_inputs import FitInput
     from edesign.damper.fitting import CrossValidation, Fit
     from edesign.damper.fitting.solve import Progress
     from edesign.damper.law import Law
@@ -78,7 +78,7 @@ def fit(
 ) -> None:
     """Fit damper laws to measured forces or properties; say how sure the parameters are, and which law suffices."""
     from edesign.archive.files import check_folder, check_own_yaml, make_folder
-    from edesign.cli import fit_inputs as read
+    from edesign.cli.shared import fit_inputs as read
     from edesign.damper.fitting import compare
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs

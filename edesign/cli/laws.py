@@ -6,7 +6,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import law_names
+from edesign.cli.shared.complete import law_names
 
 
 def laws(

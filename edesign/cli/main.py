@@ -33,10 +33,10 @@ from edesign.cli.rts import app as rts
 from edesign.cli.run import run
 from edesign.cli.schema import schema
 from edesign.cli.sections import sections
+from edesign.cli.shared.streams import visible_streams
 from edesign.cli.sheet import sheet
 from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
-from edesign.cli.streams import visible_streams
 from edesign.cli.test import test
 from edesign.cli.translate import translate
 from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted

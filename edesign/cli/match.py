@@ -7,8 +7,8 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli import hazard_options as action
-from edesign.cli import recordings as source
+from edesign.cli.shared import hazard_options as action
+from edesign.cli.shared import recordings as source
 
 
 def match(
@@ -69,7 +69,7 @@ def match(
     The spectrum is that of a project's `hazard`, or given by --ground, --a-gr and the like.
     """
     from edesign.archive.files import check_folder, make_folder
-    from edesign.cli.progress import listener
+    from edesign.cli.shared.progress import listener
     from edesign.errors import AnalysisError, InputError
     from edesign.ground_motion.formats.write import write_csv
     from edesign.ground_motion.hazard import elastic_spectrum

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import template_names
+from edesign.cli.shared.complete import template_names
 
 
 def new(

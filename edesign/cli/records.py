@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import record_sources
-from edesign.cli.recordings import Layout, Reading, TimeStep, Unit
+from edesign.cli.shared.complete import record_sources
+from edesign.cli.shared.recordings import Layout, Reading, TimeStep, Unit
 from edesign.errors import InputError
 
 

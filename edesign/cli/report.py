@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.pdf_options import AppendixOption, PaperOption, print_options
+from edesign.cli.shared.pdf_options import AppendixOption, PaperOption, print_options
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
 LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures

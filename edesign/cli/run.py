@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import analysis_names
+from edesign.cli.shared.complete import analysis_names
 from edesign.errors import AnalysisError, InputError
 
 
@@ -92,7 +92,7 @@ class _End:
 
 def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, check: bool) -> None:
     from edesign.building.building_file import load_building
-    from edesign.cli.stages import Tell, in_stages
+    from edesign.cli.shared.stages import Tell, in_stages
     from edesign.space.elastic_design import ElasticDesign
     from edesign.study.building import run_building
 
@@ -108,7 +108,7 @@ def _run_building(file: Path, archive: Path | None, overwrite: bool, end: _End, 
 
 def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How, end: _End) -> None:
     from edesign.building.project_file import load_project, load_study
-    from edesign.cli.progress import listener
+    from edesign.cli.shared.progress import listener
     from edesign.ground_motion.project_records import with_folders
     from edesign.study.run.run import run_project, run_study
 

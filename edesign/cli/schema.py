@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import kind_names
+from edesign.cli.shared.complete import kind_names
 
 
 def schema(

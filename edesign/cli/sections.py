@@ -8,7 +8,7 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import section_names
+from edesign.cli.shared.complete import section_names
 
 
 def sections(

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from edesign.cli.pdf_options import PaperOption, print_options
+from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.errors import InputError
 
 if TYPE_CHECKING:

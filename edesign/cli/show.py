@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from edesign.cli.complete import archived_names
+from edesign.cli.shared.complete import archived_names
 
 if TYPE_CHECKING:
     from edesign.archive.reader import Archive

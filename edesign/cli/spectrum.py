@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from edesign.cli import hazard_options as action
-from edesign.cli import recordings as source
+from edesign.cli.shared import hazard_options as action
+from edesign.cli.shared import recordings as source
 
 if TYPE_CHECKING:
     from edesign.ground_motion.sources import Found

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import time
+from collections.abc import Callable
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    from edesign.study.run.progress import Listener
 
 
 def test(
@@ -24,8 +29,7 @@ def test(
     Written are TEST.csv (time, displacement, force), campaign.yaml, and properties.csv of the steady sines.
     """
     from edesign.archive.files import check_folder
-    from edesign.cli.damper_progress import reporter
-    from edesign.cli.progress import listener
+    from edesign.cli.shared.progress import listener
     from edesign.damper.campaign import CAMPAIGN_FILE
     from edesign.damper.programme import PROPERTIES_FILE, run_programme
     from edesign.damper.programme_file import load_programme
@@ -50,7 +54,7 @@ def test(
         if written is not None:
             check_folder(written)
     with listener(quiet) as listen:
-        run = run_programme(plan, folder, reporter(listen, "virtual tests"))
+        run = run_programme(plan, folder, _reporter(listen))
     if not quiet:
         title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen.name}"
         print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
@@ -59,6 +63,27 @@ def test(
         rows = usable(run.properties)[0]
         table = from_properties(rows) if rows else None
         draw_tests(run.campaign, table, figures, figure_format)
+
+
+def _reporter(listen: Listener) -> Callable[[int, int, str], None]:
+    """What the rig calls before each test with its number from 1, the number of tests, and its name.
+
+    The many short tests are shown as one analysis.
+    """
+    from edesign.study.run.progress import Progress
+
+    began = time.monotonic()
+
+    def tell(index: int, count: int, test_name: str) -> None:
+        name = f"{count} virtual tests"
+        if index == 1:
+            listen(Progress("start", name))
+        listen(Progress("advance", name, fraction=(index - 1) / count))
+        if index == count:
+            seconds = time.monotonic() - began
+            listen(Progress("end", name, fraction=1.0, message=f"last: {test_name}", seconds=seconds))
+
+    return tell
 
 
 test.__test__ = False  # type: ignore[attr-defined]  # no test of pytest

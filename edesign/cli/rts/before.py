@@ -8,8 +8,8 @@ from typing import Annotated
 
 import typer
 
-from edesign.cli.complete import compensator_names
 from edesign.cli.rts.tests_file import load_tests
+from edesign.cli.shared.complete import compensator_names
 from edesign.errors import InputError
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]

@@ -18,8 +18,8 @@ from unit.cli.small_project import Core, fail, project
 import edesign
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter, partial_path
-from edesign.cli import progress
 from edesign.cli.main import main
+from edesign.cli.shared import progress
 from edesign.project import loader
 from edesign.study.run import analyses, run
 

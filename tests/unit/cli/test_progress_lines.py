@@ -7,8 +7,9 @@ import sys
 
 import pytest
 
-from edesign.cli import progress, report
-from edesign.cli.progress import PlainLines, duration, listener, remaining
+from edesign.cli import report
+from edesign.cli.shared import progress
+from edesign.cli.shared.progress import PlainLines, duration, listener, remaining
 from edesign.study.run.progress import Progress
 
 

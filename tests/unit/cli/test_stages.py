@@ -10,8 +10,8 @@ import time
 
 import pytest
 
-from edesign.cli import stages
-from edesign.cli.stages import Tell, in_stages
+from edesign.cli.shared import stages
+from edesign.cli.shared.stages import Tell, in_stages
 from edesign.errors import InputError
 from edesign.stopping import Stopped
 

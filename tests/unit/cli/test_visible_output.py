@@ -15,8 +15,8 @@ from unit.assess.known_history import known_history
 from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.cli.main import main
-from edesign.cli.progress import listener
-from edesign.cli.streams import visible_streams
+from edesign.cli.shared.progress import listener
+from edesign.cli.shared.streams import visible_streams
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import print_tables
 from edesign.report.tables.visible import visible, visible_line

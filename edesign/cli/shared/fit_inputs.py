@@ -104,7 +104,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
     Raises:
         InputError: some of them are missing, or have no unit.
     """
-    from edesign.cli.hazard_options import quantity
+    from edesign.cli.shared.hazard_options import quantity
     from edesign.damper.specimen import Specimen
     from edesign.project.notation.units import AREA, LENGTH
 

@@ -74,7 +74,7 @@ class Reading:
         Raises:
             InputError: the time step is none.
         """
-        from edesign.cli.hazard_options import quantity
+        from edesign.cli.shared.hazard_options import quantity
         from edesign.project.notation.units import TIME
 
         if time_column is not None and column is None:
