@@ -14,8 +14,8 @@ from collections.abc import Callable
 import numpy as np
 
 from benchmarks.timing import cpu_seconds
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, member_constants
-from edesign.building.steel_section import steel_section
 from edesign.core.member_checks import (
     BEAM_CHECKS,
     MEMBER_CHECKS,

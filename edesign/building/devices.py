@@ -6,8 +6,8 @@ import math
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass
 
-from edesign.building.building_sections import BuildingSections
-from edesign.building.named_section import cross_section
+from edesign.building.sections.building_sections import BuildingSections
+from edesign.building.sections.named_section import cross_section
 from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.core import CoreError, LawValues, Model
 from edesign.errors import InputError

@@ -5,12 +5,12 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING
 
-from edesign.building.core_sections import CoreSections
 from edesign.building.frame_model import Kind, Member
 from edesign.building.hinges import MemberBuilder, MemberEnd, member_ends
 from edesign.building.loads import Stretches
 from edesign.building.panel_zones import BuiltPanel, PanelBuilder, panels_of
 from edesign.building.rigid_ends import rigid_ends
+from edesign.building.sections.core_sections import CoreSections
 from edesign.building.struts import equivalent_camber
 from edesign.project.actions.beam_loads import breaks_of_members
 from edesign.project.frame.braces import BraceBuckling

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from math import dist, inf, sqrt
 from typing import TYPE_CHECKING, Literal
 
-from edesign.building.i_shape import i_section, i_shape
+from edesign.building.sections.i_shape import i_section, i_shape
 from edesign.codes.lignos_krawinkler import (
     CAPPING_RATIO,
     EFFECTIVE_YIELD,

@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from edesign.building.devices import Device, DeviceLaw, DeviceSize
-from edesign.building.named_section import cross_section
+from edesign.building.sections.named_section import cross_section
 from edesign.building.supports import vertical_spring
 from edesign.errors import InputError
 from edesign.project.actions.loads import Combination

@@ -12,7 +12,7 @@ from math import hypot, sqrt
 from typing import TYPE_CHECKING
 
 from edesign.building.hinges import TURN
-from edesign.building.i_shape import IShape, i_shape
+from edesign.building.sections.i_shape import IShape, i_shape
 from edesign.errors import InputError
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.notation import names

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.project import loader
 from edesign.project.project import Project
 from edesign.project.study import study_loader

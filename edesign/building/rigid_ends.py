@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 
-from edesign.building.hollow_section import hollow_section
-from edesign.building.named_section import cross_section
+from edesign.building.sections.hollow_section import hollow_section
+from edesign.building.sections.named_section import cross_section
 from edesign.errors import InputError
 from edesign.project.frame.members import BeamRun, ColumnRun, SectionAxis
 from edesign.project.frame.sections import ElasticSection

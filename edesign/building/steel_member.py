@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
-from edesign.building.steel_section import SteelSection
+from edesign.building.sections.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.codes.ec3.buckling import GAMMA_M1
 from edesign.codes.ec3.cross_section import GAMMA_M0

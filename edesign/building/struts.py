@@ -10,9 +10,9 @@ import math
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
-from edesign.building.named_section import cross_section
-from edesign.building.section import CrossSection
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.named_section import cross_section
+from edesign.building.sections.section import CrossSection
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.buckling import (
     IMPERFECTION,
     NO_BUCKLING,

@@ -52,7 +52,7 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
         raise missing(file, "file")
     kind = kind_of(file)
     if kind == SUBSTRUCTURE_TESTS:
-        from edesign.building.building_sections import BuildingSections
+        from edesign.building.sections.building_sections import BuildingSections
         from edesign.project.substructure import load_rts_file
         from edesign.project.substructure.summary import summary
         from edesign.substructure.virtual_tests import VirtualLaboratory

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import ArchiveError
 from edesign.ground_motion.seismic_action.files import text_name
 from edesign.project.actions.hazard_base import Hazard

@@ -8,7 +8,7 @@ from dataclasses import fields
 import numpy as np
 
 from edesign.archive.dataset import Group, Variable
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
 from edesign.building.steel_member import Stability
 from edesign.ground_motion.hazard import elastic_spectrum
 from edesign.space.analysis.effects import largest

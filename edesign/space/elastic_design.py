@@ -7,7 +7,7 @@ from dataclasses import dataclass, fields, replace
 
 import numpy as np
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.criterion import Criterion
 from edesign.codes.ec8 import DesignSpectrum
 from edesign.codes.ec8.modal_combination import LARGE_MODE

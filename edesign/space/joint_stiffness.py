@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.joints import PINNED, RIGID, classified
 from edesign.project.building.building import Building
 

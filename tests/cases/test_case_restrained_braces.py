@@ -12,7 +12,7 @@ import pytest
 from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters

@@ -6,7 +6,7 @@ import random
 
 import pytest
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3 import buckling, lateral_torsional
 from edesign.codes.ec3.interaction import AnnexAMember, annex_a_factors, annex_a_terms, annex_b_factors
 from edesign.codes.ec3.moment_factors import linear_moment_factor_a

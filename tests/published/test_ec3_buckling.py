@@ -10,7 +10,7 @@ import math
 
 import pytest
 
-from edesign.building.profiles import profile
+from edesign.building.sections.profiles import profile
 from edesign.building.struts import strut
 from edesign.codes.ec3.buckling import (
     IMPERFECTION,

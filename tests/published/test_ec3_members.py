@@ -12,9 +12,9 @@ import math
 import numpy as np
 import pytest
 
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, member_constants
-from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.codes.ec3.interaction import (
     AnnexAMember,

@@ -11,7 +11,7 @@ import math
 
 import pytest
 
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 
 CM2, CM3, CM4, CM6 = 1e-4, 1e-6, 1e-8, 1e-12

@@ -12,9 +12,9 @@ import dataclasses
 import pytest
 
 from edesign.assess.members import frame_members
-from edesign.building.i_shape import plastic_modulus
-from edesign.building.profiles import profile
-from edesign.building.section import rolled_section
+from edesign.building.sections.i_shape import plastic_modulus
+from edesign.building.sections.profiles import profile
+from edesign.building.sections.section import rolled_section
 from edesign.codes.fema356.drift import PERFORMANCE_LEVELS, drift_limits
 from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.codes.fema356.sections import KSI, ISection

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from shear_frames import shear_frame_text
 
-from edesign.building.profiles import profile_names
 from edesign.building.project_file import load_project
+from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project.dampers.checks_designs import check_design
 from edesign.project.dampers.designs import Design

@@ -14,7 +14,7 @@ import scipy.linalg
 from scipy.optimize import brentq
 from shear_frames import MASS, STIFFNESS, shear_frame_text
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.core import Channel, Newmark
 from edesign.project import parse_project
 from edesign.study.analysis.history import load_and_damp

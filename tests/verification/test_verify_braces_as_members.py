@@ -15,7 +15,7 @@ import pytest
 from cases.conftest import HERE
 
 from edesign.archive.dataset import Group
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.report.response.damper_results import dampers_table

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 from scipy import linalg
 from shear_frames import HEIGHT, MASS, STIFFNESS
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.codes.ec8 import damping_correction
 from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces

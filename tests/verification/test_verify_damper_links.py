@@ -11,7 +11,7 @@ import pytest
 
 from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.core import Analysis, Channel, CoreDamper, Elastic, Model
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters

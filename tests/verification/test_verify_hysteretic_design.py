@@ -13,7 +13,7 @@ from design_examples import THESIS, design, shear_project
 from scipy import linalg
 from shear_frames import HEIGHT, MASS, STIFFNESS
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.core import LawValues
 from edesign.core.damper import CoreDamper
 from edesign.damper.hysteresis import behind_brace, hysteresis

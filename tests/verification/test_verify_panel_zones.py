@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 from verification.structures import channel
 
-from edesign.building.i_shape import IShape
 from edesign.building.panel_zones import ARM_STIFFNESS, Panel, PanelBuilder, panel_of
-from edesign.building.profiles import profile_names
+from edesign.building.sections.i_shape import IShape
+from edesign.building.sections.profiles import profile_names
 from edesign.core import Analysis, Model
 from edesign.project import parse_project
 from edesign.study.run.analyses import run_analysis

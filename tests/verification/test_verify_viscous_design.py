@@ -13,7 +13,7 @@ from design_examples import THESIS, design, shear_project
 from scipy import integrate, linalg
 from shear_frames import MASS, STIFFNESS
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.codes.ec8 import damping_correction
 from edesign.core import Channel, LawValues, Newmark
 from edesign.damper.dashpot import Dashpot, added_damping, energy_factor, linear_dashpot

@@ -15,7 +15,7 @@ def load_tests(path: Path) -> RtsFile:
     Raises:
         InputError: it cannot be read, is of another kind, or is wrong.
     """
-    from edesign.building.building_sections import BuildingSections
+    from edesign.building.sections.building_sections import BuildingSections
     from edesign.project.substructure import load_rts_file
 
     return load_rts_file(path, BuildingSections())

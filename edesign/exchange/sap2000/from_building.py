@@ -7,7 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.exchange.sap2000.model import (
     FrameLoad,
     FrameObject,

@@ -6,10 +6,10 @@ from collections.abc import Iterator
 
 from edesign.building.loads import MemberLoads, beam_loads, column_loads, node_loads
 from edesign.building.masses import node_masses, vertical_masses
-from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile_names
-from edesign.building.section import CrossSection
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.named_section import cross_section
+from edesign.building.sections.profiles import profile_names
+from edesign.building.sections.section import CrossSection
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 from edesign.exchange.sap2000.from_dampers import add_dampers
 from edesign.exchange.sap2000.model import (

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import cache
 
-from edesign.building.profiles import profile_names
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.profiles import profile_names
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 from edesign.exchange.sap2000.model import Section
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.exchange.formats import MARK, Translation
 from edesign.exchange.sap2000.from_building import from_building

@@ -7,8 +7,8 @@ from dataclasses import dataclass, fields
 
 import numpy as np
 
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, SteelMember
-from edesign.building.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 from edesign.report.building.results import UNITS, BuildingResults

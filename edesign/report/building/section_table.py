@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import Any
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.building.profiles import profile_names
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.profiles import profile_names
+from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.report.tables.table import Table, formatted
 

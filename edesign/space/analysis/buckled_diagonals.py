@@ -13,8 +13,8 @@ from functools import cache
 
 import numpy as np
 
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, member_constants
-from edesign.building.steel_section import steel_section
 from edesign.codes.en1990.combinations import Combination
 from edesign.project.building.building import Building, Steel
 from edesign.space.analysis.bracing import Bracing

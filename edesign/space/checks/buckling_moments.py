@@ -15,7 +15,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
 from edesign.project.building.building import Steel

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec3.cross_section import (
     axial_resistance,
     moment_resistance,

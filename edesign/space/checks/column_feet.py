@@ -6,8 +6,8 @@ from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
-from edesign.building.section_class import section_class
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.criterion import Criterion, at_most
 from edesign.codes.ec3.cross_section import moment_resistance, shear_resistance
 from edesign.codes.ec8.moment_frames import SHEAR_LIMIT, column_hinge_shear

@@ -7,8 +7,8 @@ from functools import cache
 
 import numpy as np
 
-from edesign.building.section_class import SectionClass, section_class
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.section_class import SectionClass, section_class
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.criterion import Criterion, at_least, at_most
 from edesign.codes.ec3.buckling import critical_force
 from edesign.codes.ec3.buckling import slenderness as flexural_slenderness

@@ -16,9 +16,9 @@ from functools import cache
 
 import numpy as np
 
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.building.steel_member import Stability, SteelMember
-from edesign.building.steel_section import SteelSection, steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.moment_factors import SWAY, linear_moment_factor_a
 from edesign.codes.ec8.capacity import OVERSTRENGTH

@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from edesign.building.sections.steel_section import SteelSection
 from edesign.building.steel_member import SteelMember
-from edesign.building.steel_section import SteelSection
 from edesign.codes.ec3 import buckling, cross_section, lateral_torsional
 from edesign.space.checks.buckling_moments import quarter_moments
 

@@ -6,8 +6,8 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
-from edesign.building.section_lists import efficient, family_of, sections_of
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.section_lists import efficient, family_of, sections_of
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.codes.ec8.concentric_braces import FEW_STOREYS, SLENDERNESS, SLENDERNESS_CLAUSES
 from edesign.errors import InputError
 from edesign.project.building.design import DEFAULT_PRICE

@@ -6,7 +6,7 @@ from typing import Any
 
 from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.project import Project, parse_project
 
 SMALL = """\

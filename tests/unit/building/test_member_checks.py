@@ -10,9 +10,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, member_constants
-from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import cross_section
 from edesign.codes.ec3.interaction import (
     AnnexAMember,

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building import profiles
-from edesign.building.profiles import profile, profile_names
+from edesign.building.sections import profiles
+from edesign.building.sections.profiles import profile, profile_names
 from edesign.errors import InputError
 
 PUBLISHED = {  # name: h, b, tw, tf, r in mm; A; I_y

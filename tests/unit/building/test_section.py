@@ -10,9 +10,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from edesign.building.profiles import profile, profile_names
-from edesign.building.section import CrossSection, Strip, fillets, i_section, rectangle_section, rolled_section
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.profiles import profile, profile_names
+from edesign.building.sections.section import CrossSection, Strip, fillets, i_section, rectangle_section, rolled_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project.frame.sections import Fibres, RectangleSection
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-from edesign.building.section_lists import efficient, sections_of
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.section_lists import efficient, sections_of
+from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
 
 SQUARES = {

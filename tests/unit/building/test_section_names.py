@@ -8,9 +8,9 @@ from pathlib import Path
 import pytest
 
 import edesign
-from edesign.building.profiles import profile, profile_names
-from edesign.building.section_names import SectionName
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.profiles import profile, profile_names
+from edesign.building.sections.section_names import SectionName
+from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.project import ProjectError
 

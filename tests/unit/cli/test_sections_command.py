@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.cli.main import main
 
 

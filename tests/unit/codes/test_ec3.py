@@ -8,9 +8,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, member_constants
-from edesign.building.steel_section import steel_section
 from edesign.codes.ec3 import classes, cross_section, imperfections, lateral_torsional, materials, moment_factors
 from edesign.codes.ec3.interaction import annex_b_factors
 from edesign.errors import InputError

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.building.struts import equivalent_camber
 from edesign.project import ProjectError, parse_project
 from edesign.project.project import Project

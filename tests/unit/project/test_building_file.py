@@ -13,8 +13,8 @@ from building_examples import IRREGULAR, SMALL, building
 from spoiled_files import ODD, spoiled
 
 from edesign.building.building_file import load_building
-from edesign.building.building_sections import BuildingSections
 from edesign.building.project_file import load_project
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.file_kinds import BUILDING, kind_of
 from edesign.project.building import Building, parse_building

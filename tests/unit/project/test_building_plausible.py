@@ -7,8 +7,8 @@ import math
 import pytest
 from building_examples import SMALL, building
 
-from edesign.building.profiles import profile_names
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.profiles import profile_names
+from edesign.building.sections.steel_section import steel_section
 from edesign.project.building import BuildingError
 from edesign.project.building.plausible import HEIGHT, POINT, WIDTH, unusual
 from edesign.project.notation.units import STANDARD_GRAVITY

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import pytest
 
 from edesign.building.frame import build_frame
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Problem, parse_project
 from edesign.project.frame.foundations import FootingSupport

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from unit.project.conftest import PROFILES, SMALL
 
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
 from edesign.project import Project, ProjectError, parse_project
 from edesign.project.reading.problems import FileProblems

@@ -10,7 +10,7 @@ import pytest
 from building_examples import NO_TORSION, PINNED, braced_frames, design_of, moment_frames, number_of
 
 from edesign.archive.reader import open_archive
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.codes.ec3 import lateral_torsional
 from edesign.errors import InputError

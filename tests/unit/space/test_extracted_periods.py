@@ -10,12 +10,12 @@ import numpy as np
 import pytest
 from building_examples import building
 
-from edesign.building.building_sections import BuildingSections
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
-from edesign.building.named_section import cross_section
-from edesign.building.section import CrossSection
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.building_sections import BuildingSections
+from edesign.building.sections.named_section import cross_section
+from edesign.building.sections.section import CrossSection
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.struts import frame_bars
 from edesign.codes.ec3 import buckling
 from edesign.core.space import PROPERTIES

@@ -10,7 +10,7 @@ from building_examples import NO_TORSION, PINNED, braced_frames, changed, design
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec8.capacity import foundation_factor
 from edesign.report.building.foundation_table import foundation_summary, foundation_table
 from edesign.report.tables.table import number

@@ -14,7 +14,7 @@ from selection_examples import FRAMES, INTERIOR, enumerated, random_frames
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.cli.main import main
 from edesign.errors import InputError
 from edesign.one_thread import one_thread

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from building_examples import SMALL, building, design_of
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.errors import InputError
 from edesign.space.elastic_design import ElasticAnalysis
 from edesign.space.selection.groups import groups_of

@@ -7,7 +7,7 @@ import pytest
 from building_examples import NO_TORSION, PINNED, bending_only, building, changed, design_of, portals
 from scipy.optimize import brentq
 
-from edesign.building.steel_section import steel_section
+from edesign.building.sections.steel_section import steel_section
 from edesign.codes.ec3.imperfections import initial_sway
 from edesign.core.space import PROPERTIES
 from edesign.project.building import Building

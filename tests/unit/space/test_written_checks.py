@@ -12,9 +12,9 @@ import pytest
 
 from edesign.archive.reader import open_archive
 from edesign.building.building_file import load_building
-from edesign.building.section_class import section_class
+from edesign.building.sections.section_class import section_class
+from edesign.building.sections.steel_section import steel_section
 from edesign.building.steel_member import Stability, SteelMember
-from edesign.building.steel_section import steel_section
 from edesign.codes.ec3.buckling import IMPERFECTION
 from edesign.codes.ec3.lateral_torsional import buckling_moments, rolled_curve
 from edesign.core.member_checks import Check, MemberTable, mask, member_checks

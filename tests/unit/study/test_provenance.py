@@ -145,7 +145,7 @@ CHANGES = (
     change_numpy,
     change_processor,
     change_package("study/run/run.py"),
-    change_package("building/data/profiles.csv"),
+    change_package("building/sections/data/profiles.csv"),
     change_package("damper/data/parameter_sets.yaml"),
     change_package("codes/ec8/data/*.yaml"),  # national parameters
 )

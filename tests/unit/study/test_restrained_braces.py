@@ -12,8 +12,8 @@ from cases.conftest import HERE
 from edesign import check_project
 from edesign.archive.dataset import Group
 from edesign.assess.quantities import lacking, located_quantity
-from edesign.building.building_sections import BuildingSections
 from edesign.building.frame import build_frame
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.errors import InputError
 from edesign.project import Project, parse_project
 from edesign.project.criteria.checks_quantities import names_of_dampers

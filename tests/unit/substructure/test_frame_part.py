@@ -11,7 +11,7 @@ import pytest
 from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.assess.measures import response_measures
-from edesign.building.profiles import profile_names
+from edesign.building.sections.profiles import profile_names
 from edesign.core.substructure import SubstructureLoop
 from edesign.errors import InputError
 from edesign.project import parse_project

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.building.building_sections import BuildingSections
+from edesign.building.sections.building_sections import BuildingSections
 from edesign.cli.main import main
 from edesign.core.substructure import SubstructureLoop
 from edesign.damper.campaign import load_campaign

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from edesign.building.named_section import cross_section
-from edesign.building.profiles import profile, profile_names
-from edesign.building.section import CrossSection
+from edesign.building.sections.named_section import cross_section
+from edesign.building.sections.profiles import profile, profile_names
+from edesign.building.sections.section import CrossSection
 from edesign.codes.fema356.sections import ISection
 from edesign.project.frame.materials import ElasticMaterial
 from edesign.project.frame.members import BeamRun, ColumnRun

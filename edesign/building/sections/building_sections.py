@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 
-from edesign.building.hollow_section import hollow_section
-from edesign.building.profiles import profile_names
+from edesign.building.sections.hollow_section import hollow_section
+from edesign.building.sections.profiles import profile_names
 from edesign.errors import InputError
 
 

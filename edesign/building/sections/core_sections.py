@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.building.named_section import cross_section
-from edesign.building.section import CrossSection
+from edesign.building.sections.named_section import cross_section
+from edesign.building.sections.section import CrossSection
 from edesign.errors import InputError
 from edesign.project.frame.braces import BraceBuckling, Fracture
 from edesign.project.frame.materials import BilinearMaterial, ElasticMaterial, Material

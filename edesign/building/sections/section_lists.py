@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 
-from edesign.building.building_sections import BuildingSections
-from edesign.building.profiles import profile_names
-from edesign.building.steel_section import SteelSection, steel_section
+from edesign.building.sections.building_sections import BuildingSections
+from edesign.building.sections.profiles import profile_names
+from edesign.building.sections.steel_section import SteelSection, steel_section
 from edesign.errors import InputError
 
 _THICKNESSES = (2.5, 3, 3.2, 3.6, 4, 5, 6, 6.3, 8, 10, 12, 12.5, 16, 20)

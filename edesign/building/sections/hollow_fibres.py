@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from edesign.building.hollow_section import HollowSection
-from edesign.building.section import CrossSection, Spot, Strip
+from edesign.building.sections.hollow_section import HollowSection
+from edesign.building.sections.section import CrossSection, Spot, Strip
 from edesign.project.frame.sections import Fibres
 
 

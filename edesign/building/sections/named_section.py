@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from edesign.building.hollow_fibres import hollow_cross_section
-from edesign.building.hollow_section import hollow_section
-from edesign.building.profiles import profile
-from edesign.building.section import CrossSection, plate_section, rectangle_section, rolled_section
+from edesign.building.sections.hollow_fibres import hollow_cross_section
+from edesign.building.sections.hollow_section import hollow_section
+from edesign.building.sections.profiles import profile
+from edesign.building.sections.section import CrossSection, plate_section, rectangle_section, rolled_section
 from edesign.errors import InputError
 from edesign.project.frame.sections import ElasticSection, PlateSection, RectangleSection, SectionAxis
 from edesign.project.project import Project

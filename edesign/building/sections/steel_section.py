@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from functools import cache
 from typing import Literal
 
-from edesign.building.hollow_section import hollow_section
-from edesign.building.profiles import Profile, profile, profile_names
-from edesign.building.section import fillets
+from edesign.building.sections.hollow_section import hollow_section
+from edesign.building.sections.profiles import Profile, profile, profile_names
+from edesign.building.sections.section import fillets
 
 DENSITY = 7850.0  # of steel, kg/m3; EN 1991-1-1, Table A.4, and EN 10365
 

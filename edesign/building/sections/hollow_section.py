@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from edesign.building.section import Spot, fillets
-from edesign.building.section_names import SectionName
+from edesign.building.sections.section import Spot, fillets
+from edesign.building.sections.section_names import SectionName
 from edesign.errors import InputError
 
 _MM = 1e-3

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 from importlib import resources
 
-from edesign.building.section_names import SectionNames
+from edesign.building.sections.section_names import SectionNames
 from edesign.errors import InputError
 
 _MM = 1e-3
@@ -58,7 +58,7 @@ def profile(name: str) -> Profile:
 
 @cache
 def _catalogue() -> dict[str, Profile]:
-    text = resources.files("edesign.building").joinpath("data/profiles.csv").read_text(encoding="utf-8")
+    text = resources.files("edesign.building.sections").joinpath("data/profiles.csv").read_text(encoding="utf-8")
     rows = csv.reader(line for line in text.splitlines() if not line.startswith("#"))
     next(rows)  # the header names the units: mm, mm2, mm4
     found = {}

@@ -218,7 +218,7 @@ def _distance(parts: SectionName | None, asked: SectionName) -> tuple[float, flo
 @cache
 def _inch_pound_spellings() -> Mapping[str, str]:
     """Names of W shapes in inches and pounds per foot by those of the catalogue (data/w_shapes.csv)."""
-    text = resources.files("edesign.building").joinpath("data/w_shapes.csv").read_text(encoding="utf-8")
+    text = resources.files("edesign.building.sections").joinpath("data/w_shapes.csv").read_text(encoding="utf-8")
     rows = csv.DictReader(line for line in text.splitlines() if not line.startswith("#"))
     return {row["name"]: row["inch_pound_name"] for row in rows}
 

@@ -12,7 +12,7 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.building.profiles import Profile
+from edesign.building.sections.profiles import Profile
 from edesign.errors import InputError
 from edesign.project.frame.sections import Fibres, PlateSection, RectangleSection
 

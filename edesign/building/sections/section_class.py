@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from edesign.building.steel_section import SteelSection
+from edesign.building.sections.steel_section import SteelSection
 from edesign.codes.ec3.classes import (
     class_of_part,
     elastic_stress_ratio,

@@ -1,6 +1,6 @@
 """Write profiles.csv, the catalogue of rolled I sections, from the tables of the package structuralcodes.
 
-Run it by hand after an update of the package: python edesign/building/data/generate_profiles.py
+Run it by hand after an update of the package: python edesign/building/sections/data/generate_profiles.py
 Sections with parallel flanges only: of the tapered IPN the fillets would not be those of `section.py`. A `#` behind a
 name is a mark of the table, not of the section.
 """
