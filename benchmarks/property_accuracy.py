@@ -1,4 +1,4 @@
-"""Accuracy of `edesign.damper.properties`: G', G_eq and n of loops with noise, against closed forms.
+"""Accuracy of `edesign.damper.testing.properties`: G', G_eq and n of loops with noise, against closed forms.
 
 A spring K beside a dashpot: linear (Kelvin-Voigt), of a power of the velocity, or friction; and Zener in its steady
 state. The share r of the dashpot is its largest force over that of the spring. With F = r |cos|^alpha sgn cos and the
@@ -24,8 +24,8 @@ from pathlib import Path
 import numpy as np
 from scipy.special import beta
 
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.properties import properties
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.properties import properties
 
 # not as tests.*: another package may be installed by that name
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))

@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.campaign import write_campaign
-from edesign.damper.campaign_blocks import LawChoice
-from edesign.damper.measured_files import read_test
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_files import read_test
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 
 SPECIMEN = Specimen("acrylic adhesive", 1, 100e-6, 0.13e-3)
 LAW = LawChoice("zener", {"k0": "1.5 N/mm", "k1": "7 N/mm", "c1": "2400 N*s/mm"})  # fits the slowest test alone

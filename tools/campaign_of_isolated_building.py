@@ -20,9 +20,9 @@ import yaml
 from edesign.archive.files import make_folder, write_text
 from edesign.calibrate.structure.campaign import load_structure_campaign
 from edesign.calibrate.structure.isolation_layer import isolation_layer_tests
-from edesign.damper.campaign import write_campaign
-from edesign.damper.campaign_blocks import LawChoice
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.specimen import Specimen
 
 RUNS = ("CNP100", "ICA50", "SP100")  # by largest drift: 87, 121, 143 mm
 HELD_OUT = "ICA50"

@@ -12,8 +12,8 @@ import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 
-from edesign.damper.programme import run_programme
-from edesign.damper.programme_file import load_programme
+from edesign.damper.testing.programme import run_programme
+from edesign.damper.testing.programme_file import load_programme
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
 from edesign.project.notation.units import STANDARD_GRAVITY

@@ -17,8 +17,8 @@ from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.mgmm_steady import Arrangement, steady_loops, steady_moduli
 from edesign.damper.parameters import write_parameters
-from edesign.damper.steady_state import PropertyRows
 from edesign.damper.temperature import GammaT
+from edesign.damper.testing.steady_state import PropertyRows
 from edesign.damper.thesis_tables import (
     PROTOTYPE,
     measured,

@@ -34,8 +34,8 @@ def of_archive(folder: Path) -> Drawn:
 
 def of_tests(folder: Path) -> Drawn:
     """A test, and the properties of all."""
-    from edesign.damper.campaign import load_campaign
-    from edesign.damper.property_table import read_property_table
+    from edesign.damper.testing.campaign import load_campaign
+    from edesign.damper.testing.property_table import read_property_table
     from edesign.report.damper.measured_figures import measured_figure, properties_figure
 
     campaign = load_campaign(folder / "tests" / "campaign.yaml")
@@ -48,7 +48,7 @@ def of_tests(folder: Path) -> Drawn:
 def of_calibration(folder: Path) -> Drawn:
     """All figures of the calibration of the last tutorial."""
     from edesign.calibrate.run import calibrate
-    from edesign.damper.campaign import load_campaign
+    from edesign.damper.testing.campaign import load_campaign
     from edesign.report.calibration.figures import calibration_figures
 
     yield from calibration_figures(calibrate(load_campaign(folder / "tests" / "campaign.yaml")))

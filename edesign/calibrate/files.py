@@ -14,7 +14,7 @@ from edesign.calibrate.result import Calibration
 from edesign.calibrate.structure.campaign import StructureCampaign
 from edesign.calibrate.structure.write import LAWS_BESIDE, law_texts, structure_text
 from edesign.calibrate.write import archive_groups, calibration_json, law_text
-from edesign.damper.campaign import Campaign
+from edesign.damper.testing.campaign import Campaign
 from edesign.input_files import spare_inputs
 
 LAWS = ("law.yaml", "structure.yaml", *LAWS_BESIDE)

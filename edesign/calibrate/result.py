@@ -11,8 +11,8 @@ import numpy as np
 
 from edesign.calibrate.problem import Kind, Use
 from edesign.damper.amendments import Amendment
-from edesign.damper.start import Start
 from edesign.damper.temperature import GammaOf
+from edesign.damper.testing.start import Start
 from edesign.notebook import facts_html
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained", "not_searched"]

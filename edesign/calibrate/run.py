@@ -24,8 +24,8 @@ from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
 from edesign.calibrate.search.loop import Loop, Progress
 from edesign.calibrate.search.selection import Selection
-from edesign.damper.campaign import Campaign
-from edesign.damper.campaign_blocks import LawChoice
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
 
 _LEAST, _SECOND = 0.5, 0.25
 """Of the time, that a search has at least after the law was read, and that of the second one of two readings.

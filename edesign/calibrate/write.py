@@ -12,11 +12,11 @@ import yaml
 
 from edesign.archive.dataset import Group
 from edesign.calibrate.result import Calibration, CarriedLaw, Coverage, Effect, Estimate, Series, Stage
-from edesign.damper.campaign import Campaign
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters, write_parameters
 from edesign.damper.temperature import REFERENCE_C, GammaT
+from edesign.damper.testing.campaign import Campaign
 
 _STAGES: tuple[Stage, ...] = ("declared", "refit", "corrected")
 

@@ -150,7 +150,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
     from edesign.calibrate.run import calibrate as run
     from edesign.calibrate.structure.run import calibrate_structure
     from edesign.calibrate.write import calibration_json
-    from edesign.damper.campaign import Campaign, load_campaign
+    from edesign.damper.testing.campaign import Campaign, load_campaign
     from edesign.report.calibration.tables import law_kind_text, tables_of, verdict_text
     from edesign.report.page.calibration import calibration_page
 

@@ -12,7 +12,7 @@ import typer
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.campaign import Campaign
+    from edesign.damper.testing.campaign import Campaign
 
 
 def characterise(
@@ -48,8 +48,8 @@ def characterise(
 ) -> None:
     """Find storage, equivalent and loss modulus and loss factor of each test with a steady amplitude."""
     from edesign.archive.files import check_csv_name, check_file, check_folder
-    from edesign.damper.properties import Properties, checked_range, cycle_properties, properties
-    from edesign.damper.property_table import from_properties, usable, write_property_table
+    from edesign.damper.testing.properties import Properties, checked_range, cycle_properties, properties
+    from edesign.damper.testing.property_table import from_properties, usable, write_property_table
     from edesign.report.damper.measured_figures import draw_tests
     from edesign.report.damper.measured_tables import cycle_properties_table, properties_data, properties_table
     from edesign.report.drawing.style import check_format
@@ -113,9 +113,9 @@ def _campaign(
     from pydantic_core import PydanticCustomError
 
     from edesign.cli.shared.hazard_options import quantity
-    from edesign.damper.campaign import Campaign, load_campaign, short_names
-    from edesign.damper.measured_files import read_test
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.campaign import Campaign, load_campaign, short_names
+    from edesign.damper.testing.measured_files import read_test
+    from edesign.damper.testing.specimen import Specimen
     from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
     from edesign.project.notation.temperature import parse_temperature
     from edesign.project.notation.units import AREA, LENGTH

@@ -12,10 +12,10 @@ from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.acceptance import Acceptance
     from edesign.damper.damper import Damper
-    from edesign.damper.device_cycles import Run
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.acceptance import Acceptance
+    from edesign.damper.testing.device_cycles import Run
+    from edesign.damper.testing.measured_histories import DamperTest
     from edesign.project.document import Document
 
 
@@ -47,8 +47,8 @@ def sheet(
     """Print stiffness, damping, energy and forces of each test of a device, and whether standards accept it."""
     from edesign.archive.csv_files import write_csv_file
     from edesign.archive.files import check_csv_name, check_file
-    from edesign.damper.acceptance import judge
-    from edesign.damper.device_cycles import runs_of
+    from edesign.damper.testing.acceptance import judge
+    from edesign.damper.testing.device_cycles import runs_of
     from edesign.report.check.damper_files import force_doubts
     from edesign.report.damper import sheet_tables as tables
     from edesign.report.page.document import check_page_path, write_html
@@ -113,7 +113,7 @@ def _told(path: Path, as_json: bool) -> None:
 
 def _designs(test: DamperTest, found: tuple[Run, ...], damper: Damper | None, notes: list[str]) -> list[Run | None]:
     """The runs of a test as the law gives them; none where it cannot."""
-    from edesign.damper.device_cycles import predicted_runs
+    from edesign.damper.testing.device_cycles import predicted_runs
     from edesign.errors import EdesignError
 
     if damper is None:
@@ -129,11 +129,11 @@ def _read(
     inputs: list[Path], device: str | None, temperature: str | None
 ) -> tuple[str, tuple[DamperTest, ...], Acceptance, Damper | None, Document, list[str]]:
     """Title, tests, what is asked, the damper of the campaign's law, the cover, and what the reader says."""
-    from edesign.damper.acceptance import Acceptance
-    from edesign.damper.campaign import load_campaign, notes_of
     from edesign.damper.damper import Damper
     from edesign.damper.laws import law
     from edesign.damper.parameters import read_parameters
+    from edesign.damper.testing.acceptance import Acceptance
+    from edesign.damper.testing.campaign import load_campaign, notes_of
     from edesign.project.document import Document
 
     if not any(path.suffix.lower() in (".yaml", ".yml") for path in inputs):
@@ -162,8 +162,8 @@ def _read(
 def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...]:
     from pydantic_core import PydanticCustomError
 
-    from edesign.damper.campaign import short_names
-    from edesign.damper.measured_files import read_test
+    from edesign.damper.testing.campaign import short_names
+    from edesign.damper.testing.measured_files import read_test
     from edesign.file_kinds import ARCHIVE, YAML_KINDS, kind_of, refuse_kind
     from edesign.project.notation.temperature import parse_temperature
 
@@ -184,7 +184,7 @@ def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...
 def _with_device(asked: Acceptance, device: str | None) -> Acceptance:
     from typing import get_args
 
-    from edesign.damper.acceptance import Device
+    from edesign.damper.testing.acceptance import Device
     from edesign.project.reading.problems import did_you_mean
 
     if device is None:

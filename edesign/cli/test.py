@@ -30,10 +30,10 @@ def test(
     """
     from edesign.archive.files import check_folder
     from edesign.cli.shared.progress import listener
-    from edesign.damper.campaign import CAMPAIGN_FILE
-    from edesign.damper.programme import PROPERTIES_FILE, run_programme
-    from edesign.damper.programme_file import load_programme
-    from edesign.damper.property_table import from_properties, usable
+    from edesign.damper.testing.campaign import CAMPAIGN_FILE
+    from edesign.damper.testing.programme import PROPERTIES_FILE, run_programme
+    from edesign.damper.testing.programme_file import load_programme
+    from edesign.damper.testing.property_table import from_properties, usable
     from edesign.errors import InputError
     from edesign.input_files import spare_inputs
     from edesign.project.reading.file_bytes import is_there

@@ -1,5 +1,5 @@
-"""Dampers as devices: laws with parameters and temperature, tests and their files, properties, tuned masses.
+"""Dampers as devices: laws with parameters and temperature, amendments, sizing, tuned masses.
 
-`laws.py` is the registry; the forces themselves are computed by the core. Frames (`building`), fits (`fitting`),
-the calibration and substructure tests take dampers from here.
+`laws.py` is the registry; the forces themselves are computed by the core. Frames (`building`), tests (`testing`), fits
+(`fitting`), the calibration and substructure tests take dampers from here.
 """

@@ -11,9 +11,8 @@ from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper, Method
 from edesign.damper.amendments import Amendment, parameters_at
-from edesign.damper.history import spline_velocity
+from edesign.damper.history import NONE, Extremes, spline_velocity
 from edesign.damper.law import Law
-from edesign.damper.start import NONE, Extremes
 from edesign.damper.temperature import TemperatureModel
 
 

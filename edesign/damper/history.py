@@ -6,6 +6,11 @@ import numpy as np
 import scipy
 from numpy.typing import ArrayLike
 
+Extremes = tuple[float, float, float, float]
+"""Largest and smallest deformation, m, largest and smallest velocity, m/s."""
+NONE: Extremes = (0.0, 0.0, 0.0, 0.0)
+"""Of a damper that has not moved."""
+
 
 def spline_velocity(time: ArrayLike, deformation: ArrayLike) -> np.ndarray:
     """Return the velocity at the samples of the cubic spline through a deformation.

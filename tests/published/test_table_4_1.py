@@ -20,8 +20,8 @@ from edesign.damper.fitting.forces import core_predict
 from edesign.damper.fitting.loading import Loading, prepare
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.signals import sweep_4_4
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.signals import sweep_4_4
 
 MGMM, GMM = LAWS["mgmm"], LAWS["generalised_maxwell"]
 FREQUENCIES = (0.25, 1.0, 4.0)  # three of the table's six

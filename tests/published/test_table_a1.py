@@ -11,8 +11,8 @@ import pytest
 
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
-from edesign.damper.steady_state import PropertyRows, predict
 from edesign.damper.temperature import GammaT
+from edesign.damper.testing.steady_state import PropertyRows, predict
 from edesign.damper.thesis_tables import (
     PROTOTYPE,
     measured,

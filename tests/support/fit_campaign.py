@@ -8,8 +8,8 @@ import numpy as np
 
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.signals import random, sweep
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.signals import random, sweep
 
 RATE = 120.0  # Hz
 BLOCKS = ((1.5, 0.5), (1.5, 1.0), (1.5, 0.25))

@@ -7,10 +7,10 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.campaign import Campaign, write_campaign
-from edesign.damper.campaign_blocks import LawChoice
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import Campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 
 K, C = 4.0e6, 2.0e5  # N/m, N s/m
 RATE = 250.0  # Hz

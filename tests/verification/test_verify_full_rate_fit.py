@@ -16,13 +16,13 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.outcome import Outcome
 from edesign.calibrate.search.selection import Selection
-from edesign.damper.campaign import write_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 
 NOISE = 20.0  # N, of forces of some 20 kN
 TEMPERATURES = (20.0, 22.5, 25.0, 27.5, 30.0, 33.0, 24.0, 29.0)

@@ -14,15 +14,15 @@ from edesign.calibrate.dampers.prepare import damper_problem, thinned
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.readings import likely_readings
 from edesign.calibrate.dampers.trial import Motion
-from edesign.damper.campaign import load_campaign, write_campaign
-from edesign.damper.campaign_blocks import Extremes, LawChoice
 from edesign.damper.damper import Damper
+from edesign.damper.history import NONE
 from edesign.damper.laws import law
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
-from edesign.damper.start import NONE
 from edesign.damper.temperature import GammaOf, GammaT
+from edesign.damper.testing.campaign import load_campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import Extremes, LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 
 MGMM = law("mgmm")

@@ -20,12 +20,12 @@ from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError
 from edesign.calibrate.result import Calibration, Errors, Estimate, Series
 from edesign.calibrate.write import law_text
-from edesign.damper.campaign import Campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.damper.thesis_tables import PROTOTYPE
 
 MGMM = read_parameters(law("mgmm"), "thesis_table_4_2")

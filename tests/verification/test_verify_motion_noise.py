@@ -13,13 +13,13 @@ from edesign.calibrate.dampers.library import candidate_of
 from edesign.calibrate.dampers.prepare import damper_problem
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.run import noisy_beside
-from edesign.damper.campaign import write_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 
 TESTS = 12
 REST = 4.0  # s

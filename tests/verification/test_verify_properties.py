@@ -14,12 +14,12 @@ from scipy.special import gamma as gamma_function
 
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.properties import Properties, cycle_properties, properties
-from edesign.damper.signals import sine, sweep_4_4
-from edesign.damper.specimen import Specimen
-from edesign.damper.steady_state import predict
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.properties import Properties, cycle_properties, properties
+from edesign.damper.testing.signals import sine, sweep_4_4
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.steady_state import predict
 
 SPECIMEN = Specimen("prototype", 2, 0.0414, 0.012)
 AMPLITUDE = 0.0036  # m: 30 % strain

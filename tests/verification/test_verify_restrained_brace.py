@@ -15,8 +15,8 @@ from edesign.codes.aisc341.buckling_restrained import RestrainedBrace
 from edesign.damper.damper import Damper
 from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.signals import sweep
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.signals import sweep
 from edesign.errors import InputError
 
 LAW = LAWS["buckling_restrained"]

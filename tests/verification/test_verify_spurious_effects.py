@@ -12,7 +12,7 @@ from friction_device import campaign
 
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import law_text
-from edesign.damper.campaign import load_campaign
+from edesign.damper.testing.campaign import load_campaign
 
 
 @pytest.mark.slow

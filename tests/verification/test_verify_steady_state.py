@@ -15,8 +15,8 @@ from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
 from edesign.damper.mgmm_steady import steady_loops, steady_moduli
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
-from edesign.damper.steady_state import SAMPLES, predict
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.steady_state import SAMPLES, predict
 from edesign.errors import InputError
 
 UNIT = Specimen("unit", 1, 1.0, 1.0)  # strain and stress are deformation and force

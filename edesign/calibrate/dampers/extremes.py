@@ -6,7 +6,7 @@ import numpy as np
 
 from edesign.calibrate.dampers.trial import Motion
 from edesign.calibrate.dampers.turning_points import with_turning_points
-from edesign.damper.start import Extremes
+from edesign.damper.history import Extremes
 
 
 def extremes_after(before: Extremes, motion: Motion) -> Extremes:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from edesign.damper.campaign import Campaign
 from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
+from edesign.damper.testing.campaign import Campaign
 
 
 def with_fitted_law(campaign: Campaign, workers: int = 1, tell: Callable[[str], None] = lambda line: None) -> Campaign:

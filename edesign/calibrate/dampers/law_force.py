@@ -12,8 +12,8 @@ from edesign.calibrate.dampers.trial import Motion
 from edesign.calibrate.problem import PredictionError
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
+from edesign.damper.history import Extremes
 from edesign.damper.law import Law
-from edesign.damper.start import Extremes
 
 _KEPT = 512  # histories: of some sets of parameters
 

@@ -15,16 +15,16 @@ import numpy as np
 
 from edesign.calibrate.dampers.trial import APART
 from edesign.calibrate.result import Calibration, LawKind
-from edesign.damper.campaign import Campaign
 from edesign.damper.damper import Damper
-from edesign.damper.device_cycles import Run, predicted_runs, runs_of
 from edesign.damper.fitting import Fit, fit_forces, prediction_errors
 from edesign.damper.fitting.compare import ENOUGH, comparison
 from edesign.damper.fitting.fit import FOLLOWS
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.device_cycles import Run, predicted_runs, runs_of
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import EdesignError, InputError
 
 RIVALS = (

@@ -18,7 +18,7 @@ from scipy.special import ive
 from edesign.calibrate.dampers.trial import Motion
 from edesign.core.damper import MOMENTS, CoreDamper, Term
 from edesign.core.fading import fading
-from edesign.damper.start import NONE, Extremes
+from edesign.damper.history import NONE, Extremes
 
 _MOTIONS = 96  # moments of tests, with some powers each
 _SHORTEST = (2.00001, 1.35)

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibrate.dampers.acting import Acting
 from edesign.calibrate.dampers.effect import BEGUN
 from edesign.calibrate.dampers.trial import Trial, after
-from edesign.damper.start import NONE, Extremes
+from edesign.damper.history import NONE, Extremes
 
 _CHANGE = 1e-3  # of the state, a number that is about 1 where it does as much as the law: for differences
 _FARTHEST = 3.0  # e^-3: a twentieth of the force would be left

@@ -13,10 +13,10 @@ from edesign.calibrate.dampers.readings import read
 from edesign.calibrate.dampers.trial import Motion, Sizes, Trial
 from edesign.calibrate.noise import least_noise, smooth, white_noise
 from edesign.calibrate.problem import Part, PredictionError
-from edesign.damper.campaign import Campaign
 from edesign.damper.laws import law as law_of
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 
 _AGAIN = 6  # times that noise is added

@@ -28,9 +28,10 @@ from edesign.calibrate.problem import Candidate, Part, Piece, Point, PredictionE
 from edesign.calibrate.unknown import Unknown
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
+from edesign.damper.history import NONE, Extremes
 from edesign.damper.law import Law
-from edesign.damper.start import BEYOND, NONE, SOFTENED, Extremes, either_way
 from edesign.damper.temperature import GammaOf, GammaT, at
+from edesign.damper.testing.start import BEYOND, SOFTENED, either_way
 from edesign.errors import InputError
 
 _DEPENDENT = 1e-8  # columns that others make, as a tone does that samples show as a constant

@@ -15,8 +15,8 @@ from edesign.calibrate.fit import Fitted, Model, fit
 from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.search.screening import Signature, screen, screen_again
 from edesign.calibrate.side_by_side import side_by_side
-from edesign.damper.campaign_blocks import Extremes, LawChoice
 from edesign.damper.temperature import REFERENCE_C, GammaOf, GammaT
+from edesign.damper.testing.campaign_blocks import Extremes, LawChoice
 
 _EXTREMES: tuple[Extremes, ...] = ("fresh", "lasting")
 _GAMMAS: tuple[GammaOf, ...] = ("parameters", "force", "by_the_letter")

@@ -10,8 +10,9 @@ import numpy as np
 from edesign.calibrate.dampers.problem import DamperProblem
 from edesign.calibrate.dampers.trial import Motion, Trial
 from edesign.calibrate.problem import Part, PredictionError
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.start import SOFTENED, Extremes, Recorded, Start, extremes_before, find_start
+from edesign.damper.history import Extremes
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 
 
 def with_starts(

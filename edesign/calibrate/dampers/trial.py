@@ -11,7 +11,8 @@ import numpy as np
 
 from edesign.calibrate.problem import Use
 from edesign.calibrate.spline import Spline
-from edesign.damper.start import NONE, Extremes, Start, widest
+from edesign.damper.history import NONE, Extremes
+from edesign.damper.testing.start import Start, widest
 
 _RATE = 40.0  # samples per second that a fit needs at least
 _PER_CYCLE = 25  # and in a cycle of the fastest motion

@@ -11,10 +11,10 @@ import numpy as np
 from pydantic import Field
 
 from edesign.calibrate.problem import Use
-from edesign.damper.campaign import CampaignError
-from edesign.damper.campaign_blocks import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
-from edesign.damper.property_table import SAME_LEVEL, SAME_TEMPERATURE, PropertyTable, read_property_table
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import CampaignError
+from edesign.damper.testing.campaign_blocks import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
+from edesign.damper.testing.property_table import SAME_LEVEL, SAME_TEMPERATURE, PropertyTable, read_property_table
+from edesign.damper.testing.specimen import Specimen
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.project.document import Document

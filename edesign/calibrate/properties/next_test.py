@@ -11,7 +11,7 @@ from edesign.calibrate.problem import PredictionError
 from edesign.calibrate.properties.problem import PropertyProblem, at_rows
 from edesign.calibrate.result import NextTest
 from edesign.calibrate.search.selection import Selection
-from edesign.damper.property_table import PropertyTable
+from edesign.damper.testing.property_table import PropertyTable
 
 _STRAINS = (0.3, 1.5)  # of the smallest, of the largest
 _FREQUENCIES = (0.2, 2.5)

@@ -23,9 +23,9 @@ from edesign.calibrate.unknown import Unknown
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
-from edesign.damper.property_table import PropertyTable
-from edesign.damper.specimen import Specimen
-from edesign.damper.steady_state import CYCLES, SAMPLES, PropertyRows, force_amplitudes, unit_motion
+from edesign.damper.testing.property_table import PropertyTable
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows, force_amplitudes, unit_motion
 
 QUICK_CYCLES, QUICK_SAMPLES = (2, 2), 60
 """Of the search: the second full cycle differs from cycles 5 to 15 by less than tables repeat."""

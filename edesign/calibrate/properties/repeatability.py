@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.calibrate.properties.campaign import groups_of
-from edesign.damper.property_table import PropertyTable
+from edesign.damper.testing.property_table import PropertyTable
 
 QUANTITIES = ("G_storage", "G_eq", "loss_factor")
 _MEDIAN = 0.6745  # of the absolute value of a standard normal number

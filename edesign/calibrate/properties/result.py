@@ -8,8 +8,8 @@ from dataclasses import dataclass
 from edesign.calibrate.properties.campaign import PropertyCampaign
 from edesign.calibrate.result import Calibration, Stage
 from edesign.damper.amendments import Amendment
-from edesign.damper.steady_state import PropertyRows
 from edesign.damper.temperature import GammaT
+from edesign.damper.testing.steady_state import PropertyRows
 
 
 @dataclass(frozen=True, eq=False)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.calibrate.properties.repeatability import QUANTITIES
-from edesign.damper.property_table import PropertyTable
-from edesign.damper.steady_state import PropertyRows
+from edesign.damper.testing.property_table import PropertyTable
+from edesign.damper.testing.steady_state import PropertyRows
 
 _WORDS = {"G_storage": "G'", "G_eq": "G_eq", "loss_factor": "the loss factor"}
 

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibrate.residual.sampling import even, step
-from edesign.damper.cycles import Block, find_blocks
+from edesign.damper.testing.cycles import Block, find_blocks
 
 FEWEST = 3  # cycles of a steady part
 _FEWEST_TURNS = 4

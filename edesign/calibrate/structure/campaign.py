@@ -13,10 +13,10 @@ from edesign.calibrate.structure.damping import Damping
 from edesign.calibrate.structure.record import Channel, Measure, StructureTest
 from edesign.calibrate.structure.structure_file import ChannelsBlock, StructureFile, check_structure
 from edesign.calibrate.structure.table import read_table
-from edesign.damper.campaign import CampaignError, short_names
-from edesign.damper.campaign_blocks import check_law
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.campaign import CampaignError, short_names
+from edesign.damper.testing.campaign_blocks import check_law
 from edesign.errors import InputError
 from edesign.project.document import Document
 from edesign.project.reading.file_bytes import is_there

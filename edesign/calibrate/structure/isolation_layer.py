@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.calibrate.structure.campaign import StructureCampaign
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 
 

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from edesign.calibrate.problem import Use
 from edesign.calibrate.structure.damping import DampingKind
-from edesign.damper.campaign_blocks import LawBlock, Text
+from edesign.damper.testing.campaign_blocks import LawBlock, Text
 from edesign.project.document import Document
 from edesign.project.notation.units import (
     ACCELERATION,

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.campaign_blocks import LawChoice
     from edesign.damper.law import Law, Parameter
-    from edesign.damper.measured_histories import DamperTest
-    from edesign.damper.property_table import PropertyTable
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.campaign_blocks import LawChoice
+    from edesign.damper.testing.measured_histories import DamperTest
+    from edesign.damper.testing.property_table import PropertyTable
+    from edesign.damper.testing.specimen import Specimen
 
 AGAINST = ("forces", "properties")
 
@@ -51,8 +51,8 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     Raises:
         InputError: the file cannot be read, nothing in it can be fitted to, or an option does not go with it.
     """
-    from edesign.damper.campaign import load_campaign
-    from edesign.damper.property_table import read_property_table
+    from edesign.damper.testing.campaign import load_campaign
+    from edesign.damper.testing.property_table import read_property_table
     from edesign.project.reading.problems import did_you_mean
 
     if against is not None and against not in AGAINST:
@@ -82,8 +82,8 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
 
 def _properties(tests: Sequence[DamperTest], specimen: Specimen, path: Path) -> tuple[PropertyTable, tuple[str, ...]]:
     """Properties of the tests that have them, and notes on the others, such as sweeps."""
-    from edesign.damper.properties import properties
-    from edesign.damper.property_table import from_properties, usable
+    from edesign.damper.testing.properties import properties
+    from edesign.damper.testing.property_table import from_properties, usable
 
     found, notes = {}, []
     for test in tests:
@@ -105,7 +105,7 @@ def read_specimen(layers: int | None, area: str | None, thickness: str | None) -
         InputError: some of them are missing, or have no unit.
     """
     from edesign.cli.shared.hazard_options import quantity
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.specimen import Specimen
     from edesign.project.notation.units import AREA, LENGTH
 
     if layers is None and area is None and thickness is None:

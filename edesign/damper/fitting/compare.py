@@ -15,7 +15,7 @@ from edesign.damper.fitting.forces import fit_forces
 from edesign.damper.law import Law
 
 if TYPE_CHECKING:
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.measured_histories import DamperTest
 
 ENOUGH = 1.1
 """A law is as near as the best one where its error on held-out tests is at most this times that one's."""

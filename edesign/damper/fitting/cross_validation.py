@@ -14,11 +14,11 @@ from edesign.damper.fitting.loading import Predict, prepare
 from edesign.damper.fitting.solve import Progress
 from edesign.damper.fitting.starts import with_starts
 from edesign.damper.law import Law
-from edesign.damper.nrms import nrms
+from edesign.damper.testing.nrms import nrms
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.measured_histories import DamperTest
 
 
 @dataclass(frozen=True)

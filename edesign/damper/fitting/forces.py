@@ -23,14 +23,14 @@ from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.starts import ValuesAt, same_starts, start_doubts, with_starts
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.fitting.uncertainty import blocks_of
-from edesign.damper.independence import independent_errors
 from edesign.damper.law import Law
-from edesign.damper.nrms import determination, error_of_peak, nrms
+from edesign.damper.testing.independence import independent_errors
+from edesign.damper.testing.nrms import determination, error_of_peak, nrms
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.measured_histories import DamperTest
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.measured_histories import DamperTest
+    from edesign.damper.testing.specimen import Specimen
 
 STARTS, SCREENED = 6, 8
 """Descents; candidates that are screened for each."""

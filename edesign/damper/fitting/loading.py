@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.damper.fitting.scales import Scales
-from edesign.damper.history import spline_velocity
-from edesign.damper.start import NONE, Extremes, Start
+from edesign.damper.history import NONE, Extremes, spline_velocity
+from edesign.damper.testing.start import Start
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.measured_histories import DamperTest
 
 _LEAST_SAMPLES = 8
 _PER_CYCLE = 30  # samples of a cycle that a search needs: a cubic through them is exact to 1e-5

@@ -22,14 +22,14 @@ from edesign.damper.fitting.solve import FAILED, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.law import Law
-from edesign.damper.nrms import determination, error_of_peak, nrms
-from edesign.damper.steady_state import CYCLES, SAMPLES, predict
 from edesign.damper.temperature import REFERENCE_C
+from edesign.damper.testing.nrms import determination, error_of_peak, nrms
+from edesign.damper.testing.steady_state import CYCLES, SAMPLES, predict
 from edesign.errors import AnalysisError, InputError
 from edesign.project.reading.problems import did_you_mean
 
 if TYPE_CHECKING:
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.specimen import Specimen
 
 Quantity = Literal["G_storage", "loss_factor", "G_eq"]
 _QUICK_CYCLES, _QUICK_SAMPLES = (3, 4), 80  # of the search; the polish takes those of a measured test

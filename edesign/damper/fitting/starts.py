@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.damper.fitting.loading import Loading, Predict
+from edesign.damper.history import Extremes
 from edesign.damper.law import Law
-from edesign.damper.local_fit import noise
-from edesign.damper.start import SOFTENED, Extremes, Recorded, Start, extremes_before, find_start
+from edesign.damper.testing.local_fit import noise
+from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import AnalysisError, InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.measured_histories import DamperTest
 
 _LEAST = 5e-4  # of a test's rms force: no load cell is better
 _SOON = 0.01  # of a test's samples: so many more or less that are judged change nothing

@@ -11,7 +11,7 @@ import yaml
 from edesign.damper.fitting.fit import Fit, mean_nrms
 from edesign.damper.fitting.thermal import gamma_name
 from edesign.damper.parameters import practical_unit, write_parameters
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.specimen import Specimen
 
 _DIGITS = 9
 _ERROR_DIGITS = 3

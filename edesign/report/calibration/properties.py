@@ -9,7 +9,7 @@ import numpy as np
 
 from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.calibrate.properties.shape import relative
-from edesign.damper.steady_state import PropertyRows
+from edesign.damper.testing.steady_state import PropertyRows
 from edesign.report.calibration.effect_tables import effect_name, effect_tables
 from edesign.report.calibration.tables import (
     NOT_SEARCHED,

@@ -8,17 +8,17 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.campaign import load_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.history import sign_doubtful
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law as law_of
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import practical_unit, write_parameters
-from edesign.damper.programme import planned_tests
-from edesign.damper.programme_file import Programme, SineTest, SweepTest, load_programme
-from edesign.damper.property_table import PropertyTable
-from edesign.damper.specimen import LARGE_STRAIN, Specimen, layer_doubt
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.programme import planned_tests
+from edesign.damper.testing.programme_file import Programme, SineTest, SweepTest, load_programme
+from edesign.damper.testing.property_table import PropertyTable
+from edesign.damper.testing.specimen import LARGE_STRAIN, Specimen, layer_doubt
 from edesign.project.reading.yaml_file import read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
 

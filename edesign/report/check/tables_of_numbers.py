@@ -6,8 +6,8 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.measured_files import EXAMPLE, read_test
-from edesign.damper.property_table import COLUMNS, read_property_table
+from edesign.damper.testing.measured_files import EXAMPLE, read_test
+from edesign.damper.testing.property_table import COLUMNS, read_property_table
 from edesign.ground_motion.formats.read import FORMATS, component_labels, detect, read_record_file
 from edesign.ground_motion.intensity import measures
 from edesign.ground_motion.plausibility import doubts

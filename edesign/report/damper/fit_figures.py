@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.damper.fitting import Fit
-from edesign.damper.nrms import nrms
+from edesign.damper.testing.nrms import nrms
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, new_figure, save, styled
 from edesign.report.tables.table import number
@@ -17,7 +17,7 @@ from edesign.report.tables.table import number
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from edesign.damper.measured_histories import DamperTest
+    from edesign.damper.testing.measured_histories import DamperTest
 
 ERROR = "#c0392b"
 

@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.archive.files import make_folder
-from edesign.damper.campaign import Campaign
-from edesign.damper.cycles import find_blocks
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.property_table import PropertyTable
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.cycles import find_blocks
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.property_table import PropertyTable
+from edesign.damper.testing.specimen import Specimen
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, align_ordinates, logarithmic, new_figure, save, styled
 

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import asdict
 from typing import Any
 
-from edesign.damper.properties import CycleProperties, Properties
+from edesign.damper.testing.properties import CycleProperties, Properties
 from edesign.report.tables.table import Table, finite, formatted, number, whole
 
 _COLUMNS = ("strain [%]", "f [Hz]", "G' [MPa]", "G_eq [MPa]", "G'' [MPa]", "n [-]")

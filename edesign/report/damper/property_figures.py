@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.damper.steady_state import PropertyRows
+from edesign.damper.testing.steady_state import PropertyRows
 from edesign.report.drawing.style import logarithmic, new_figure, styled
 
 if TYPE_CHECKING:

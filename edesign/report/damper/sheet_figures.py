@@ -6,9 +6,9 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.damper.acceptance import Acceptance
-from edesign.damper.device_cycles import Run
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.testing.acceptance import Acceptance
+from edesign.damper.testing.device_cycles import Run
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.report.drawing.style import AFTER, BEFORE, TARGET, new_figure, styled
 
 if TYPE_CHECKING:

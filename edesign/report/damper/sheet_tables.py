@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-from edesign.damper.acceptance import GIVES_ENERGY, STANDARDS, Judged
-from edesign.damper.device_cycles import Run
+from edesign.damper.testing.acceptance import GIVES_ENERGY, STANDARDS, Judged
+from edesign.damper.testing.device_cycles import Run
 from edesign.report.tables.table import Table, finite, number
 
 VERDICTS = {True: "met", False: "not met", None: "not judged"}

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.measured_files import EXAMPLE, rest_before
+from edesign.damper.testing.measured_files import EXAMPLE, rest_before
 from edesign.errors import InputError
 from edesign.report.inspection.account import OPEN, Account, Column, Sampling, ends, quoted, table_keys
 from edesign.tables.columns import places_of, unit_of

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.property_table import COLUMNS, read_property_table
+from edesign.damper.testing.property_table import COLUMNS, read_property_table
 from edesign.errors import InputError
 from edesign.report.inspection.account import Account, Column, ends, quoted
 from edesign.tables.table import read_table

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from edesign._version import __version__
-from edesign.damper.acceptance import Acceptance, Judged
-from edesign.damper.device_cycles import Run
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.testing.acceptance import Acceptance, Judged
+from edesign.damper.testing.device_cycles import Run
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.project.document import Document
 from edesign.report.damper.sheet_figures import run_figure
 from edesign.report.damper.sheet_tables import acceptance_table, cycles_table, name_of, tests_table, verdict_text

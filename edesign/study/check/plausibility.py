@@ -13,7 +13,7 @@ from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
-from edesign.damper.specimen import LARGE_STRAIN, layer_doubt
+from edesign.damper.testing.specimen import LARGE_STRAIN, layer_doubt
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis.damping import NoDamping
 from edesign.project.frame.materials import ElasticMaterial

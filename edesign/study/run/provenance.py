@@ -17,7 +17,7 @@ from edesign import core
 from edesign._version import __version__
 from edesign.archive.dataset import Group
 from edesign.damper.law_file import WHAT
-from edesign.damper.property_table import property_table_content
+from edesign.damper.testing.property_table import property_table_content
 from edesign.ground_motion.seismic_action.files import hazard_files
 from edesign.project.actions.hazard_base import Hazard
 from edesign.project.dampers.designs import ElastomerDesign, FileProperties

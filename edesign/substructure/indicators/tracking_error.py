@@ -7,7 +7,7 @@ import math
 import numpy as np
 from numpy.typing import ArrayLike
 
-from edesign.damper.nrms import nrms as squared_ratio
+from edesign.damper.testing.nrms import nrms as squared_ratio
 from edesign.substructure.indicators.channels import channel
 from edesign.substructure.indicators.untold import Untold
 

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
-from edesign.damper.campaign import Campaign, write_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.law_file import read_law_file
-from edesign.damper.measured_histories import DamperTest, Use
 from edesign.damper.temperature import REFERENCE_C
+from edesign.damper.testing.campaign import Campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest, Use
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import LawDescription
 from edesign.project.substructure.programme import RtsTest

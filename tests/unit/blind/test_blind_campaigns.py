@@ -18,9 +18,9 @@ from blind.programme import programme
 from blind.refit import left_after_refit
 from blind.size import nrms
 from blind.write import campaign_file, truth_path, write
-from edesign.damper.campaign import load_campaign
 from edesign.damper.laws import law as edesign_law
 from edesign.damper.parameters import read_parameters
+from edesign.damper.testing.campaign import load_campaign
 
 
 @pytest.fixture(scope="module")

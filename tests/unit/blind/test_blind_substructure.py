@@ -23,7 +23,7 @@ from blind.substructure.loop import Damper, RanAway, Storey, run
 from blind.substructure.plan import RIGS, plan
 from blind.substructure.rig import FADES, LONGEST, REACH, Follower, Rig, draw_rig
 from blind.write import truth_path
-from edesign.damper.campaign import load_campaign
+from edesign.damper.testing.campaign import load_campaign
 
 STIFF = Storey(mass=0.143, damping=0.072, stiffness=22.6)
 """The storey of thesis 6.2.5, 2 % damped: kN, mm, s."""

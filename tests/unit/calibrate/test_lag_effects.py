@@ -18,7 +18,7 @@ from edesign.calibrate.dampers.trial import Motion, Sizes
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.parameters import read_parameters
-from edesign.damper.start import Start
+from edesign.damper.testing.start import Start
 
 
 def test_a_delay_is_that_of_a_sine() -> None:

@@ -14,8 +14,8 @@ from edesign.calibrate.dampers.law_force import law_force
 from edesign.calibrate.dampers.trial import Motion
 from edesign.calibrate.problem import PredictionError
 from edesign.core.damper import CoreDamper
+from edesign.damper.history import NONE, Extremes
 from edesign.damper.laws import LAWS
-from edesign.damper.start import NONE, Extremes
 
 MGMM = LAWS["mgmm"]
 VALUES = MGMM.complete(

@@ -12,10 +12,10 @@ from kelvin_voigt_campaign import C, K, campaign
 from edesign.calibrate.dampers.fitted_law import with_fitted_law
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import calibration_json
-from edesign.damper.campaign import Campaign, load_campaign, write_campaign
-from edesign.damper.campaign_blocks import LawChoice
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import Campaign, load_campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.report.calibration.tables import errors_table, law_kind_text, verdict_text
 
 SECONDS = 1.0  # of the search: what is asked here comes after it

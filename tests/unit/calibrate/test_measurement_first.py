@@ -22,7 +22,7 @@ from edesign.calibrate.search.loop import Loop
 from edesign.calibrate.search.selection import Selection
 from edesign.calibrate.write import calibration_json, law_text
 from edesign.cli.main import main
-from edesign.damper.campaign import load_campaign
+from edesign.damper.testing.campaign import load_campaign
 from edesign.report.calibration.tables import verdict_text
 
 

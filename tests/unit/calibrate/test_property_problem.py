@@ -17,7 +17,7 @@ from edesign.calibrate.properties.run import corrected_law
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
 from edesign.damper.mgmm_steady import steady_loops, steady_moduli
-from edesign.damper.property_table import PropertyTable
+from edesign.damper.testing.property_table import PropertyTable
 from edesign.damper.thesis_tables import predicted
 from edesign.errors import InputError
 

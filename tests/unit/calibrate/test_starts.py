@@ -15,15 +15,15 @@ from edesign.calibrate.evidence import Judged
 from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.run import calibrate
 from edesign.calibrate.write import calibration_json
-from edesign.damper.campaign import Campaign, load_campaign, write_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.damper import Damper
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import law
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
-from edesign.damper.start import StartKind
+from edesign.damper.testing.campaign import Campaign, load_campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.start import StartKind
 from edesign.report.calibration.tables import starts_table, verdict_text
 
 MGMM = law("mgmm")

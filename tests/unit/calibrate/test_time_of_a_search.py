@@ -10,7 +10,7 @@ import pytest
 
 from edesign.calibrate import run
 from edesign.calibrate.dampers.readings import Reading
-from edesign.damper.campaign_blocks import LawChoice
+from edesign.damper.testing.campaign_blocks import LawChoice
 
 
 @pytest.mark.parametrize(

@@ -11,13 +11,13 @@ from edesign.calibrate.result import Calibration
 from edesign.calibrate.run import calibrate
 from edesign.core.damper import LawValues
 from edesign.core.substructure import Sensors, SubstructureLoop
-from edesign.damper import signals
-from edesign.damper.campaign import Campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.laws import law
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing import signals
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.one_thread import one_thread
 from edesign.substructure.compensation import compensators
 from edesign.substructure.rig import rigs

@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from edesign.cli import main as command
-from edesign.damper.campaign import load_campaign, write_campaign
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import load_campaign, write_campaign
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import ArchiveError
 
 SPECIMEN = ["--layers", "2", "--layer-area", "41400 mm^2", "--layer-thickness", "12 mm"]
@@ -146,7 +146,7 @@ def test_devices_that_store_or_dissipate_nothing(folder: Path, capsys: pytest.Ca
 
 
 def test_an_infinite_loss_factor_is_null_in_json() -> None:
-    from edesign.damper.properties import Properties
+    from edesign.damper.testing.properties import Properties
     from edesign.report.damper.measured_tables import properties_data
 
     row = Properties(0.1, 1.0, 20.0, 0.0, 1e6, 1e6, float("inf"), (5, 15))
@@ -237,8 +237,8 @@ def test_places_are_checked_before_the_work(folder: Path, monkeypatch: pytest.Mo
         raise AssertionError("the work has begun")
 
     monkeypatch.setattr("edesign.damper.fitting.fit_forces", no_work)
-    monkeypatch.setattr("edesign.damper.programme.run_programme", no_work)
-    monkeypatch.setattr("edesign.damper.properties.properties", no_work)
+    monkeypatch.setattr("edesign.damper.testing.programme.run_programme", no_work)
+    monkeypatch.setattr("edesign.damper.testing.properties.properties", no_work)
     code = ArchiveError.exit_code
     assert command.main(["fit", "c.yaml", "-q", "-o", "a.csv/x"]) == code
     assert command.main(["fit", "c.yaml", "-q", "--figures", "a.csv"]) == code
@@ -257,7 +257,7 @@ def test_an_interrupted_replacement_leaves_no_mixed_campaign(folder: Path, monke
     def interrupted(*_: object) -> None:
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("edesign.damper.campaign.write_test", interrupted)
+    monkeypatch.setattr("edesign.damper.testing.campaign.write_test", interrupted)
     with pytest.raises(KeyboardInterrupt):
         write_campaign(folder / "out", specimen, tests)
     assert not path.exists()

@@ -14,11 +14,11 @@ from fit_campaign import measured
 
 from edesign.cli import main as command
 from edesign.cli.fit import fit
-from edesign.damper.campaign import write_campaign
-from edesign.damper.campaign_blocks import LawChoice
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.specimen import Specimen
 
 SPECIMEN = ["--layers", "2", "--layer-area", "41400 mm^2", "--layer-thickness", "12 mm"]
 CSV = "temperature_C,shear_strain_percent,frequency_Hz,G_storage_MPa,G_eq_MPa,loss_factor\n"

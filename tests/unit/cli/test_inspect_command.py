@@ -11,8 +11,8 @@ import pytest
 import yaml
 
 from edesign.cli.main import main
-from edesign.damper.campaign import load_campaign
-from edesign.damper.property_table import write_property_table
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.property_table import write_property_table
 from edesign.damper.thesis_tables import measured
 from edesign.ground_motion.sources import find_suite
 from edesign.ground_motion.suite import load_suite

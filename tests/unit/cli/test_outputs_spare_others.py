@@ -22,9 +22,9 @@ from edesign.archive.writer import ArchiveWriter, partial_path
 from edesign.cli.main import main
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
-from edesign.damper.measured_files import write_test
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.signals import sine
+from edesign.damper.testing.measured_files import write_test
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.signals import sine
 from edesign.errors import ArchiveError, InputError, Interrupted
 from edesign.input_files import note_input, noting_inputs, spare_inputs
 from edesign.project import Project

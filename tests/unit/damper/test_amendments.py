@@ -12,15 +12,15 @@ import pytest
 from edesign.building.project_file import load_project
 from edesign.core import Analysis, Channel, CoreDamper, Newmark
 from edesign.damper.amendments import AMENDMENTS, Amendment
-from edesign.damper.campaign import load_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.effects_file import read_effects, write_effects
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
 from edesign.damper.parameters import practical_unit, read_parameters
-from edesign.damper.programme import run_programme
-from edesign.damper.programme_file import load_programme
-from edesign.damper.steady_state import predict
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.programme import run_programme
+from edesign.damper.testing.programme_file import load_programme
+from edesign.damper.testing.steady_state import predict
 from edesign.damper.thesis_tables import PROTOTYPE
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from edesign.damper.campaign import load_campaign, write_campaign
+from edesign.damper.testing.campaign import load_campaign, write_campaign
 from edesign.errors import InputError
 
 HEAD = "specimen: {name: p, layers: 2, layer_area_mm2: 41400.0, layer_thickness_mm: 12.0}\n"

@@ -14,11 +14,11 @@ from edesign.damper.damper import Damper
 from edesign.damper.fitting import fit_forces
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.signals import random, sine, sweep_4_4
-from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaT, at
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.signals import random, sine, sweep_4_4
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 from edesign.report.damper.fit_figures import fit_figure
 from edesign.report.damper.measured_figures import measured_figure as draw_test

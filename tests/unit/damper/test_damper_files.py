@@ -9,11 +9,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.damper.campaign import load_campaign, write_campaign
-from edesign.damper.campaign_blocks import LawChoice
-from edesign.damper.measured_files import read_displacement, read_test, write_test
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.campaign import load_campaign, write_campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.measured_files import read_displacement, read_test, write_test
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 
 GOOD = "time_s,displacement_mm,force_kN\n0,0,0\n0.001,1.5,2\n0.002,-2,3.5\n"

@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.damper.cycles import find_blocks
-from edesign.damper.signals import SWEEP_4_4, from_record, random, sine, sweep, sweep_4_4
+from edesign.damper.testing.cycles import find_blocks
+from edesign.damper.testing.signals import SWEEP_4_4, from_record, random, sine, sweep, sweep_4_4
 from edesign.errors import InputError
 
 

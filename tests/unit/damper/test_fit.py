@@ -15,8 +15,8 @@ from edesign.damper.fitting.compare import compare_laws
 from edesign.damper.fitting.loading import Loading
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import LAWS
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.nrms import determination, error_of_peak, nrms
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.nrms import determination, error_of_peak, nrms
 from edesign.errors import InputError
 from edesign.report.damper.fit_tables import comparison_table
 

@@ -12,10 +12,10 @@ from typer.testing import CliRunner
 
 from edesign.cli.characterise import characterise
 from edesign.cli.test import test as test_command
-from edesign.damper.campaign import load_campaign
-from edesign.damper.programme import planned_tests, run_programme
-from edesign.damper.programme_file import load_programme
-from edesign.damper.property_table import read_property_table
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.programme import planned_tests, run_programme
+from edesign.damper.testing.programme_file import load_programme
+from edesign.damper.testing.property_table import read_property_table
 from edesign.errors import InputError
 
 K, C = 7e6, 2e5  # N/m, N s/m

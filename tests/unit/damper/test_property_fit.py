@@ -11,8 +11,8 @@ from edesign.damper.damper import Damper
 from edesign.damper.fitting import fit_properties
 from edesign.damper.fitting.moduli import LINEAR_LAWS, complex_stiffness
 from edesign.damper.laws import LAWS
-from edesign.damper.property_table import PropertyTable, read_property_table
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.property_table import PropertyTable, read_property_table
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 
 SPECIMEN = Specimen("prototype", 2, 0.0414, 0.012)

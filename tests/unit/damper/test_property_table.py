@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 import scipy
 
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.properties import properties
-from edesign.damper.property_table import PropertyTable, read_property_table, write_property_table
-from edesign.damper.signals import sine
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.properties import properties
+from edesign.damper.testing.property_table import PropertyTable, read_property_table, write_property_table
+from edesign.damper.testing.signals import sine
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 
 HEADERS = "temperature_C,shear_strain_percent,frequency_Hz,G_storage_MPa,G_eq_MPa,loss_factor\n"

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from edesign.cli import main as command
-from edesign.damper.acceptance import Acceptance, Device, judge
-from edesign.damper.device_cycles import Run, runs_of
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.testing.acceptance import Acceptance, Device, judge
+from edesign.damper.testing.device_cycles import Run, runs_of
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 from edesign.report.damper.sheet_tables import acceptance_table, verdict_text
 

@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from edesign.damper.damper import Damper
-from edesign.damper.history import spline_velocity
+from edesign.damper.history import NONE, Extremes, spline_velocity
 from edesign.damper.law import Law
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
-from edesign.damper.start import NONE, Extremes, Recorded, Start, StartKind, extremes_before, find_start
+from edesign.damper.testing.start import Recorded, Start, StartKind, extremes_before, find_start
 
 MGMM, ZENER, KELVIN = LAWS["mgmm"], LAWS["zener"], LAWS["kelvin_voigt"]
 TABLE_4_2 = read_parameters(MGMM, "thesis_table_4_2")

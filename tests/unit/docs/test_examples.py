@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from edesign.damper.programme_file import load_programme
+from edesign.damper.testing.programme_file import load_programme
 from edesign.ground_motion.suite import load_suite
 from edesign.project.study.reference_loader import load_reference
 from tools import doc_pages

@@ -11,7 +11,7 @@ import pytest
 
 from edesign.calibrate.properties.campaign import load_property_campaign
 from edesign.calibrate.structure.campaign import load_structure_campaign
-from edesign.damper.campaign import load_campaign
+from edesign.damper.testing.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project import load_project
 from edesign.project.building import load_building

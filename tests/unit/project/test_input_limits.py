@@ -14,11 +14,11 @@ import pytest
 from edesign.calibrate.properties.campaign import load_property_campaign
 from edesign.calibrate.structure.campaign import load_structure_campaign
 from edesign.calibrate.structure.table import read_table
-from edesign.damper.campaign import load_campaign
 from edesign.damper.law_file import read_law_file
-from edesign.damper.measured_files import read_test
-from edesign.damper.programme_file import load_programme
-from edesign.damper.property_table import read_property_table
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.measured_files import read_test
+from edesign.damper.testing.programme_file import load_programme
+from edesign.damper.testing.property_table import read_property_table
 from edesign.errors import InputError
 from edesign.ground_motion.formats.read import read_record_file
 from edesign.ground_motion.suite import load_suite

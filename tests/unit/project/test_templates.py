@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from edesign.cli.main import main
-from edesign.damper.measured_files import read_test
+from edesign.damper.testing.measured_files import read_test
 from edesign.errors import InputError
 from edesign.ground_motion.formats.at2 import read_at2
 from edesign.project.template import DEFAULT, FOLDER, new_project, template, templates

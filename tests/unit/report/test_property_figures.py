@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper.steady_state import PropertyRows
+from edesign.damper.testing.steady_state import PropertyRows
 from edesign.damper.thesis_tables import measured
 from edesign.report.damper.property_figures import property_figure, residual_figure
 from edesign.report.drawing.style import save

@@ -13,7 +13,7 @@ from matplotlib.figure import Figure
 from unit.report.figure_archive import RECORDS, history, small_archive
 
 from edesign.archive.reader import Archive, open_archive
-from edesign.damper.property_table import PropertyTable
+from edesign.damper.testing.property_table import PropertyTable
 from edesign.report import archive_figures
 from edesign.report.archive_figures import all_figures, draw_figures
 from edesign.report.damper.measured_figures import properties_figure

@@ -15,7 +15,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.building.project_file import load_project, load_study
-from edesign.damper.property_table import write_property_table
+from edesign.damper.testing.property_table import write_property_table
 from edesign.damper.thesis_tables import measured
 from edesign.errors import InputError
 from edesign.ground_motion.record import Record

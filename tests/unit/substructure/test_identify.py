@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from edesign.cli.main import main
-from edesign.damper import signals
+from edesign.damper.testing import signals
 from edesign.errors import InputError
 from edesign.project.substructure.loader import read_rig_file
 from edesign.report.substructure.identified_rig_tables import identified_rig_tables

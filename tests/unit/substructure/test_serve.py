@@ -21,7 +21,7 @@ import numpy as np
 import pytest
 
 from edesign.core.damper import CoreDamper, LawValues
-from edesign.damper.measured_files import read_test
+from edesign.damper.testing.measured_files import read_test
 from edesign.damper.thesis_tables import prototype_damper
 from edesign.errors import ArchiveError, EdesignError, InputError
 from edesign.stopping import Stopped, stoppable

@@ -15,8 +15,8 @@ import scipy
 
 from edesign.archive.reader import open_archive
 from edesign.cli.main import main
-from edesign.damper.measured_files import read_test
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.measured_files import read_test
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.reading.problems import FileProblems
 from edesign.project.substructure import load_rts_file

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import scipy.io
 
-from edesign.damper.measured_files import TestReading, read_test
+from edesign.damper.testing.measured_files import TestReading, read_test
 from edesign.errors import InputError
 from edesign.ground_motion.formats.read import read_record_file
 from edesign.project.notation.table_format import TableFormat

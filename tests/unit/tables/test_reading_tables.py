@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from edesign.damper.campaign import load_campaign
-from edesign.damper.measured_files import read_test
+from edesign.damper.testing.campaign import load_campaign
+from edesign.damper.testing.measured_files import read_test
 from edesign.errors import InputError
 from edesign.ground_motion.formats.read import read_record_file
 from edesign.project.notation.table_format import Decimal, Delimiter, Encoding, TableFormat

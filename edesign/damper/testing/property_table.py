@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.damper.properties import Properties
+from edesign.damper.testing.properties import Properties
 from edesign.errors import InputError
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import read_file

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import Any, Literal
 
-from edesign.damper.campaign_blocks import Text
-from edesign.damper.measured_files import DisplacementZero, TestReading
+from edesign.damper.testing.campaign_blocks import Text
+from edesign.damper.testing.measured_files import DisplacementZero, TestReading
 from edesign.project.notation.table_format import TableFormat
 from edesign.project.notation.units import PositiveTime
 from edesign.project.reading.base import Model

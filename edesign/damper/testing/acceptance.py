@@ -13,7 +13,7 @@ from typing import Annotated, Literal
 import numpy as np
 from pydantic import Field
 
-from edesign.damper.device_cycles import LEAST_CYCLES, Run
+from edesign.damper.testing.device_cycles import LEAST_CYCLES, Run
 from edesign.project.notation.units import PositiveRatio
 from edesign.project.reading.base import Model
 

@@ -12,8 +12,8 @@ from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.laws import LAWS, unknown_law
 from edesign.damper.parameters import ParameterError, read_parameters
-from edesign.damper.specimen import Specimen
 from edesign.damper.temperature import GammaOf
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 from edesign.project.notation.temperature import parse_temperature
 from edesign.project.notation.units import PositiveArea, PositiveLength

@@ -11,8 +11,8 @@ import yaml
 from pydantic import Field
 
 from edesign.archive.files import make_folder, write_text
-from edesign.damper.acceptance import Acceptance
-from edesign.damper.campaign_blocks import (
+from edesign.damper.testing.acceptance import Acceptance
+from edesign.damper.testing.campaign_blocks import (
     CampaignLaw,
     Celsius,
     LawChoice,
@@ -22,11 +22,11 @@ from edesign.damper.campaign_blocks import (
     check_one,
     check_specimen,
 )
-from edesign.damper.measured_columns import ReadingKeys, reading_of
-from edesign.damper.measured_files import read_test, write_test
-from edesign.damper.measured_histories import DamperTest, Use
-from edesign.damper.specimen import Specimen
-from edesign.damper.start import StartKind
+from edesign.damper.testing.measured_columns import ReadingKeys, reading_of
+from edesign.damper.testing.measured_files import read_test, write_test
+from edesign.damper.testing.measured_histories import DamperTest, Use
+from edesign.damper.testing.specimen import Specimen
+from edesign.damper.testing.start import StartKind
 from edesign.errors import ArchiveError, InputError
 from edesign.input_files import spare_inputs
 from edesign.project.document import Document

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.damper.cycles import Block, find_blocks
-from edesign.damper.loops import Loops
-from edesign.damper.measured_histories import DamperTest
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing.cycles import Block, find_blocks
+from edesign.damper.testing.loops import Loops
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
 
 CYCLES = (5, 15)

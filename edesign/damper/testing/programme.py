@@ -9,18 +9,18 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.damper import signals
-from edesign.damper.campaign import Campaign, write_campaign
 from edesign.damper.damper import Damper
 from edesign.damper.effects_file import read_effects
 from edesign.damper.laws import law as law_of
-from edesign.damper.measured_files import read_displacement
-from edesign.damper.measured_histories import DamperTest
 from edesign.damper.parameters import read_parameters
-from edesign.damper.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
-from edesign.damper.properties import Properties, properties
-from edesign.damper.property_table import from_properties, usable, write_property_table
-from edesign.damper.specimen import Specimen
+from edesign.damper.testing import signals
+from edesign.damper.testing.campaign import Campaign, write_campaign
+from edesign.damper.testing.measured_files import read_displacement
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.programme_file import Programme, RandomTest, RecordTest, SineTest, SweepTest
+from edesign.damper.testing.properties import Properties, properties
+from edesign.damper.testing.property_table import from_properties, usable, write_property_table
+from edesign.damper.testing.specimen import Specimen
 from edesign.errors import AnalysisError, InputError
 
 PROPERTIES_FILE = "properties.csv"

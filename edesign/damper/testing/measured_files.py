@@ -9,8 +9,8 @@ from typing import Literal
 import numpy as np
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.damper.measured_histories import FEWEST, DamperTest, Use
-from edesign.damper.start import StartKind
+from edesign.damper.testing.measured_histories import FEWEST, DamperTest, Use
+from edesign.damper.testing.start import StartKind
 from edesign.errors import InputError
 from edesign.project.notation.table_format import TableFormat
 from edesign.tables.columns import Chosen, columns_in_si, need

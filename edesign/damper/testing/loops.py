@@ -7,9 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from edesign.damper.cycles import Block
 from edesign.damper.history import spline_velocity
-from edesign.damper.local_fit import noise, peak, value_at, value_at_reversal
+from edesign.damper.testing.cycles import Block
+from edesign.damper.testing.local_fit import noise, peak, value_at, value_at_reversal
 from edesign.errors import InputError
 
 LEAST_SAMPLES = 12  # a cycle

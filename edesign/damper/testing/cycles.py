@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.damper.local_fit import noise, peak, zero
+from edesign.damper.testing.local_fit import noise, peak, zero
 
 SAME_AMPLITUDE = 0.05  # relative: half cycles of a block; of a ramp over two cycles the last reaches 0.875
 SAME_PERIOD = 0.05  # relative, of all cycles of a test at one frequency

@@ -6,10 +6,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.damper.cycles import find_blocks
 from edesign.damper.damper import Damper
-from edesign.damper.loops import Loops, LoopValues
-from edesign.damper.measured_histories import DamperTest
+from edesign.damper.testing.cycles import find_blocks
+from edesign.damper.testing.loops import Loops, LoopValues
+from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 
 LEAST_CYCLES = 3

@@ -13,7 +13,7 @@ from edesign.damper.temperature import REFERENCE_C, TemperatureModel
 from edesign.errors import InputError
 
 if TYPE_CHECKING:
-    from edesign.damper.specimen import Specimen
+    from edesign.damper.testing.specimen import Specimen
 
 CYCLES = (5, 15)
 """First and last full cycle that is averaged, counted from 1 after the ramp (thesis 3.3)."""

@@ -7,7 +7,7 @@ from typing import Literal
 
 import numpy as np
 
-from edesign.damper.start import StartKind
+from edesign.damper.testing.start import StartKind
 from edesign.errors import InputError
 
 Use = Literal["fit", "validate"]

@@ -16,17 +16,14 @@ from typing import Literal, NamedTuple
 import numpy as np
 import scipy
 
-from edesign.damper.independence import independent_errors
+from edesign.damper.history import NONE, Extremes
+from edesign.damper.testing.independence import independent_errors
 
 StartKind = Literal["at_rest", "in_motion", "unknown"]
 """What is said of a test: the specimen was undeformed and at rest before the first sample; it was moving; it is to be
 found out.
 """
 
-Extremes = tuple[float, float, float, float]
-"""Largest and smallest deformation, m, largest and smallest velocity, m/s."""
-NONE: Extremes = (0.0, 0.0, 0.0, 0.0)
-"""Of a specimen that has not moved."""
 SOFTENED = ("mgmm",)
 """Laws that extremes soften for good."""
 BEYOND = 100.0

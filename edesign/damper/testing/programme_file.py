@@ -10,7 +10,8 @@ from typing import Annotated, Any, Literal
 from pydantic import Discriminator, Field, PrivateAttr, Tag
 from pydantic_core import PydanticCustomError
 
-from edesign.damper.campaign_blocks import (
+from edesign.damper.effects_file import EffectsError, read_effects
+from edesign.damper.testing.campaign_blocks import (
     LawBlock,
     SpecimenBlock,
     Text,
@@ -19,8 +20,7 @@ from edesign.damper.campaign_blocks import (
     check_specimen,
     parse_celsius,
 )
-from edesign.damper.effects_file import EffectsError, read_effects
-from edesign.damper.measured_histories import Use
+from edesign.damper.testing.measured_histories import Use
 from edesign.project.dampers.dampers import Effect
 from edesign.project.notation.temperature import TEMPERATURE_TEXT, parse_temperature
 from edesign.project.notation.units import (

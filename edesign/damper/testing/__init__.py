@@ -1,0 +1,1 @@
+"""Tests of dampers: campaigns that were measured, programmes of a virtual rig, loops, properties, and acceptance."""
