@@ -119,7 +119,6 @@ class Analysis:
             steps_a_row: from one row to the next.
             limits: as in `history`.
             **kept: which rows are kept, see `Recording`.
-            kept: which rows are kept, as of `Recording`.
 
         Raises:
             ValueError: two channels have the same name, or a limit belongs to none.

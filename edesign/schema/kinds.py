@@ -23,7 +23,6 @@ class SchemaKind:
         without: keys that a file of this kind does not have.
         files: names that such files often have, for settings of editors.
         guide: page of docs/ that explains it.
-        items: a list in it, and a key that its first item has, where other kinds have the same keys.
         entries: a list in it, and a key that an item of it has, where other kinds have the same keys.
         needed: keys without which a whole file is refused, though its model does without them elsewhere.
     """

@@ -125,8 +125,8 @@ def elastic_design(building: Building, tell: Callable[[str], None] = lambda stag
         tell: called with the name of each stage at its beginning.
 
     Raises:
-        InputError: a block is missing, a behaviour factor or a mode is out of its range.
-        InputError: the structure is a mechanism.
+        InputError: a block is missing, a behaviour factor or a mode is out of its range, a section is of class 4 under
+            its forces, or the structure is a mechanism.
     """
     found = ElasticAnalysis(building, tell).design()
     if found.members.slender:

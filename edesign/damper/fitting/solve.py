@@ -116,7 +116,7 @@ def solve(
     polish = Problem(full, coordinates.lower, coordinates.upper, coordinates.steps)
     f_scale = _loss_scale(full(best.x)) if loss != "linear" else 1.0
     last = descend(polish, canonical(best.x), loss, f_scale, _POLISH, central=True, workers=workers)
-    last, fixed = _to_bounds(polish, coordinates, last, loss, f_scale, workers)
+    last, fixed = _to_bounds(polish, last, loss, f_scale, workers)
     free = tuple(i for i in range(last.x.size) if i not in fixed)
     residual = full(last.x)
     jacobian = _part(polish, last.x, free).jacobian(last.x[list(free)], None, workers)
@@ -137,7 +137,7 @@ def solve(
 
 
 def _to_bounds(
-    problem: Problem, coordinates: Coordinates, found: Descent, loss: Loss, f_scale: float, workers: int
+    problem: Problem, found: Descent, loss: Loss, f_scale: float, workers: int
 ) -> tuple[Descent, frozenset[int]]:
     """Set parameters near a bound on it where that is as good: a trust-region search only comes near to bounds."""
     fixed: set[int] = set()

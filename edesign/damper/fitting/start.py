@@ -85,7 +85,7 @@ def start_values(
     """
     known = dict(given or {})
     parameters = law.with_branches(branches_of(law, known, branches))
-    relative = {**_RELATIVE.get(law.name, {}), **_branch_starts(law, observed, len(parameters), branches)}
+    relative = {**_RELATIVE.get(law.name, {}), **_branch_starts(law, observed, len(parameters))}
     values = {p.name: known[p.name] for p in parameters if p.name in known}
     if law.name == "buckling_restrained":
         unknown = [p.name for p in parameters if p.name.startswith("strain") and p.name not in values]
@@ -198,7 +198,7 @@ def _spread(axis: Axis, at: float, low: float, high: float, share: float) -> flo
     return at + (2.0 * share - 1.0) * max(abs(at), 0.5)
 
 
-def _branch_starts(law: Law, observed: Observed, count: int, branches: int) -> dict[str, float]:
+def _branch_starts(law: Law, observed: Observed, count: int) -> dict[str, float]:
     """Relaxation times evenly in their logarithm, from the fastest test's 1/omega to the slowest's."""
     number = (count - len(law.parameters)) // max(len(law.branch), 1)
     if not number:

@@ -88,7 +88,7 @@ def opensees_script(project: Project, path: Path, without_dampers: bool = False)
     builder = StructureBuilder(frame, plain, moduli, structure)
     try:
         builder.build(base)
-        largest = _largest_stiffness(builder, frame, structure)
+        largest = _largest_stiffness(builder, structure)
         soil = DamperBuilder(structure, largest).build(base)
         build = (*structure.commands(), *soil.place)
         loads = tuple(structure.loads)
@@ -176,7 +176,7 @@ def _block(blocks: list[Block], name: str, purpose: str, commands: Iterable[Comm
     return (Name(name),)
 
 
-def _largest_stiffness(builder: StructureBuilder, frame: FrameModel, structure: Structure) -> float:
+def _largest_stiffness(builder: StructureBuilder, structure: Structure) -> float:
     """Largest E A / L of the members, N/m."""
     largest = 0.0
     for call in builder.members():

@@ -154,8 +154,16 @@ def read_record_file(
     found = _known(path, file_format) if file_format is not None else detect(path)
     _check_arguments(path, found, of_tables, component)
     if found == "table":
-        columns = (time_step, time_column, acceleration_column, name, layout, table)
-        record = csv_record.read_csv(path, acceleration_unit or "", *columns)
+        record = csv_record.read_csv(
+            path,
+            acceleration_unit or "",
+            time_step=time_step,
+            time_column=time_column,
+            acceleration_column=acceleration_column,
+            name=name,
+            layout=layout,
+            given=table,
+        )
     elif found == "sac":
         record = sac.read_sac(path, acceleration_unit or "", component, name)  # type: ignore[arg-type]
     elif found == "at2":

@@ -19,7 +19,7 @@ def check_hinges(project: Project, problems: Problems) -> None:
     check = Selections(project.frame, problems)
     for i, hinges in enumerate(project.hinges):
         keys: Keys = ("hinges", i)
-        if _places(project, problems, check, keys, hinges):
+        if _places(problems, check, keys, hinges):
             _released(project, problems, keys, hinges, "hinge")
             _rigid(project, problems, keys, hinges, "hinges")
         if isinstance(hinges.parameters, HingeValues):
@@ -30,7 +30,7 @@ def check_hinges(project: Project, problems: Problems) -> None:
             problems.at_key((*keys, "reduced_section"), "only beams have a reduced section")
     for i, joints in enumerate(project.joints):
         keys = ("joints", i)
-        if _places(project, problems, check, keys, joints):
+        if _places(problems, check, keys, joints):
             _released(project, problems, keys, joints, "joint")
             _rigid(project, problems, keys, joints, "joints")
         if joints.hardening and joints.resistance is None:
@@ -47,7 +47,7 @@ def check_hinges(project: Project, problems: Problems) -> None:
     _supports(project, problems)
 
 
-def _places(project: Project, problems: Problems, check: Selections, keys: Keys, chosen: Hinges | Joints) -> bool:
+def _places(problems: Problems, check: Selections, keys: Keys, chosen: Hinges | Joints) -> bool:
     """Whether beams or columns are named, one of them; those named one by one stand."""
     if (chosen.beams is None) == (chosen.columns is None):
         problems.at_value(keys, "give either `beams` or `columns`, one of them")

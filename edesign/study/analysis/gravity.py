@@ -52,7 +52,7 @@ def run_gravity(project: Project, spec: GravityAnalysis) -> Group:
         storey_drifts(frame, history=False),
         storey_shears(frame, history=False),
         base_shear(frame, history=False),
-        *member_forces(frame, bending_members(frame), "member", history=False),
+        *member_forces(bending_members(frame), "member", history=False),
         *axial_forces(frame),
         *(damper_quantities(frame, history=False) if any(device.carries for device in frame.devices) else ()),
         *base_displacement(frame, history=False),

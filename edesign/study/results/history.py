@@ -87,7 +87,7 @@ class HistoryResults:
             floor_relative_accelerations(frame),
             storey_shears(frame, storeys),
             base_shear(frame, storeys),
-            *member_forces(frame, bending_members(frame), "member", history=False),
+            *member_forces(bending_members(frame), "member", history=False),
             *axial_forces(frame),
             *leaning_column_forces(frame),
             *plastic_rotations(frame, "motion" in self._wanted),

@@ -12,11 +12,10 @@ END_COMPONENTS = (  # of the core's end forces: N V M at the start, N V M at the
 )
 
 
-def member_forces(frame: FrameModel, members: list[Member], dim: str, history: bool) -> list[Quantity]:
+def member_forces(members: list[Member], dim: str, history: bool) -> list[Quantity]:
     """Return the forces on both ends of members, in the axes of the member, as quantities to be recorded.
 
     Args:
-        frame: the model.
         members: columns, beams or braces.
         dim: the dimension whose coordinate lists them.
         history: whether histories are kept, instead of extremes.

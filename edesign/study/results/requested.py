@@ -30,7 +30,7 @@ def requested_quantities(project: Project, frame: FrameModel, group: Group) -> l
     if outputs.members:
         members = [_member(project, frame, name, ("outputs", "members", i)) for i, name in enumerate(outputs.members)]
         coordinate(group, "recorded_member", [member.name for member in members], "", "member whose ends are recorded")
-        found += member_forces(frame, members, "recorded_member", history=True)
+        found += member_forces(members, "recorded_member", history=True)
         found += recorded_braces(members, group)
         found += _rotations(frame, [member if member.kind != "brace" else None for member in members])
     if outputs.sections:
