@@ -1,4 +1,4 @@
-"""Wishes to stop, which work asks for while it goes on, also in other threads than the one that has the wish."""
+"""Requests to stop, which work asks for while it goes on, also in other threads than the one that makes the request."""
 
 from __future__ import annotations
 
@@ -10,55 +10,55 @@ from typing import TypeVar
 
 T = TypeVar("T")
 R = TypeVar("R")
-Wish = Callable[[], bool]
+StopRequest = Callable[[], bool]
 
 
 class Stopped(KeyboardInterrupt):
-    """A call ended early because a wish of `stoppable` had come true; like Ctrl-C it is no error."""
+    """A call ended early because a request of `stoppable` had become true; like Ctrl-C it is no error."""
 
 
-class _Wishes(threading.local):
+class _Requests(threading.local):
     """Of one thread."""
 
-    wish: Wish | None = None
+    stop: StopRequest | None = None
 
 
-_wishes = _Wishes()
+_requests = _Requests()
 
 
 @contextmanager
-def stoppable(wish: Wish | None) -> Iterator[None]:
-    """Let long calls of the core in this thread end with `Stopped` once a wish is true.
+def stoppable(stop: StopRequest | None) -> Iterator[None]:
+    """Let long calls of the core in this thread end with `Stopped` once a request is true.
 
     Args:
-        wish: asked about five times a second, by such calls only; those of outer contexts count too. None: no wish.
+        stop: asked about five times a second, by such calls only; those of outer contexts count too. None: no request.
     """
-    outer = _wishes.wish
-    if wish is not None:
-        own = wish
-        _wishes.wish = own if outer is None else lambda: own() or outer()
+    outer = _requests.stop
+    if stop is not None:
+        own = stop
+        _requests.stop = own if outer is None else lambda: own() or outer()
     try:
         yield
     finally:
-        _wishes.wish = outer
+        _requests.stop = outer
 
 
-def wished() -> bool:
+def stop_requested() -> bool:
     """Say whether the thread is to stop.
 
     Returns:
-        True if a wish of this thread is true.
+        True if a request of this thread is true.
     """
-    return _wishes.wish is not None and _wishes.wish()
+    return _requests.stop is not None and _requests.stop()
 
 
-def end_if_wished() -> None:
+def stop_if_requested() -> None:
     """Let long work in Python end as calls of the core do.
 
     Raises:
-        Stopped: a wish of this thread is true.
+        Stopped: a request of this thread is true.
     """
-    if wished():
+    if stop_requested():
         raise Stopped
 
 
@@ -68,7 +68,7 @@ def in_threads(
     """Yield results in the order of the items, as soon as they and those before them are ready.
 
     An error or Ctrl-C, or a caller that wants no more results, ends what runs and leaves out what has not begun. The
-    wishes of the thread that calls count in the others.
+    requests of the thread that calls count in the others.
 
     Args:
         work: on an item.
@@ -80,10 +80,10 @@ def in_threads(
         yield from map(work, items)
         return
     closing = threading.Event() if closing is None else closing
-    wish, closed = _wishes.wish, closing.is_set
+    stop, closed = _requests.stop, closing.is_set
 
     def run(item: T) -> R:
-        with stoppable(wish), stoppable(closed):
+        with stoppable(stop), stoppable(closed):
             return work(item)
 
     with ThreadPoolExecutor(workers) as pool:

@@ -7,7 +7,7 @@ from types import TracebackType
 from typing import Any
 
 from edesign.core._edcore import ffi, lib
-from edesign.stopping import Stopped, wished
+from edesign.stopping import Stopped, stop_requested
 
 
 class _Raised(threading.local):
@@ -32,7 +32,7 @@ def edesign_stop_asked(data: Any) -> int:
     Args:
         data: not used.
     """
-    return wished()
+    return stop_requested()
 
 
 STOP = ffi.new("ed_stop *", (lib.edesign_stop_asked, ffi.NULL))
@@ -46,7 +46,7 @@ def raise_if_stopped(status: int) -> None:
         status: that the call returned.
 
     Raises:
-        KeyboardInterrupt: by Ctrl-C; `Stopped` by a wish of `edesign.stopping.stoppable`.
+        KeyboardInterrupt: by Ctrl-C; `Stopped` by a request of `edesign.stopping.stoppable`.
     """
     error = _raised.error
     if error is not None:

@@ -13,7 +13,7 @@ from edesign.core.substructure import LoopRecord, Recursion, RigLimits, Substruc
 from edesign.errors import AnalysisError
 from edesign.project.substructure.programme import CommandTest, RecordTest, RtsTest
 from edesign.project.substructure.rts_file import RtsFile
-from edesign.stopping import Wish, stoppable
+from edesign.stopping import StopRequest, stoppable
 from edesign.substructure.compensation.described import compensator_of
 from edesign.substructure.computed_structure import ComputedStructure, Direct
 from edesign.substructure.drive import Drive, drive_of
@@ -69,12 +69,14 @@ class VirtualLaboratory:
         """Drive of each test, by its name; errors as `drive`."""
         return {test.name: self.drive(test) for test in self.file.tests}
 
-    def run(self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None) -> Iterator[TestResults]:
+    def run(
+        self, tell: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
+    ) -> Iterator[TestResults]:
         """Yield the results test by test.
 
         Args:
             tell: called with the name of each run at its beginning.
-            wish: whether a run shall end early, by `Stopped`.
+            stop: whether a run shall end early, by `Stopped`.
 
         Raises:
             InputError: a record or command cannot be read.
@@ -82,7 +84,7 @@ class VirtualLaboratory:
         for test in self.tests:
             drive = self.drives[test.name]
             runs = []
-            with stoppable(wish):
+            with stoppable(stop):
                 direct = self.direct(drive) if drive.ground is not None else None
                 for name in self.compensators:
                     tell(f"{test.name}, {name}")
@@ -90,19 +92,19 @@ class VirtualLaboratory:
             yield TestResults(test.name, test.kind, drive, direct, tuple(runs))
 
     def run_others(
-        self, tell: Callable[[str], None] = lambda line: None, wish: Wish | None = None
+        self, tell: Callable[[str], None] = lambda line: None, stop: StopRequest | None = None
     ) -> Iterator[MethodResults]:
         """Yield the results of the tests by other methods; errors as `run`.
 
         Args:
             tell: see `run`.
-            wish: see `run`.
+            stop: see `run`.
         """
         for test in self.others:
             tell(test.name)
             drive = self.drives[test.name]
             assert drive.ground is not None
-            with stoppable(wish):
+            with stoppable(stop):
                 abort = DIVERGED * float(np.max(np.abs(self.direct(drive).deformation)))
                 results = run_method(test, self.laboratory, self.file.loop.main_step, drive.ground, abort)
             yield results

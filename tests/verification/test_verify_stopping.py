@@ -1,4 +1,4 @@
-"""Ctrl-C and the wishes of other threads end long calls of the core.
+"""Ctrl-C and the requests of other threads end long calls of the core.
 
 Each call below would take minutes; a process is sent the signal once the call has begun and must end within seconds.
 """
@@ -140,22 +140,22 @@ def long_call() -> np.ndarray:
     return peak_displacement(np.ones(2_000_000), 0.01, periods, np.full(periods.size, 0.05))
 
 
-def test_a_wish_of_another_thread_ends_a_long_call() -> None:
-    wish = threading.Event()
+def test_a_request_of_another_thread_ends_a_long_call() -> None:
+    stop = threading.Event()
 
     def work() -> None:
-        with stoppable(wish.is_set):
+        with stoppable(stop.is_set):
             long_call()
 
     with ThreadPoolExecutor(1) as pool:
         future = pool.submit(work)
         time.sleep(0.5)
-        wish.set()
+        stop.set()
         with pytest.raises(Stopped):
             future.result(SOON)
 
 
-def test_wishes_of_outer_contexts_count_and_end_with_them() -> None:
+def test_requests_of_outer_contexts_count_and_end_with_them() -> None:
     with stoppable(lambda: True):
         with stoppable(lambda: False), pytest.raises(Stopped):
             long_call()

@@ -1,4 +1,4 @@
-"""Ctrl-C and SIGTERM as a wish to stop, which the work asks for at good moments."""
+"""Ctrl-C and SIGTERM as a request to stop, which the work asks for at good moments."""
 
 from __future__ import annotations
 

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
-from edesign.stopping import end_if_wished
+from edesign.stopping import stop_if_requested
 from edesign.substructure.laboratory import SMALL
 from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.rate import RateEffect, motion_frequency, rate_effect
@@ -122,7 +122,7 @@ def pseudo_dynamic_test(
         InputError: an impossible number, or a step beyond the limit of the method: 2 / omega of the highest mode,
             less with a damper that resists velocity (m / c of a mass on a dashpot).
         CoreError: the law of the damper failed.
-        Stopped: by a wish of `edesign.stopping.stoppable`.
+        Stopped: by a request of `edesign.stopping.stoppable`.
 
     Source: thesis Eqs. 6.1-6.4; Shing & Mahin, UCB/EERC-83/12 (1983), for errors and feedback.
     """
@@ -332,7 +332,7 @@ def _run(integration: _Integration, laboratory: _Laboratory, ground: np.ndarray,
     try:
         with np.errstate(over="ignore", invalid="ignore"):  # a motion that grows without end is ended by `within`
             for acceleration in ground[1:].tolist():
-                end_if_wished()
+                stop_if_requested()
                 end = integration.advance(motion, acceleration, within)
                 motion = end.motion
                 displacement.append(end.asked)

@@ -11,7 +11,7 @@ import scipy
 from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.one_thread import one_thread
-from edesign.stopping import end_if_wished
+from edesign.stopping import stop_if_requested
 from edesign.substructure.structure.numerical import LinearPart
 
 BALANCE = 1e-10
@@ -81,7 +81,7 @@ def respond(
     Raises:
         InputError: the force of the damper does not come into balance.
         CoreError: its law failed.
-        Stopped: by a wish of `edesign.stopping.stoppable`.
+        Stopped: by a request of `edesign.stopping.stoppable`.
     """
     with one_thread():
         A, b0, b1, f0, f1 = _exact(system, step)
@@ -89,7 +89,7 @@ def respond(
     balance = None if damper is None else _Balance(damper, system, f1, step)
     z, force = states[0], 0.0
     for i in range(given.size - 1):
-        end_if_wished()
+        stop_if_requested()
         z = A @ z + b0 * given[i] + b1 * given[i + 1] + f0 * force
         if balance is not None:
             force = balance.step(z, force, i)

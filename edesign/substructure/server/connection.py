@@ -1,4 +1,4 @@
-"""Sockets of the laboratory: whole messages in and out, waits that end by Ctrl-C, a wish to stop, or a time."""
+"""Sockets of the laboratory: whole messages in and out, waits that end by Ctrl-C, a request to stop, or a time."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ from contextlib import suppress
 
 from edesign.archive.files import reason
 from edesign.errors import InputError
-from edesign.stopping import end_if_wished
+from edesign.stopping import stop_if_requested
 
 LARGEST_PORT = 65535
 
 WISHES_MS = 200
-"""How often a wait asks for wishes to stop, as calls of the core do."""
+"""How often a wait asks for requests to stop, as calls of the core do."""
 
 
 class Connection:
@@ -50,7 +50,7 @@ class Connection:
 
         Raises:
             TimeoutError: they did not come in time.
-            KeyboardInterrupt: Ctrl-C or a wish to stop.
+            KeyboardInterrupt: Ctrl-C or a request to stop.
         """
         if size > len(self._buffer):
             self._buffer = memoryview(bytearray(size))
@@ -77,7 +77,7 @@ class Connection:
         """Acknowledge what was read at once, if no answer follows that does it.
 
         A client with Nagle's algorithm holds its next message until then: 40 ms without this. The system forgets the
-        wish after a while, hence after every such receipt. Systems without the option have no such delay.
+        request after a while, hence after every such receipt. Systems without the option have no such delay.
         """
         if hasattr(socket, "TCP_QUICKACK"):
             with suppress(OSError):  # reset meanwhile; the next receipt sees it
@@ -113,7 +113,7 @@ def wait_for_client(listener: socket.socket) -> None:
         listener: the listening socket.
 
     Raises:
-        KeyboardInterrupt: Ctrl-C; Stopped: a wish of `edesign.stopping.stoppable`.
+        KeyboardInterrupt: Ctrl-C; Stopped: a request of `edesign.stopping.stoppable`.
     """
     with selectors.DefaultSelector() as waiting:  # not every system has poll
         waiting.register(listener, selectors.EVENT_READ)
@@ -154,7 +154,7 @@ def address(pair: tuple[str, int]) -> str:
 
 
 def _go_on_waiting(until: float | None) -> None:
-    end_if_wished()
+    stop_if_requested()
     if until is not None and time.monotonic() >= until:
         raise TimeoutError
 

@@ -19,7 +19,7 @@ from edesign.archive.csv_files import write_csv_file
 from edesign.archive.files import check_csv_name, check_file
 from edesign.core.damper import CoreDamper
 from edesign.errors import AnalysisError
-from edesign.stopping import Stopped, Wish, stoppable, wished
+from edesign.stopping import Stopped, StopRequest, stop_requested, stoppable
 from edesign.study.run.interrupt import stop_on_signals
 from edesign.substructure.server import protocol
 from edesign.substructure.server.connection import Connection, address, listen, wait_for_client
@@ -172,8 +172,8 @@ def serve(
         on_event: takes lines for people.
 
     Returns:
-        The summary, also if Ctrl-C, SIGTERM or a wish of `edesign.stopping.stoppable` ended it. A second Ctrl-C leaves
-        the client alone at once.
+        The summary, also if Ctrl-C, SIGTERM or a request of `edesign.stopping.stoppable` ended it. A second Ctrl-C
+        leaves the client alone at once.
 
     Raises:
         InputError: the port is in use, the address is not of this machine, or the record's name is no table's.
@@ -257,12 +257,12 @@ def _session(
     mounted: MountedSpecimen,
     course: _Course,
     on_event: OnEvent,
-    wish: Wish,
+    stop: StopRequest,
 ) -> str | None:
-    """Serve a client to its end, or a wish to stop; return what was wrong if something was."""
+    """Serve a client to its end, or a request to stop; return what was wrong if something was."""
     fault = None
     try:
-        with stoppable(wish):
+        with stoppable(stop):
             _exchange(client, Messages(greeting, interface), mounted, course)
         course.ending = "goodbye"
     except _Gone as gone:
@@ -295,7 +295,7 @@ def _exchange(client: Connection, messages: Messages, mounted: MountedSpecimen, 
         KeyboardInterrupt: the server shall stop.
     """
     size = protocol.DATA_SIZE * protocol.NUMBER
-    while not wished():
+    while not stop_requested():
         message = client.read(size)
         if len(message) < size:
             raise _Gone("a message" if message else "")

@@ -273,13 +273,13 @@ def test_errors_and_corrections_of_other_methods_are_said_in_the_file(tmp_path: 
 
 @pytest.mark.parametrize("kind", ["pseudo_dynamic", "effective_force, gain: 1e-3 m/s/N"])
 def test_tests_by_other_methods_end_at_the_first_wish(tmp_path: Path, kind: str) -> None:
-    """Of a loop in Python too; the wish comes true after 100 questions, long before the 30 000 steps are over."""
+    """Of a loop in Python too; the request becomes true after 100 questions, long before the 30 000 steps are over."""
     path = tmp_path / "rts.yaml"
     test = f"tests: [{{name: slow, kind: {kind}, record: el_centro, scale: 0.18}}]\n"
     path.write_text(INLINE[: INLINE.index("tests:")] + test, encoding="utf-8")
     asked = iter(range(1000))
     with pytest.raises(Stopped):
-        list(VirtualLaboratory(load_rts_file(path)).run_others(wish=lambda: next(asked) > 100))
+        list(VirtualLaboratory(load_rts_file(path)).run_others(stop=lambda: next(asked) > 100))
     assert next(asked) < 110
 
 

@@ -21,7 +21,7 @@ from edesign.study.run.backends.call import Call, Control, Result, Results, inte
 from edesign.study.run.backends.dask_worker import Share, pack, run_remote
 from edesign.study.run.backends.state import program_state
 
-ASK_EVERY = 0.2  # s, for a wish to stop
+ASK_EVERY = 0.2  # s, for a request to stop
 COUNT_EVERY = 1.0  # s, the workers
 ALONE_FOR = 120.0  # s without any worker, after which a run gives up
 END_WITHIN = 60.0  # s for what runs to see that it shall stop

@@ -43,7 +43,7 @@ class Share(WorkerPlugin):  # type: ignore[misc, unused-ignore]
 
 
 class _RemoteControl:
-    """Progress to the client through the scheduler, and the wish to stop."""
+    """Progress to the client through the scheduler, and the request to stop."""
 
     def __init__(self, share: str, key: str) -> None:
         self._worker = get_worker()

@@ -9,7 +9,7 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from edesign.one_thread import one_thread
 from edesign.study.run.backends.call import Call, Control, LocalBackend, Result, Results, check_keys, perform
 
-ASK_EVERY = 0.2  # s, for a wish to stop
+ASK_EVERY = 0.2  # s, for a request to stop
 
 
 class ThreadsBackend(LocalBackend):
