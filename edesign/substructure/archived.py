@@ -112,8 +112,10 @@ def indicators(runs: Sequence[VirtualTest]) -> Group:
         values = [getattr(run.tracking, name, np.nan) for run in runs]
         if all(isinstance(value, (int, float)) for value in values):
             group.add(name, ("run",), np.array(values, dtype=float), unit, text)
-    untold = [f"{run.test}/{run.compensator}: {name}: {why}" for run in runs for name, why in _untold(run).items()]
-    group.attributes["untold"] = untold
+    undetermined = [
+        f"{run.test}/{run.compensator}: {name}: {why}" for run in runs for name, why in _undetermined(run).items()
+    ]
+    group.attributes["undetermined"] = undetermined
     return group
 
 
@@ -134,8 +136,8 @@ def _add_limits(group: Group, runs: Sequence[VirtualTest]) -> None:
         group.add(f"limit_{name}", ("run", "limit"), values, "s", text)
 
 
-def _untold(run: VirtualTest) -> Mapping[str, str]:
-    return run.tracking.untold if run.tracking is not None else {}
+def _undetermined(run: VirtualTest) -> Mapping[str, str]:
+    return run.tracking.undetermined if run.tracking is not None else {}
 
 
 def _test(results: TestResults) -> Group:

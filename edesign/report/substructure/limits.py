@@ -1,4 +1,4 @@
-"""Limits that virtual substructure tests met, and indicators that could not be told, as tables."""
+"""Limits that virtual substructure tests met, and indicators that are not determined, as tables."""
 
 from __future__ import annotations
 
@@ -65,16 +65,17 @@ def _series(results: SubstructureResults, test: str, name: str) -> list[list[str
     return rows
 
 
-def untold_table(results: SubstructureResults) -> Table:
+def undetermined_table(results: SubstructureResults) -> Table:
     """Return the indicators that could not be computed for a run, with the reason; no rows if all could."""
     table = Table(
-        "Indicators that could not be told",
+        "Indicators that are not determined",
         ("test", "compensator", "indicator", "why"),
         left=4,
         sentences=3,
         name="indicators_missing",
     )
-    said = results.runs[0].group.attributes.get("untold") if results.runs else None
+    stored = results.runs[0].group.attributes if results.runs else {}
+    said = stored.get("undetermined", stored.get("untold"))  # as archives before 0.1.0 call it
     for line in said if isinstance(said, list) else []:
         place, _, rest = str(line).partition(": ")
         test, _, compensator = place.partition("/")

@@ -3,6 +3,6 @@
 from __future__ import annotations
 
 from edesign.substructure.indicators.assessment import Tracking, definitions, tracking
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
-__all__ = ["Tracking", "Untold", "definitions", "tracking"]
+__all__ = ["Tracking", "Undetermined", "definitions", "tracking"]

@@ -19,7 +19,7 @@ from edesign.substructure.indicators.interface_energy import energy_error, relat
 from edesign.substructure.indicators.peaks import peak_errors
 from edesign.substructure.indicators.synchronisation import tracking_indicator
 from edesign.substructure.indicators.tracking_error import maximum_error, nrms, nrms_root
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 _T = TypeVar("_T")
 
@@ -35,7 +35,7 @@ class Tracking:
     `definitions` tells meaning, unit and source of each indicator. One that cannot be told is NaN.
 
     Attributes:
-        untold: why an indicator is NaN, by its name.
+        undetermined: why an indicator is NaN, by its name.
     """
 
     nrms: float = _indicator(
@@ -71,7 +71,7 @@ class Tracking:
         "J",
     )
     relative_energy_error: float = _indicator("energy error over the largest work done on the specimen", "1")
-    untold: dict[str, str] = field(default_factory=dict)
+    undetermined: dict[str, str] = field(default_factory=dict)
 
 
 def definitions() -> dict[str, tuple[str, str]]:
@@ -146,7 +146,7 @@ def tracking(
         relative_energy_error=_number(
             lambda: relative_energy_error(_given(f), x_t, x_m, applied), why, "relative_energy_error"
         ),
-        untold=why,
+        undetermined=why,
     )
 
 
@@ -154,7 +154,7 @@ def _told(indicator: Callable[[], _T], why: dict[str, str], *names: str) -> _T |
     """An indicator, or None with the reason under its names."""
     try:
         return indicator()
-    except Untold as reason:
+    except Undetermined as reason:
         why.update(dict.fromkeys(names, str(reason)))
         return None
 
@@ -167,7 +167,7 @@ def _number(indicator: Callable[[], float], why: dict[str, str], name: str) -> f
 
 def _given(force: ArrayLike | None) -> ArrayLike:
     if force is None:
-        raise Untold("no force was given")
+        raise Undetermined("no force was given")
     return force
 
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from edesign.ground_motion.transform_length import transform_length
 from edesign.substructure.indicators.channels import channel, time_step
-from edesign.substructure.indicators.untold import FOLLOWS, Untold, moving
+from edesign.substructure.indicators.undetermined import LEAST_EXPLAINED, Undetermined, moving
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ def correlation_delay(target: ArrayLike, measured: ArrayLike, step: float) -> Co
 
     Raises:
         InputError: lengths that differ, NaN, a step out of range.
-        Untold: a constant channel; a measured channel of opposite sign or one that does not follow the target.
+        Undetermined: a constant channel; a measured channel of opposite sign or one that does not follow the target.
     """
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
@@ -48,8 +48,8 @@ def correlation_delay(target: ArrayLike, measured: ArrayLike, step: float) -> Co
     moving("target", float(np.ptp(x_t)))
     moving("measured", float(np.ptp(x_m)))
     lag, best = _climb(x_t, x_m, _coarse_lag(x_t, x_m))
-    if best**2 < FOLLOWS or best < 0.0:
-        raise Untold(f"the measured channel does not follow the target (correlation {best:.2f} at best)")
+    if best**2 < LEAST_EXPLAINED or best < 0.0:
+        raise Undetermined(f"the measured channel does not follow the target (correlation {best:.2f} at best)")
     return CorrelationDelay(step * (lag + _fraction(x_t, x_m, lag, best)), best)
 
 
@@ -77,7 +77,7 @@ def _coarse_lag(target: np.ndarray, measured: np.ndarray) -> int:
     products = np.fft.irfft(spectrum, length)[lags] * (1.0 - np.abs(lags) / n)
     largest, least = int(np.argmax(products)), int(np.argmin(products))
     if -products[least] > products[largest] and abs(lags[least]) < abs(lags[largest]):
-        raise Untold("the measured channel follows the target with opposite sign, or half a period late")
+        raise Undetermined("the measured channel follows the target with opposite sign, or half a period late")
     return int(lags[largest])
 
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.half_cycles import half_cycles, quarter_period, threshold_of
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 
 @dataclass(frozen=True)
@@ -51,7 +51,7 @@ def crossing_delay(
 
     Raises:
         InputError: lengths that differ, NaN, a step out of range.
-        Untold: no pair of crossings; a measured channel that does not follow the target.
+        Undetermined: no pair of crossings; a measured channel that does not follow the target.
     """
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
@@ -74,7 +74,7 @@ def crossing_delay(
 
 def _result(instants: np.ndarray, late: np.ndarray, step: float) -> CrossingDelay:
     if not late.size:
-        raise Untold("no zero crossing of the measured channel belongs to one of the target")
+        raise Undetermined("no zero crossing of the measured channel belongs to one of the target")
     order = np.argsort(instants)
     delays = step * late[order]
     return CrossingDelay(
@@ -86,11 +86,11 @@ def _quick_crossings(name: str, values: np.ndarray, level: float, longest: float
     """Instants (samples) of the crossings within `longest` samples, and whether they rise."""
     try:
         cycles = half_cycles(values, level)
-    except Untold as reason:
-        raise Untold(f"{name}: {reason}") from None
+    except Undetermined as reason:
+        raise Undetermined(f"{name}: {reason}") from None
     quick = cycles.dwell <= max(longest, 1.0)
     if not np.any(quick):
-        raise Untold(f"the {name} channel does not cross zero from one threshold of {level:g} m to the other")
+        raise Undetermined(f"the {name} channel does not cross zero from one threshold of {level:g} m to the other")
     return cycles.crossing[quick], cycles.rising[quick]
 
 

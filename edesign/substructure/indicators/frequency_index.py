@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.substructure.indicators.channels import channel, time_step
-from edesign.substructure.indicators.untold import FOLLOWS, Untold, moving
+from edesign.substructure.indicators.undetermined import LEAST_EXPLAINED, Undetermined, moving
 
 
 @dataclass(frozen=True)
@@ -45,7 +45,7 @@ def frequency_index(target: ArrayLike, measured: ArrayLike, step: float) -> Freq
 
     Raises:
         InputError: lengths that differ, NaN, a step out of range.
-        Untold: a constant channel; a measured channel that does not follow the target.
+        Undetermined: a constant channel; a measured channel that does not follow the target.
 
     Source: Guo, Chen, Xu & Sanchez (2014), A frequency response analysis approach for quantitative assessment of
     actuator tracking for real-time hybrid simulation, Smart Materials and Structures 23; exponent 2; formula as in
@@ -59,8 +59,8 @@ def frequency_index(target: ArrayLike, measured: ArrayLike, step: float) -> Freq
     i, o = np.fft.rfft(x_t - np.mean(x_t))[1:], np.fft.rfft(x_m - np.mean(x_m))[1:]
     weight, product = float(np.sum(np.abs(i) ** 2)), complex(np.sum(o * np.conj(i)))
     explained = abs(product) ** 2 / (weight * float(np.sum(np.abs(o) ** 2)))
-    if explained < FOLLOWS:
-        raise Untold(f"the measured channel does not follow the target ({explained:.0%} of its variance at best)")
+    if explained < LEAST_EXPLAINED:
+        raise Undetermined(f"the measured channel does not follow the target ({explained:.0%} of its variance at best)")
     phase = math.atan2(product.imag, product.real)
     return FrequencyIndex(abs(product) / weight, phase, -phase / (2.0 * math.pi * frequency))
 
@@ -74,7 +74,7 @@ def equivalent_frequency(target: ArrayLike, step: float) -> float:
 
     Raises:
         InputError: NaN, a step out of range.
-        Untold: the target is constant.
+        Undetermined: the target is constant.
     """
     x_t = channel("target", target)
     moving("target", float(np.ptp(x_t)))

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 QUIET = 0.02
 """Threshold as a share of the largest target: 0.1 mm of 5 mm, at which the thesis lets adaptation begin (6.2.4)."""
@@ -49,11 +49,11 @@ def half_cycles(channel: np.ndarray, threshold: float) -> HalfCycles:
         threshold: m, above zero.
 
     Raises:
-        Untold: the channel stays within the threshold.
+        Undetermined: the channel stays within the threshold.
     """
     beyond = np.flatnonzero(np.abs(channel) >= threshold)
     if not beyond.size:
-        raise Untold(f"no sample is beyond the threshold of {threshold:g} m")
+        raise Undetermined(f"no sample is beyond the threshold of {threshold:g} m")
     signs = np.sign(channel[beyond])
     turns = np.flatnonzero(np.diff(signs))
     first = beyond[np.concatenate(([0], turns + 1))]
@@ -72,13 +72,13 @@ def threshold_of(target: np.ndarray, threshold: float | None) -> float:
         m.
 
     Raises:
-        Untold: the target is zero throughout.
+        Undetermined: the target is zero throughout.
     """
     if threshold is not None:
         return threshold
     largest = float(np.max(np.abs(target)))
     if largest == 0.0:
-        raise Untold("the target is zero throughout")
+        raise Undetermined("the target is zero throughout")
     return QUIET * largest
 
 

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.substructure.indicators.channels import channel
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 
 def work(force: ArrayLike, displacement: ArrayLike) -> np.ndarray:
@@ -83,14 +83,14 @@ def relative_energy_error(
         applied: see `energy_error`.
 
     Raises:
-        Untold: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
+        Undetermined: no work is done on the specimen, or it gives out more than it took, as with a force of wrong sign.
         InputError: as `energy_error`.
     """
     error = float(energy_error(force, target, measured, applied)[-1])
     done = work(force, measured)
     most, least = float(np.max(done)), float(np.min(done))
     if -least > most:
-        raise Untold("the specimen gives out more energy than it took: the force may have the wrong sign")
+        raise Undetermined("the specimen gives out more energy than it took: the force may have the wrong sign")
     if most == 0.0:
-        raise Untold("no work is done on the specimen")
+        raise Undetermined("no work is done on the specimen")
     return error / most

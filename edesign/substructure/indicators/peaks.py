@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from edesign.substructure.indicators.channels import channel, time_step
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.half_cycles import half_cycles, threshold_of
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 CAP = 0.9
 """Share of a target's peak above which a parabola is laid through the samples: many average noise out, and a sine is
@@ -50,7 +50,7 @@ def peak_errors(
 
     Raises:
         InputError: lengths that differ, NaN, a step out of range.
-        Untold: no whole half-cycle; a measured channel that does not follow the target.
+        Undetermined: no whole half-cycle; a measured channel that does not follow the target.
     """
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
@@ -66,7 +66,7 @@ def peak_errors(
             got = _top(sign * x_m[low + shift : high + shift + 1])
             ratios.append(got / _top(sign * x_t[low : high + 1]) - 1.0)
     if not ratios:
-        raise Untold("no half-cycle of the target has its peak and the measured one within the record")
+        raise Undetermined("no half-cycle of the target has its peak and the measured one within the record")
     errors = np.array(ratios)
     return PeakErrors(float(np.mean(errors)), float(errors[np.argmax(np.abs(errors))]), errors)
 

@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from edesign.damper.testing.nrms import nrms as squared_ratio
 from edesign.substructure.indicators.channels import channel
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 
 
 def nrms(target: ArrayLike, measured: ArrayLike) -> float:
@@ -21,7 +21,7 @@ def nrms(target: ArrayLike, measured: ArrayLike) -> float:
 
     Raises:
         InputError: lengths that differ, NaN.
-        Untold: the target is zero throughout.
+        Undetermined: the target is zero throughout.
     """
     x_t, x_m = _pair(target, measured)
     return squared_ratio(x_m, x_t)
@@ -55,5 +55,5 @@ def _pair(target: ArrayLike, measured: ArrayLike) -> tuple[np.ndarray, np.ndarra
     x_t = channel("target", target)
     x_m = channel("measured", measured, x_t.size)
     if not np.any(x_t):
-        raise Untold("the target is zero throughout")
+        raise Undetermined("the target is zero throughout")
     return x_t, x_m

@@ -19,7 +19,7 @@ from edesign.project.substructure.rts_file import RtsFile
 from edesign.substructure.advice.expectation import LinearModel, force_delay
 from edesign.substructure.computed_structure import Direct
 from edesign.substructure.drive import Drive
-from edesign.substructure.indicators import Tracking, Untold, tracking
+from edesign.substructure.indicators import Tracking, Undetermined, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.response_error import peak_error, response_error
 from edesign.substructure.indicators.tracking_error import nrms_root
@@ -258,7 +258,7 @@ def _delay_of_applied_force(
     try:
         law = _law_force(laboratory.damper, time, target)
         return correlation_delay(law, applied, laboratory.file.loop.main_step).delay + over_step
-    except Untold:
+    except Undetermined:
         return math.nan
 
 
@@ -301,7 +301,7 @@ def _refuse_another_test(
     path = record.path
     try:
         shift = correlation_delay(direct.deformation[: target.size], target, step).delay
-    except Untold:
+    except Undetermined:
         if nrms_root(target, by_force) <= REPRODUCED:
             return  # a test that went wrong is still that test
         raise InputError(
@@ -338,7 +338,7 @@ def _criteria(file: RtsFile, response: JudgedResponse) -> tuple[Criterion, ...]:
 
 
 def _notes(record: MeasuredRecord, followed: Tracking, response: JudgedResponse | None) -> tuple[str, ...]:
-    notes = [f"{name}: {why}" for name, why in followed.untold.items() if "no force" not in why]
+    notes = [f"{name}: {why}" for name, why in followed.undetermined.items() if "no force" not in why]
     late = followed.correlation_delay
     if late < -record.step:
         notes.append(

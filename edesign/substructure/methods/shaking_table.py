@@ -13,7 +13,7 @@ from edesign.core.damper import CoreDamper
 from edesign.errors import InputError
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.response_error import response_error
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 from edesign.substructure.methods.comparison import MethodRecord, checked_ground, positive
 from edesign.substructure.methods.state_space import LinearSystem, fixed_base, respond
 from edesign.substructure.structure.numerical import LinearPart
@@ -243,7 +243,7 @@ def _delay(ground: np.ndarray, achieved: np.ndarray, step: float) -> float:
     """Delay (s) at which the table correlates best with the ground; 0 where it does not follow at all."""
     try:
         return correlation_delay(ground, achieved, step).delay
-    except Untold:
+    except Undetermined:
         return 0.0
 
 

@@ -14,7 +14,7 @@ from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.substructure.compensation.alpha_fit import fitted_alpha
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency
-from edesign.substructure.indicators.untold import Untold
+from edesign.substructure.indicators.undetermined import Undetermined
 from edesign.substructure.judgement.measured import MeasuredRecord, clipped, read_measured
 from edesign.substructure.rig.rig_fit import ORDERS, STIFFEST, RigFit, fit_rig
 from edesign.substructure.rig.rig_response import rig_response
@@ -120,15 +120,15 @@ def _delay_at_first(record: MeasuredRecord) -> float:
         )
     try:
         return correlation_delay(u, x, record.step).delay
-    except Untold as reason:
-        untold = str(reason)
+    except Undetermined as reason:
+        undetermined = str(reason)
     if _told(u, -x, record.step) is not None:
         raise InputError(f"{path}: the displacement goes against the command: one of both has the opposite sign")
     told = [_told(u[part], x[part], record.step) for part in _parts(u.size)]
     parts = [delay for delay in told if delay is not None]
     if len(parts) == len(told) and np.ptp(parts) > ACCURACY:
         raise InputError(_two_clocks(path, 1e3 * parts[0], 1e3 * parts[-1]))
-    words = untold.replace("target", "command").replace("measured channel", "displacement")
+    words = undetermined.replace("target", "command").replace("measured channel", "displacement")
     raise InputError(f"{path}: {words}; is this the displacement of that command?")
 
 
@@ -195,7 +195,7 @@ def _slope(at: np.ndarray, values: np.ndarray, errors: np.ndarray) -> tuple[floa
 def _told(u: np.ndarray, x: np.ndarray, step: float) -> float | None:
     try:
         return correlation_delay(u, x, step).delay
-    except Untold:
+    except Undetermined:
         return None
 
 

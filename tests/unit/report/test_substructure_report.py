@@ -24,7 +24,7 @@ from edesign.report.drawing.captions import plain
 from edesign.report.page.document import page_text
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.curves import TOLERANCE, _fewer, window
-from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure.limits import limits_table, runs_so_far_table, undetermined_table
 from edesign.report.substructure.results import SubstructureResults
 from edesign.report.substructure.tables import other_methods
 from edesign.report.tables.table import number
@@ -191,14 +191,14 @@ def test_limits_and_what_cannot_be_told_are_tables(archive: Archive) -> None:
     assert (first, last, span) == pytest.approx(
         (2e-3 * met[0], 2e-3 * met[-1], 2e-3 * met.size), rel=5e-3
     )  # main steps of 2 ms
-    said = untold_table(results).rows
-    assert len(said) == len(results.runs[0].group.attributes["untold"])
+    said = undetermined_table(results).rows
+    assert len(said) == len(results.runs[0].group.attributes["undetermined"])
     assert not runs_so_far_table(results).rows
 
 
 def test_tables_fit_on_80_columns(archive: Archive) -> None:
     results = SubstructureResults(archive)
-    tables = [*overview(archive), limits_table(results), untold_table(results)]
+    tables = [*overview(archive), limits_table(results), undetermined_table(results)]
     stream = io.StringIO()
     print_tables(tables, stream)
     assert max(map(len, stream.getvalue().splitlines())) <= 80

@@ -15,7 +15,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from edesign.errors import InputError
-from edesign.substructure.indicators import Tracking, Untold, definitions, tracking
+from edesign.substructure.indicators import Tracking, Undetermined, definitions, tracking
 from edesign.substructure.indicators.correlation_delay import correlation_delay
 from edesign.substructure.indicators.crossing_delay import crossing_delay
 from edesign.substructure.indicators.frequency_index import equivalent_frequency, frequency_index
@@ -246,16 +246,16 @@ def test_a_force_of_wrong_sign_has_no_share_of_energy() -> None:
     t = whole_cycles(2.0, 4)
     x = sine(t, 2.0)
     found = tracking(x, sine(t, 2.0, 0.01), STEP, -1e5 * np.gradient(x, STEP))
-    assert math.isnan(found.relative_energy_error) and "wrong sign" in found.untold["relative_energy_error"]
+    assert math.isnan(found.relative_energy_error) and "wrong sign" in found.undetermined["relative_energy_error"]
 
 
 def numbers(found: Tracking) -> dict[str, float]:
     return {name: value for name, value in asdict(found).items() if name in definitions()}
 
 
-def untold(found: Tracking) -> set[str]:
+def undetermined(found: Tracking) -> set[str]:
     missing = {name for name, value in numbers(found).items() if math.isnan(value)}
-    assert missing == set(found.untold)  # each with a reason, and no reason without
+    assert missing == set(found.undetermined)  # each with a reason, and no reason without
     return missing
 
 
@@ -276,18 +276,18 @@ SIZES = {"nrms", "nrms_root", "maximum_error"}
 
 def test_a_good_test_tells_all() -> None:
     t = whole_cycles(2.0, 8)
-    assert untold(tracking(sine(t, 2.0), sine(t, 2.0, 1e-3), STEP, 1e6 * sine(t, 2.0, 1e-3))) == set()
-    assert untold(tracking(sine(t, 2.0), sine(t, 2.0), STEP)) == ENERGIES
+    assert undetermined(tracking(sine(t, 2.0), sine(t, 2.0, 1e-3), STEP, 1e6 * sine(t, 2.0, 1e-3))) == set()
+    assert undetermined(tracking(sine(t, 2.0), sine(t, 2.0), STEP)) == ENERGIES
 
 
 def test_a_channel_of_zeros_or_of_one_value() -> None:
     t = whole_cycles(2.0, 8)
     x, zero = sine(t, 2.0), np.zeros(t.size)
-    assert untold(tracking(zero, zero, STEP)) == DELAYS | ENERGIES | SIZES | {"equivalent_frequency"}
+    assert undetermined(tracking(zero, zero, STEP)) == DELAYS | ENERGIES | SIZES | {"equivalent_frequency"}
     stuck = tracking(x, np.full(t.size, 0.3e-3), STEP, x)
-    assert untold(stuck) == DELAYS | {"relative_energy_error"}
-    assert stuck.untold["correlation_delay"] == "the measured channel is constant"
-    assert stuck.untold["relative_energy_error"] == "no work is done on the specimen"
+    assert undetermined(stuck) == DELAYS | {"relative_energy_error"}
+    assert stuck.undetermined["correlation_delay"] == "the measured channel is constant"
+    assert stuck.undetermined["relative_energy_error"] == "no work is done on the specimen"
     dead = tracking(x, zero, STEP, zero)
     assert dead.nrms_root == 1.0 and dead.maximum_error == 1.0 and dead.energy_error == 0.0
 
@@ -296,12 +296,12 @@ def test_a_reversed_and_an_unrelated_channel() -> None:
     t = np.arange(0.0, 12.0, STEP)
     x = band_noise(8)(t)
     back = tracking(x, -x, STEP)
-    assert untold(back) - {"frequency_index_phase"} >= DELAYS - {name for name in DELAYS if "index" in name}
-    assert "opposite sign" in back.untold["correlation_delay"]
+    assert undetermined(back) - {"frequency_index_phase"} >= DELAYS - {name for name in DELAYS if "index" in name}
+    assert "opposite sign" in back.undetermined["correlation_delay"]
     assert back.nrms_root == pytest.approx(2.0)
     other = tracking(x, band_noise(9)(t), STEP)
-    assert untold(other) == DELAYS | ENERGIES
-    assert "does not follow" in other.untold["crossing_delay_mean"]
+    assert undetermined(other) == DELAYS | ENERGIES
+    assert "does not follow" in other.undetermined["crossing_delay_mean"]
 
 
 def test_a_channel_that_stops_midway() -> None:
@@ -323,10 +323,10 @@ def test_no_crossing() -> None:
     pulse = np.where((t > 0.3) & (t < 0.8), np.sin(2.0 * math.pi * (t - 0.3)), 0.0)
     late = np.where((t > 0.31) & (t < 0.81), np.sin(2.0 * math.pi * (t - 0.31)), 0.0)
     found = tracking(pulse, late, STEP)
-    assert untold(found) == {"crossing_delay_mean", "crossing_delay_largest"} | ENERGIES
+    assert undetermined(found) == {"crossing_delay_mean", "crossing_delay_largest"} | ENERGIES
     assert found.crossing_pairs == 0 and found.peaks == 1
     assert found.correlation_delay == pytest.approx(0.01, abs=1e-6)
-    with pytest.raises(Untold, match="does not cross zero"):
+    with pytest.raises(Undetermined, match="does not cross zero"):
         crossing_delay(pulse, late, STEP)
 
 
@@ -335,13 +335,13 @@ def test_no_crossing() -> None:
 def test_any_numbers_give_numbers_or_reasons(rows: list[tuple[float, float, float]]) -> None:
     target, measured, force = np.array(rows).T
     found = tracking(target, measured, STEP, force)
-    untold(found)
+    undetermined(found)
     assert not any(math.isinf(value) for value in numbers(found).values())
 
 
 def test_definitions_name_each_number() -> None:
     entries = definitions()
-    assert set(entries) == set(asdict(tracking([0.0, 1.0, 0.0], [0.0, 1.0, 0.0], STEP))) - {"untold"}
+    assert set(entries) == set(asdict(tracking([0.0, 1.0, 0.0], [0.0, 1.0, 0.0], STEP))) - {"undetermined"}
     assert entries["tracking_indicator"][1] == "m2" and "6.28" in entries["nrms"][0]
 
 

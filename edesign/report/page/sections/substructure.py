@@ -22,7 +22,7 @@ from edesign.report.substructure.alpha_figures import alpha_figures
 from edesign.report.substructure.building_tables import building_tables
 from edesign.report.substructure.diagram import kind_words, loop_diagrams
 from edesign.report.substructure.file import ArchivedTests
-from edesign.report.substructure.limits import limits_table, runs_so_far_table, untold_table
+from edesign.report.substructure.limits import limits_table, runs_so_far_table, undetermined_table
 from edesign.report.substructure.map_figures import map_figures
 from edesign.report.substructure.method_figures import method_figures
 from edesign.report.substructure.model_figures import tested_structures
@@ -62,7 +62,7 @@ def substructure_sections(source: Source) -> list[Section]:
         _coefficients(source, results, tables),
         _other_methods(source, results, tables),
         _limits(results),
-        _untold(results),
+        _undetermined(results),
     ]
     return [section for section in (_verdict(source, results), *others) if section]
 
@@ -261,6 +261,6 @@ def _limits(results: SubstructureResults) -> Section:
     return Section("limits", LIMITS, (), (table,) if table.rows else ())
 
 
-def _untold(results: SubstructureResults) -> Section:
-    table = replace(untold_table(results), title="")
-    return Section("untold", "Indicators that could not be told", (), (table,) if table.rows else ())
+def _undetermined(results: SubstructureResults) -> Section:
+    table = replace(undetermined_table(results), title="")
+    return Section("undetermined", "Indicators that are not determined", (), (table,) if table.rows else ())

@@ -5,14 +5,14 @@ from __future__ import annotations
 from edesign.errors import EdesignError
 
 
-class Untold(EdesignError):
+class Undetermined(EdesignError):
     """Error: an indicator has no number; the message says why, for people.
 
     `tracking` turns the indicator into NaN with this reason.
     """
 
 
-FOLLOWS = 0.5
+LEAST_EXPLAINED = 0.5
 """Least share of the measured variance that the target explains, for a delay or an amplitude to mean anything.
 
 Below it more than half of what was measured is something else: another channel, another clock or noise.
@@ -27,7 +27,7 @@ def moving(name: str, channel_range: float) -> None:
         channel_range: its largest less its smallest value.
 
     Raises:
-        Untold: the channel is constant.
+        Undetermined: the channel is constant.
     """
     if channel_range == 0.0:
-        raise Untold(f"the {name} channel is constant")
+        raise Undetermined(f"the {name} channel is constant")
