@@ -46,6 +46,15 @@ class Placed:
         """The direction of a beam, or of the bay of a brace."""
         return "x" if self.start[0] != self.end[0] else "y"
 
+    def share_of_beam(self, share: float) -> float:
+        """Return a place along the frame as a share of its whole beam, from the end with the smaller coordinate.
+
+        Args:
+            share: of the length of the frame, from the end at which it begins in the model.
+        """
+        share = 1.0 - share if self.reversed else share
+        return share if not self.half else 0.5 * (self.half - 1) + 0.5 * share
+
 
 class Grid:
     """The grid of a model, and its frames on it.

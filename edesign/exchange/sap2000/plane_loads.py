@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 
 from edesign.exchange.sap2000.grid import Grid, Placed
@@ -141,7 +141,7 @@ class PlaneLoads:
         elif down and uniform:
             self._along(placed, kind, down * load.at_start)
         elif down:
-            begin, end = self._shares(placed, load.start), self._shares(placed, load.end)
+            begin, end = placed.share_of_beam(load.start), placed.share_of_beam(load.end)
             values = (load.at_start * down, load.at_end * down)
             part = (begin, end, kind, *values) if begin < end else (end, begin, kind, values[1], values[0])
             self._beams[placed.start[self._across] + 1, placed.start[2]].parts.append(part)
@@ -156,7 +156,7 @@ class PlaneLoads:
         if placed.kind != "beam" or abs(load.along[self._across]) > GENTLE:
             raise self._refuse(load.row, f"{placed.kind} {load.frame} has a force at a place that is no load of a beam")
         down = -load.along[2] * load.force * weight
-        at = self._shares(placed, load.at)
+        at = placed.share_of_beam(load.at)
         place = placed.start[self._across] + 1, placed.start[2]
         if at in (0.0, 1.0):
             self._on_joint(placed.frame.i if load.at == 0.0 else placed.frame.j, kind, down)
@@ -166,11 +166,6 @@ class PlaneLoads:
     def _check_plane(self, row: Row | None, frame: str, along: Vector) -> None:
         if abs(along[1 - self._across]) > GENTLE:
             raise self._refuse(row, f"frame {frame} has a load across the plane of the frame")
-
-    def _shares(self, placed: Placed, share: float) -> float:
-        """A place along a frame as a share of its whole beam, from the left."""
-        share = 1.0 - share if placed.reversed else share
-        return share if not placed.half else 0.5 * (placed.half - 1) + 0.5 * share
 
     # --- text
 
@@ -187,17 +182,11 @@ class PlaneLoads:
             ("columns", columns, lines, line_name, "storeys"),
             ("nodes", nodes, lines, line_name, "floors"),
         ):
-            found = list(_runs(places, along, storeys, name))
+            found = list(runs(places, along, storeys, name))
             text += [f"  {key}:"] if found else []
             text += [f"    - {{lines: {at}, {where}: {levels}, {load}}}" for at, levels, load in found]
         G, Q = (number_text(factor) for factor in self.gravity)
         return ["loads:", *text, f"  gravity: {{G: {G}, Q: {Q}}}", ""]
-
-
-def _runs(
-    values: dict[tuple[int, int], str], along: Sequence[int], storeys: int, name: Callable[[int], str]
-) -> Iterator[tuple[str, str, str]]:
-    yield from runs(values, along, storeys, name)
 
 
 def _pair(values: Sequence[float], unit: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 
-from edesign.exchange.sap2000.grid import Grid, Placed
+from edesign.exchange.sap2000.grid import Grid
 from edesign.exchange.sap2000.model import FrameLoad, FramePoint, Row, Sap2000Model
 from edesign.exchange.sap2000.read_loads import GENTLE
 from edesign.exchange.sap2000.taken_loads import TakenLoads
@@ -102,7 +102,7 @@ class SpaceLoads:
         placed, kind = self._placed[load.frame], self._kinds[load.pattern]
         if placed.kind != "beam" or max(abs(load.along[0]), abs(load.along[1])) > GENTLE:
             raise self._refuse(load.row, f"{placed.kind} {load.frame} has a force that is not vertical on a beam")
-        down, share = -load.along[2] * load.force, _share(placed, load.at)
+        down, share = -load.along[2] * load.force, placed.share_of_beam(load.at)
         if share in (0.0, 1.0):
             self._on_joint(placed.frame.i if load.at == 0.0 else placed.frame.j, kind, down)
         else:
@@ -159,9 +159,3 @@ def beam_place(start: tuple[int, int, int], end: tuple[int, int, int]) -> BeamPl
     if low[0] != high[0]:
         return BeamPlace("x", low[1], low[0] + 1, low[2])
     return BeamPlace("y", low[0], low[1] + 1, low[2])
-
-
-def _share(placed: Placed, share: float) -> float:
-    """A place along a frame as a share of its whole beam, from the end with the smaller coordinate."""
-    share = 1.0 - share if placed.reversed else share
-    return share if not placed.half else 0.5 * (placed.half - 1) + 0.5 * share
