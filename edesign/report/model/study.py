@@ -6,13 +6,13 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from edesign.project.dampers.dampers import Dampers
+from edesign.project.dampers.dampers import DamperRun, Dampers
+from edesign.project.dampers.designs import Design
 from edesign.project.project import Project
 from edesign.project.study.study import Study, Variant
 from edesign.report.drawing.captions import file_name, some_names
 from edesign.report.model.figures import Named, dampers_figure, geometry, has_dampers, has_loads, loads_and_masses
-from edesign.report.model.planned import planned_dampers
-from edesign.study.variants import variant_project
+from edesign.study.variants import dampers_at_temperature, laws_of_design, variant_project
 
 if TYPE_CHECKING:
     from collections.abc import Collection
@@ -106,7 +106,7 @@ def _different(study: Study, designed: Mapping[str, Dampers]) -> list[_Drawn]:
         dampers, design = dict(designed), ""
         if variant.design is not None and variant.design not in designed:
             design = variant.design
-            dampers[design] = planned_dampers(study.project_of(name), study.designs[design])
+            dampers[design] = _planned_dampers(study.project_of(name), study.designs[design])
         project = variant_project(study, name, dampers)
         notes = _notes(name, variant)
         like = next((one for one in found if one.design == design and _alike(one.project, project)), None)
@@ -143,3 +143,13 @@ def _same(one: Project, other: Project, parts: Collection[str]) -> bool:
     frames = one.frame, other.frame
     same = all(getattr(frames[0], key) == getattr(frames[1], key) for key in type(one.frame).model_fields)
     return same and all(getattr(one, part) == getattr(other, part) for part in parts)
+
+
+def _planned_dampers(project: Project, design: Design) -> Dampers:
+    """Dampers in the places of a design that has found no sizes; of a placement in all its candidate places."""
+    dampers = dampers_at_temperature(project, design)
+    runs = [
+        DamperRun.model_construct(kind=design.kind, bays=design.bays, storeys=design.storeys, law=law)
+        for law in laws_of_design(design)
+    ]
+    return dampers.model_copy(update={"devices": tuple(runs)})
