@@ -9,7 +9,7 @@ from typing import Annotated, Any
 
 from edesign.project.building.names import ColumnLine, Direction
 from edesign.project.notation.names import line_index
-from edesign.project.notation.selections import ALL_NUMBERS, Numbers, selection
+from edesign.project.notation.selections import ALL_NUMBERS, Numbers, items_of, selection
 from edesign.project.notation.written import Written
 from edesign.project.reading.base import Model, refuse
 
@@ -119,7 +119,7 @@ def parse_column_lines(value: Any) -> ColumnLineSelection:
         return value
     if value == "all":
         return ColumnLineSelection()
-    return ColumnLineSelection(tuple(_column_lines(item, at) for item, at in _items(value, "A1-C2")))
+    return ColumnLineSelection(tuple(_column_lines(item, at) for item, at in items_of(value, "A1-C2")))
 
 
 def parse_frames(value: Any) -> FrameSelection:
@@ -128,7 +128,7 @@ def parse_frames(value: Any) -> FrameSelection:
         return value
     if value == "all":
         return FrameSelection()
-    return FrameSelection(tuple(_frames(item, at) for item, at in _items(value, "A-C")))
+    return FrameSelection(tuple(_frames(item, at) for item, at in items_of(value, "A-C")))
 
 
 def _panels(value: Any) -> Any:
@@ -186,15 +186,6 @@ def panels_in(bays: tuple[Panels, ...], n_x: int, n_y: int) -> frozenset[tuple[i
 
 def _within(number: int, span: Span | None) -> bool:
     return span is None or span[0] <= number <= span[1]
-
-
-def _items(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
-    """The items of a selection with their path below it."""
-    if isinstance(value, (list, tuple)):
-        if not value:
-            raise refuse(f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these")
-        return [(item, (i,)) for i, item in enumerate(value)]
-    return [(value, ())]
 
 
 def _column_lines(item: Any, at: tuple[int, ...]) -> ColumnLineItem:

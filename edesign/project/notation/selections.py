@@ -75,7 +75,7 @@ def parse_numbers(value: Any) -> NumberSelection:
         return value
     if value == "all":
         return NumberSelection(is_all=True)
-    return NumberSelection(tuple(_number_range(item, at) for item, at in _items(value, "1-4")))
+    return NumberSelection(tuple(_number_range(item, at) for item, at in items_of(value, "1-4")))
 
 
 def parse_numbers_or_none(value: Any) -> NumberSelection:
@@ -93,7 +93,7 @@ def parse_lines(value: Any) -> LineSelection:
         return value
     if value == "all":
         return LineSelection(is_all=True)
-    return LineSelection(tuple(_line_range(item, at) for item, at in _items(value, "A-D")))
+    return LineSelection(tuple(_line_range(item, at) for item, at in items_of(value, "A-D")))
 
 
 def selection(title: str, one: str, words: Sequence[str], example: str, numbers: bool) -> SchemaMaker:
@@ -149,8 +149,16 @@ NO_NUMBERS = NumberSelection()
 ALL_LINES = LineSelection(is_all=True)
 
 
-def _items(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
-    """The items of a selection with their path below it."""
+def items_of(value: Any, example: str) -> list[tuple[Any, tuple[int, ...]]]:
+    """Return the items of a selection with their path below it.
+
+    Args:
+        value: of the file: one item, or a list.
+        example: a range, for the message.
+
+    Raises:
+        PydanticCustomError: the list is empty.
+    """
     if isinstance(value, (list, tuple)):
         if not value:
             raise refuse(f"the list is empty; write `all`, one, a range such as `{example}`, or a list of these")
