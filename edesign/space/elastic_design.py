@@ -321,7 +321,7 @@ class ElasticAnalysis:
                 axis: analysis.response(modes, axis, DesignSpectrum.of(self._elastic, q[axis], self._national.beta))
                 for axis in AXES
             }
-        height = np.array(building.heights)
+        height = np.array(building.storey_heights)
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
         sway = self._sway.stability(model, frame, every, self._properties[0], static, self.fundamental)

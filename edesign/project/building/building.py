@@ -191,14 +191,14 @@ class Building(FileModel):
         return (bays.width,) * bays.count if isinstance(bays, EqualBays) else bays
 
     @cached_property
-    def heights(self) -> tuple[float, ...]:
+    def storey_heights(self) -> tuple[float, ...]:
         """Height of each storey, from the lowest, m."""
         return (self.storeys.height,) * self.storeys.count if isinstance(self.storeys, EqualStoreys) else self.storeys
 
     @property
     def n_storeys(self) -> int:
         """The number of storeys."""
-        return len(self.heights)
+        return len(self.storey_heights)
 
     def n_bays(self, along: Direction) -> int:
         """Return the number of bays along x or y."""
@@ -215,7 +215,7 @@ class Building(FileModel):
     @cached_property
     def levels(self) -> tuple[float, ...]:
         """Level of each floor above the base, m; the base is first."""
-        return tuple(accumulate(self.heights, initial=0.0))
+        return tuple(accumulate(self.storey_heights, initial=0.0))
 
     def support(self, line: ColumnLine) -> Springs:
         """Return the support at the foot of a column line, by its name, by `default`, or fixed."""

@@ -20,7 +20,9 @@ def building_rows(building: Building) -> Rows:
     rows = [
         (f"Bays along {along}", f"{building.n_bays(along)}: {_lengths(building.widths(along))}") for along in ("x", "y")
     ]
-    rows.append(("Storeys", f"{building.n_storeys}: {_lengths(building.heights)}; {building.levels[-1]:g} m in all"))
+    rows.append(
+        ("Storeys", f"{building.n_storeys}: {_lengths(building.storey_heights)}; {building.levels[-1]:g} m in all")
+    )
     if isinstance(building.supports, str):
         rows.append(("Supports", building.supports))
     for kind in ("columns", "beams", "braces"):

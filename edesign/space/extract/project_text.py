@@ -114,7 +114,7 @@ class _ProjectText:
         return [
             "frame:",
             f"  bays: {_lengths(widths, 'width')}",
-            f"  storeys: {_lengths(self.building.heights[: self.storeys], 'height')}",
+            f"  storeys: {_lengths(self.building.storey_heights[: self.storeys], 'height')}",
             f"  supports: {kinds.pop() if len(kinds) == 1 else by_line}",
             f"  diaphragms: {self._diaphragms()}",
         ]

@@ -65,7 +65,7 @@ def test_other_spellings_of_sections() -> None:
 
 def test_other_values() -> None:
     other = building(SMALL).with_values({"columns[0].section": "HEB260", "design.drift": "none", "storeys[1]": "3.2 m"})
-    assert other.columns[0].section == "HEB260" and other.heights == (4.0, 3.2)
+    assert other.columns[0].section == "HEB260" and other.storey_heights == (4.0, 3.2)
     assert other.design is not None and other.design.drift.limit == "none"
     with pytest.raises(InputError, match="columns.0..section: there is no section `HEB265`"):
         other.with_values("columns[0].section", "HEB265")
