@@ -75,6 +75,14 @@ def test_contributing_names_what_a_newcomer_must_change() -> None:
     )
 
 
+def test_contributing_lists_the_layers_that_are_checked() -> None:
+    checked = tomllib.loads(text("pyproject.toml"))["tool"]["importlinter"]["contracts"][0]["layers"]
+    listed = re.search(r"^    (cli >[^-]*?)\n\n", text("CONTRIBUTING.md"), re.MULTILINE | re.DOTALL)
+    assert listed is not None
+    told = [{name.strip() for name in layer.split(",")} for layer in listed[1].split(">")]
+    assert told == [set(re.findall(r"\((\w+)\)", layer)) for layer in checked]
+
+
 def test_cibuildwheel_runs_files_of_the_project() -> None:
     config = tomllib.loads(text("pyproject.toml"))["tool"]["cibuildwheel"]
     commands = [*config["test-command"], config["linux"]["before-all"], config["macos"]["before-all"]]
