@@ -162,6 +162,8 @@ test: test-setup lint types layers ctest pytest
 lint: $(STAMPS)/test
 	$(SAY) lint
 	@$(BIN)/ruff check .
+	@$(BIN)/ruff format --quiet --check . || { echo "edesign: make format lays these files out" >&2; \
+	    $(BIN)/ruff format --check .; exit 1; }
 
 types: $(STAMPS)/test
 	$(SAY) types
