@@ -75,6 +75,7 @@ class Archive:
             self.attributes = self._tree.attributes("")
             self._check(damaged)
         except OSError as error:
+            self.close()
             raise ArchiveError(f"{self.path}: cannot read the archive: {reason(error)}") from error
         except Damaged as error:
             self.close()
