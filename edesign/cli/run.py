@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Annotated
 
@@ -64,15 +64,23 @@ def run(
             raise InputError("--only, --folder and --scheduler are for projects and studies, not for a building")
         _run_building(project, archive, overwrite, _End(report, whole, quiet), check)
     else:
-        how = _How(archive, tuple(only or ()), fresh, overwrite, workers, "dask" if scheduler else backend, scheduler)
+        how = _How(
+            archive_path=archive,
+            only=tuple(only or ()),
+            fresh=fresh,
+            overwrite=overwrite,
+            workers=workers,
+            backend="dask" if scheduler else backend,
+            scheduler=scheduler,
+        )
         _run_analyses(project, kind == STUDY, folder or [], how, _End(report, whole, quiet))
 
 
 @dataclass(frozen=True)
 class _How:
-    """How analyses are run: the options of the command that are those of `run_project`."""
+    """How analyses are run: arguments of `run_project` that are options of the command."""
 
-    archive: Path | None
+    archive_path: Path | None
     only: tuple[str, ...]
     fresh: bool
     overwrite: bool
@@ -113,12 +121,12 @@ def _run_analyses(project: Path, is_study: bool, folders: list[Path], how: _How,
     from edesign.study.run.run import run_project, run_study
 
     with listener(end.quiet) as listen:
-        options = (how.archive, listen, how.workers, how.only, how.fresh, how.backend, how.scheduler, how.overwrite)
+        options = {field.name: getattr(how, field.name) for field in fields(how)} | {"progress": listen}
         if is_study:
             study = load_study(project)
-            summary = run_study(study.of(with_folders(study.base, folders)) if folders else study, *options)
+            summary = run_study(study.of(with_folders(study.base, folders)) if folders else study, **options)
         else:
-            summary = run_project(with_folders(load_project(project), folders), *options)
+            summary = run_project(with_folders(load_project(project), folders), **options)
     _end(summary.archive, f" ({summary.seconds:.1f} s)", end)
     if summary.failed:
         alike: dict[str, list[str]] = {}

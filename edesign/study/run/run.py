@@ -31,6 +31,7 @@ __all__ = ["Outcome", "RunSummary", "default_archive_path", "run_project", "run_
 def run_project(
     project: Project,
     archive_path: str | os.PathLike[str] | None = None,
+    *,
     progress: Listener | None = None,
     workers: int = 1,
     only: Sequence[str] = (),
@@ -83,6 +84,7 @@ def run_project(
 def run_study(
     study: Study,
     archive_path: str | os.PathLike[str] | None = None,
+    *,
     progress: Listener | None = None,
     workers: int = 1,
     only: Sequence[str] = (),

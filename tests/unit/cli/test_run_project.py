@@ -100,7 +100,7 @@ def test_ctrl_c_keeps_finished_analyses_and_the_next_run_goes_on(
 
     handler = signal.getsignal(signal.SIGINT)
     with pytest.raises(Interrupted, match=r"2 of 4 analyses are finished and kept in .*small\.h5\.partial.* goes on"):
-        run_project(project(tmp_path), None, listen, workers)
+        run_project(project(tmp_path), progress=listen, workers=workers)
     assert signal.getsignal(signal.SIGINT) is handler
     assert not (tmp_path / "small.h5").exists()
     with open_archive(partial_path(tmp_path / "small.h5")) as archive:
