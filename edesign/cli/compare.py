@@ -30,7 +30,7 @@ def compare(
     """Print each printed value of a reference beside the one of an archive, with its difference."""
     from edesign.archive.files import check_csv_name, check_file
     from edesign.archive.reader import DamagedArchive, read_archive
-    from edesign.errors import AnalysisError
+    from edesign.errors import AnalysisError, InputError
     from edesign.project.study.reference_loader import load_reference
     from edesign.report.comparison.compare import compare as compare_archive
     from edesign.report.comparison.files import comparison_data, write_comparison
@@ -38,6 +38,10 @@ def compare(
     from edesign.report.comparison.variants import variant_tables
     from edesign.report.tables.text import print_tables
 
+    others = {"--csv": csv is not None, "--json": as_json, "--bars": bars, "--check": check}
+    if variants is not None and any(others.values()):
+        given = ", ".join(option for option, is_given in others.items() if is_given)
+        raise InputError(f"{given}: --variants prints its tables and takes no other options; leave one of them out")
     _check_kinds(archive, reference)
     if csv is not None:
         check_csv_name(csv)

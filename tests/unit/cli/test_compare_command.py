@@ -64,3 +64,11 @@ def test_a_mistake_in_the_reference_is_told(files: list[str], capsys: pytest.Cap
     Path(files[1]).write_text(REFERENCE.replace("variable:", "varable:"), encoding="utf-8")
     assert main(["compare", *files]) == 2
     assert "reference.yaml:9:10" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("option", ["--csv=made.csv", "--json", "--bars", "--check"])
+def test_variants_take_no_options_that_they_would_not_heed(
+    files: list[str], option: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    assert main(["compare", *files, "--variants", "damped", option]) == 2
+    assert option.partition("=")[0] in capsys.readouterr().err
