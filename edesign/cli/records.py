@@ -37,6 +37,7 @@ def records(
     csv: Annotated[Path | None, typer.Option("--csv", metavar="FILE", help="Write the table, SI units.")] = None,
 ) -> None:
     """List the recordings of a folder, package or suite with their measures; without a name, what there is."""
+    from edesign.archive.files import check_csv_name
     from edesign.ground_motion.catalogue import listing as found_in
     from edesign.ground_motion.formats.units import ACCELERATION_UNITS
     from edesign.project.reading.file_bytes import is_folder
@@ -62,6 +63,8 @@ def records(
         else:
             print_tables([shown.places_table(places)])
         return
+    if csv is not None:
+        check_csv_name(csv)
     tables = FolderSource.model_construct(
         folder=where,
         flatfile=str(flatfile) if flatfile is not None else None,

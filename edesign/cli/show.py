@@ -46,7 +46,7 @@ def show(
     figure_format: Annotated[str, typer.Option("--format", help="Of the figures: svg, png, pdf.")] = "svg",
 ) -> None:
     """Print what an archive holds: verdicts, means of the response and what governs; with --all every table."""
-    from edesign.archive.files import check_folder
+    from edesign.archive.files import check_csv_name, check_folder
     from edesign.archive.reader import DamagedArchive, read_archive, refuse_calibration
     from edesign.report.archive_tables import details, overview
     from edesign.report.drawing.style import check_format
@@ -81,6 +81,7 @@ def show(
     if csv is not None:
         from edesign.report.assessment.verdict_data import write_verdicts
 
+        check_csv_name(csv)
         read_archive(archive, lambda opened: write_verdicts(opened, csv))
     if figures is not None:
         check_folder(figures)

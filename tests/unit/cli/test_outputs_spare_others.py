@@ -101,6 +101,10 @@ def test_tables_have_the_ending_of_tables(lab: Path, capsys: pytest.CaptureFixtu
         ("characterise", "one.csv", *SPECIMEN, "--output", "project.yaml"),
         ("spectrum", "--ground", "B", "--a-gr", "0.24 g", "--csv", "project.yaml"),
         ("compare", "none.h5", "none.yaml", "--csv", "project.yaml"),
+        ("show", "none.h5", "--csv", "project.yaml"),
+        ("sections", "HEB", "--csv", "project.yaml"),
+        ("records", ".", "--csv", "project.yaml"),
+        ("effects", "--csv", "project.yaml"),
     ):
         assert "project.yaml: the name of a table ends in .csv" in refused(capsys, *words)
 
