@@ -26,6 +26,7 @@ from edesign.exchange.sap2000.records import keyed, known_name, six_flags, six_v
 from edesign.exchange.sap2000.tables import Row, Tables
 from edesign.exchange.sap2000.units import Units, units_of
 from edesign.project.reading.problems import listed
+from edesign.project.reading.words import counted
 
 _TAKEN = {
     *("PROGRAM CONTROL", "ACTIVE DEGREES OF FREEDOM", "COORDINATE SYSTEMS", "PROJECT INFORMATION"),
@@ -109,11 +110,7 @@ def _check_tables(tables: Tables, found: ReadModel) -> None:
                 "take these parts out of the model"
             )
         partly = ", but for the loads before the modes" if name in _PARTLY else ""
-        found.left_out.append(f"{name}: {_records(len(rows))}{partly}")
-
-
-def _records(count: int) -> str:
-    return f"{count} record" + "s" * (count > 1)
+        found.left_out.append(f"{name}: {counted(len(rows), 'record')}{partly}")
 
 
 def _coordinate_systems(tables: Tables) -> None:

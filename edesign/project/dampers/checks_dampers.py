@@ -20,6 +20,7 @@ from edesign.project.frame.checks_frame import Selections
 from edesign.project.notation import names
 from edesign.project.project import Project
 from edesign.project.reading.problems import Keys, Problems, did_you_mean, listed, unknown_name
+from edesign.project.reading.words import counted
 
 
 def check_dampers(project: Project, problems: Problems) -> None:
@@ -201,9 +202,5 @@ def _lists(problems: Problems, keys: Keys, device: Device, storeys: int) -> None
     given[("brace", "stiffness")] = stiffness
     for at, values in given.items():
         if isinstance(values, tuple) and len(values) != storeys:
-            message = f"{_count(len(values), 'value')} for {_count(storeys, 'storey')}; one for each is needed"
+            message = f"{counted(len(values), 'value')} for {counted(storeys, 'storey')}; one for each is needed"
             problems.at_value((*keys, *at), message)
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"

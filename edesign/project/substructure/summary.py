@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from edesign.project.reading.problems import listed
+from edesign.project.reading.words import counted
 from edesign.project.substructure.checks_structure import frequencies
 from edesign.project.substructure.programme import RecordTest
 from edesign.project.substructure.rig import RigInFile, RigModel
@@ -103,13 +104,9 @@ def _runs(rts: RtsFile) -> str:
     """Tests by other methods have no compensator."""
     looped = sum(test.kind in ("command", "rts") for test in rts.tests)
     others = len(rts.tests) - looped
-    found = [f"{_count(looped, 'test')} x {_count(len(rts.compensators), 'compensator')}"] if looped else []
-    found += [f"{_count(others, 'test')} by other methods"] if others else []
+    found = [f"{counted(looped, 'test')} x {counted(len(rts.compensators), 'compensator')}"] if looped else []
+    found += [f"{counted(others, 'test')} by other methods"] if others else []
     return ", ".join(found)
-
-
-def _count(number: int, what: str) -> str:
-    return f"{number} {what}{'s' * (number != 1)}"
 
 
 def _called(name: str, kind: str) -> str:

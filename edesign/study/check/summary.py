@@ -14,6 +14,7 @@ from edesign.ground_motion.sources import Found
 from edesign.one_thread import one_thread
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
+from edesign.project.reading.words import counted
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
 from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces
@@ -144,9 +145,9 @@ def _dampers(project: Project) -> str:
     frame = make_frame(project, dampers=True)
     laws = Counter(device.law for device in frame.devices)
     isolators = Counter(device.law for device in frame.isolated.isolators) if frame.isolated is not None else Counter()
-    parts = [f"{_count(count, 'isolator')} `{name}`" for name, count in isolators.items()]
-    parts += [f"{_count(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
-    parts += [_count(len(frame.attached), "tuned mass")] if frame.attached else []
+    parts = [f"{counted(count, 'isolator')} `{name}`" for name, count in isolators.items()]
+    parts += [f"{counted(count, 'damper')} `{name}`" for name, count in (laws - isolators).items()]
+    parts += [counted(len(frame.attached), "tuned mass")] if frame.attached else []
     return ", ".join(parts) or "none"
 
 
@@ -191,8 +192,8 @@ def _frame(project: Project) -> str:
     frame = project.frame
     width = frame.x[-1] - frame.x[0]
     return (
-        f"{_count(frame.n_storeys, 'storey')}, {frame.height:g} m high; "
-        f"{_count(frame.n_bays, 'bay')}, {width:g} m wide; {_count(len(frame.nodes), 'node')}"
+        f"{counted(frame.n_storeys, 'storey')}, {frame.height:g} m high; "
+        f"{counted(frame.n_bays, 'bay')}, {width:g} m wide; {counted(len(frame.nodes), 'node')}"
     )
 
 
@@ -222,11 +223,7 @@ def _standing(project: Project) -> str:
 
 def _members(project: Project) -> str:
     frame = project.frame
-    counts = [_count(len(frame.column_at), "column"), _count(len(frame.beam_at), "beam")]
+    counts = [counted(len(frame.column_at), "column"), counted(len(frame.beam_at), "beam")]
     if frame.brace_at:
-        counts.append(_count(len(frame.brace_at), "brace"))
+        counts.append(counted(len(frame.brace_at), "brace"))
     return ", ".join(counts)
-
-
-def _count(number: int, noun: str) -> str:
-    return f"{number} {noun}" if number == 1 else f"{number} {noun}{'es' if noun.endswith('ss') else 's'}"

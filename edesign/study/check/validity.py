@@ -13,6 +13,7 @@ from edesign.building.frame_model import FrameModel
 from edesign.core import Response
 from edesign.project.analysis.validity import Validity
 from edesign.project.project import Project
+from edesign.project.reading.words import percent
 from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.recording import Quantity
 from edesign.study.results.storeys import line_drift_storeys
@@ -91,7 +92,7 @@ def _run_away(response: Response, project: Project, names: Mapping[str, str], al
     passed, largest = response.passed, project.largest_drift
     if passed is not None and passed.channel in names and largest is not None and abs(passed.value) > largest:
         drift = "drift" in names[passed.channel]
-        value, limit = (_percent(x) if drift else f"{x:.3g} rad" for x in (abs(passed.value), largest))
+        value, limit = (percent(x) if drift else f"{x:.3g} rad" for x in (abs(passed.value), largest))
         return (
             f"{names[passed.channel]} reached {value} {AT[along].format(passed.time)}; the geometry of the model holds "
             f"up to {limit} (`validity.drift`)"
@@ -101,8 +102,8 @@ def _run_away(response: Response, project: Project, names: Mapping[str, str], al
     error = response.statistics.get("energy_error", 0.0)
     if not error <= validity.energy_error:
         return (
-            f"the energy balance is wrong by {_percent(error)} of the energy put in, more than "
-            f"{_percent(validity.energy_error)} (`validity.energy_error`); a smaller step may help"
+            f"the energy balance is wrong by {percent(error)} of the energy put in, more than "
+            f"{percent(validity.energy_error)} (`validity.energy_error`); a smaller step may help"
         )
     return ""
 
@@ -112,11 +113,7 @@ def _doubtful_energy(response: Response, validity: Validity) -> list[AnalysisWar
     if error <= limit:
         return []
     text = (
-        f"the energy balance is wrong by {_percent(error)} of the energy put in, more than {_percent(limit)} "
+        f"the energy balance is wrong by {percent(error)} of the energy put in, more than {percent(limit)} "
         "(`validity.energy_error_warning`); a smaller step may help"
     )
     return [AnalysisWarning("energy_error", text, error / limit)]
-
-
-def _percent(share: float) -> str:
-    return f"{100.0 * share:.3g} %"

@@ -9,6 +9,7 @@ import scipy
 
 from edesign.codes.asce7 import largest_property_factor, smallest_property_factor
 from edesign.project.dampers.designs import Bounds
+from edesign.project.reading.words import percent
 from edesign.study.design.bounds import property_factors
 
 ROUNDING = 1e-6  # of shares and ratios
@@ -49,8 +50,3 @@ def spread(bounds: Bounds | None) -> tuple[float, float, str]:
     if low < 1.0 < high:
         return low, high, "the bounds of the design"
     return smallest_property_factor(), largest_property_factor(), "the least bounds of ASCE/SEI 7-16, 18.2.4.5"
-
-
-def percent(value: float) -> str:
-    """Return a ratio as text in per cent with its sign."""
-    return f"{100.0 * value:.3g} %"

@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from edesign.project.reading.words import percent
+
 ROUNDING = 0.1
 """Of the accepted response error: expected errors that differ by less decide nothing. Of 5 % it is half a percent of
 the response, and a law that is linearised does not tell it more closely."""
@@ -94,18 +96,18 @@ def recommended(candidates: Sequence[Candidate], delay_margin: float, response_e
 def _why(best: Candidate, least: float, safe: Sequence[Candidate], delay_margin: float, response_error: float) -> str:
     said = [_quality(best, delay_margin), *_rival(best, least, safe)]
     if best.cycle_error > 0.0:
-        said.append(f"That counts a limit cycle of small motions, of {_percent(best.cycle_error)} at most")
+        said.append(f"That counts a limit cycle of small motions, of {percent(best.cycle_error)} at most")
     if best.simplicity == 1:
         said.append("It relies on the rig as the file states it; an adaptive one follows a rig that differs")
     if best.whole_error > response_error:
-        said.append(f"The error is larger than the {_percent(response_error)} that are accepted")
+        said.append(f"The error is larger than the {percent(response_error)} that are accepted")
     return ". ".join(said) + "."
 
 
 def _quality(best: Candidate, delay_margin: float) -> str:
     if not best.of_response:
-        return f"Expected tracking error {_percent(best.whole_error)}"
-    error = f"Expected response error {_percent(best.whole_error)}"
+        return f"Expected tracking error {percent(best.whole_error)}"
+    error = f"Expected response error {percent(best.whole_error)}"
     if math.isinf(best.delay_factor):
         return f"{error}, stable whatever the delay"
     return f"{error}, stable up to {best.delay_factor:.3g} times the delay that is left (asked: {delay_margin:g})"
@@ -118,10 +120,10 @@ def _rival(best: Candidate, least: float, safe: Sequence[Candidate]) -> list[str
         return []
     if best.whole_error > least:
         return [
-            f'"{rival.name}" has {_percent(rival.whole_error)}: a difference of less than {ROUNDING:g} of the accepted '
+            f'"{rival.name}" has {percent(rival.whole_error)}: a difference of less than {ROUNDING:g} of the accepted '
             "error decides nothing, and it is less simple"
         ]
-    return [f'The next best is "{rival.name}" with {_percent(rival.whole_error)}']
+    return [f'The next best is "{rival.name}" with {percent(rival.whole_error)}']
 
 
 def _why_none(candidates: Sequence[Candidate], delay_margin: float, response_error: float) -> str:
@@ -132,13 +134,9 @@ def _why_none(candidates: Sequence[Candidate], delay_margin: float, response_err
         return f"Every compensator of the file leaves the test unstable{why}."
     said = []
     if growing := [one for one in stable if one.cycle_error > response_error]:
-        names = ", ".join(f'"{one.name}" (to {_percent(one.cycle_error)} of the response)' for one in growing)
+        names = ", ".join(f'"{one.name}" (to {percent(one.cycle_error)} of the response)' for one in growing)
         said.append(f"Small motions grow with {names}.")
     if quiet := [one for one in stable if one.cycle_error <= response_error]:
         names = ", ".join(f'"{one.name}" ({one.delay_factor:.3g})' for one in quiet)
         said.append(f"None has a margin of {delay_margin:g} times the delay that is left; stable with less: {names}.")
     return " ".join(said)
-
-
-def _percent(value: float) -> str:
-    return f"{100.0 * value:.3g} %"

@@ -9,13 +9,14 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.project.dampers.designs import ElastomerDesign, FixedProperties
+from edesign.project.reading.words import percent
 from edesign.study.design.building import Building
 from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.elastomer.material import Material
 from edesign.study.design.elastomer.own_strain import effective_strain
 from edesign.study.design.elastomer.sizing import Sizing, place_stiffness, total_area
 from edesign.study.design.estimate import Action, Estimate, estimate
-from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, percent, spread
+from edesign.study.design.plausibility import ROUNDING, beyond_the_optimum, spread
 
 LARGEST_BETA = 5.0
 """k_D / k_S up to which preliminary designs go: thesis 5.3.4 after Fan (1998) and Lee (2003)."""
