@@ -196,6 +196,7 @@ class CoreDamper:
 
         Raises:
             CoreError: a value that is not allowed, samples that are not finite or not ascending, or no balance.
+            ValueError: the samples are not equally many, or none.
         """
         t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
         if not t.size == u.size == v.size >= 1:

@@ -12,6 +12,7 @@ from edesign.errors import AnalysisError, InputError
 
 _LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
 _AIM = 0.99  # of the limit
+_MET, _MISSED = 0.9, 1.1  # demands where there is no value: only their side of 1 counts, and steps stay small
 _MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
 
 
@@ -245,4 +246,4 @@ def demand_of(verdict: RoundVerdict) -> float:
     demand = verdict.demand
     if 0.0 < demand < math.inf:
         return demand
-    return 0.9 if verdict.met else 1.1
+    return _MET if verdict.met else _MISSED

@@ -28,6 +28,8 @@ def analyse_bounds(
 ) -> tuple[Bound[Estimate], ...]:
     """Estimate the response for the lower bound (at the highest temperature), the design, and the upper bound.
 
+    Where the strain is followed, each bound has its own.
+
     Args:
         building: the frame with its places.
         sizing: the dampers.
@@ -35,8 +37,6 @@ def analyse_bounds(
         material: the elastomer at a temperature (degC; None: that of the design).
         action: the spectrum.
         share: what the strain of histories is of the estimated one, where the strain is followed.
-
-    Where the strain is followed, each bound has its own.
     """
     bounds = spec.bounds
     assert bounds is not None
