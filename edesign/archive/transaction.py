@@ -1,9 +1,10 @@
-"""A file that changes on disk only by whole transactions: a kill or a full disk cannot spoil what was committed.
+"""A file that changes on disk by whole transactions, so that a full disk does not spoil what was committed.
 
 HDF5 itself gives no such promise: a write that fails leaves its library in a state that ends in a crash, and a process
 that is killed between two flushes may leave a file that no longer opens. Here the library writes into memory, and
 `commit` takes the changes to the disk: new space first, where nothing committed can be hurt, then the few changed
-blocks of the existing space.
+blocks of the existing space. A kill or an error of the disk in the instant of this second part, which has no journal,
+may leave some of them old and some new; the checksums of HDF5 and of the groups tell.
 """
 
 from __future__ import annotations
@@ -176,7 +177,8 @@ class TransactionFile:
         """Write all changes to the disk.
 
         Raises:
-            OSError: no space, or another failure; the file on disk is as the last commit left it.
+            OSError: no space, or another failure; the file on disk is as the last commit left it, unless blocks of
+                existing space could not be overwritten.
         """
         for number in range(self._on_disk // PAGE, -(-min(self._committed, self._size) // PAGE)):
             self._pages.setdefault(number, self._page(number))  # cut off and grown again: zeros now
