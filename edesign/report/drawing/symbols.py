@@ -31,7 +31,7 @@ GREEK = {
 _SYMBOL = re.compile(
     r"(?<![A-Za-z0-9_])"
     r"(a_gR|a_g|f_y|gamma_I|gamma_Rd|(?<=gamma_Rd )Omega|T_[BCD1]|G_eq|P_CL|d_t|Q_[A-H]|F_[xyz]|M_y|M_j,Rd|S_j"
-    r"|θ_p|theta_p|alpha_[012]|k_mod|c_mod)"
+    r"|θ_p|theta_p|alpha_[012]|k_mod|c_mod|k_eq|xi(?= \[)|(?<=effective damping )xi)"
     r"(?![A-Za-z0-9_]|,[A-Za-z0-9])"
 )
 

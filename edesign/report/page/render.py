@@ -24,6 +24,7 @@ BAD = {"not met", "failed", "missed", "collapsed", "collapse", "not achieved", "
 OPEN = {"not run", "interrupted", "open", "undecided", "not decided", "not applicable", "running"}
 LONG = 34  # characters, from which a cell is broken into lines
 
+_BRACKETED = re.compile(r"(\[[^\[\]]*\])$")  # the unit at the end of a head
 _NUMERIC = re.compile(r"(?:[-+−–<>≤≥~±*†\s\d.,%/()]|->|→|e[-+]\d+|nan|inf|of)*")
 _SIGNS = ((" -&gt; ", " → "), ("m/s2", "m/s²"), ("degC", "°C"), ("N*m", "N·m"), ("N*s", "N·s"), ("N*(", "N·("))
 _OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), (" - ", " \N{MINUS SIGN} "))
@@ -111,6 +112,7 @@ def fill_template(
     environment.filters |= {
         "typeset": typeset,
         "formula": formula,
+        "head": _head,
         "alignments": alignments,
         "state": state,
         "runs": runs,
@@ -162,6 +164,11 @@ def formula(text: str) -> Markup:
     found = _UNIT.sub(_raised, _TIMES.sub(" × ", _ROOT.sub("√", found)))
     found = _POWER.sub(r"<sup>\1</sup>", found)
     return Markup(_INDEXED.sub(_indexed, found))
+
+
+def _head(text: Markup) -> Markup:
+    """Head of a column, typeset, whose unit stays in one line."""
+    return Markup(_BRACKETED.sub(r'<span class="unit">\1</span>', str(text)))
 
 
 def _raised(found: re.Match[str]) -> str:
