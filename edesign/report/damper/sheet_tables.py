@@ -118,18 +118,19 @@ def acceptance_table(judged: Sequence[Judged], runs: Sequence[Run]) -> Table:
     """
     table = Table(
         "Acceptance",
-        ("standard", "clause", "quantity", "compared", "limit [%]", "worst [%]", "test", "cycle", "verdict"),
-        left=4,
-        sentences=(2, 6),
-        formulas=(4,),
+        ("no.", "standard", "clause", "quantity", "compared", "limit [%]", "worst [%]", "test", "cycle", "verdict"),
+        left=5,
+        sentences=(3, 7),
+        formulas=(5,),
         name="acceptance",
     )
-    for group in _by_criterion(judged):
+    for i, group in enumerate(_by_criterion(judged)):
         worst, criterion = worst_of(group), group[0].criterion
         limit = 100.0 * criterion.limit
         sign = ">= " if criterion.reference == "least" else ">= -" if criterion.fall_only else "+-"
         table.rows.append(
             [
+                str(i + 1),
                 STANDARDS[criterion.standard],
                 criterion.clause,
                 criterion.quantity.name,

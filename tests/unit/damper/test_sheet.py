@@ -16,6 +16,7 @@ from edesign.damper.testing.device_cycles import Run, runs_of
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.errors import InputError
 from edesign.report.damper.sheet_tables import acceptance_table, verdict_text
+from edesign.report.tables.text import fitted
 
 K, C = 5.0e6, 8.0e5  # N/m, N s/m
 X0, F = 6.0e-3, 1.0  # m, Hz
@@ -124,6 +125,16 @@ def test_a_device_that_is_not_as_designed() -> None:
     """16 % more force than the design in every cycle: 15 % are allowed."""
     met = verdicts(run(1.16 * C * V), Acceptance(device="viscous"), run(C * V))
     assert met["largest force", "design"] is False and met["energy of a cycle W", "mean"] is True
+
+
+def test_parts_of_a_narrow_acceptance_table_have_one_numbering() -> None:
+    """Standard and quantity stand in one part, the verdict in another; the number tells which belong together."""
+    one = replace(run(C * V), test="001_sine_of_a_long_name")
+    judged = judge([one], [one], Acceptance(device="viscous", standards=("asce_7", "en_15129", "ntc_2018")))
+    first, second = fitted(acceptance_table(judged, [one]), 80)
+    for part in (first, second):
+        assert part.columns[0] == "no." and [row[0] for row in part.rows if row[0]] == [str(i + 1) for i in range(10)]
+    assert "standard" in first.columns and "verdict" in second.columns
 
 
 def test_viscous_devices_by_the_italian_code() -> None:
