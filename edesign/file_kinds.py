@@ -77,8 +77,8 @@ PROPERTY_CAMPAIGN = _kind("campaign file", "`edesign calibrate` reads it", "prop
 CAMPAIGN_OR_PROGRAMME = _kind(
     "campaign or programme file",
     "of a campaign `edesign characterise`, `sheet`, `fit` and `calibrate` take the tests; `test` runs a programme",
-    "specimen tests",
-    "compensators rig",
+    "tests",
+    "channels compensators rig structure",
 )
 STRUCTURE = _kind(
     "structure file", "its `structure` goes into a campaign of records", "structure", "channels compensators rig tests"

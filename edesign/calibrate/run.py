@@ -86,7 +86,7 @@ def calibrate(
     carried = carried_law(found.final.fitted, found.refit.fitted, fast, told, outcome.floors["validate"])
     progress("asking which further test would tell more")
     calibration = outcome.calibration(
-        campaign.title or campaign.specimen.name,
+        campaign.label,
         problem.law.name,
         described,
         analyse([residual_of(one, "corrected") for one in series]).shape if outcome.more_is_left else "",

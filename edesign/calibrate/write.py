@@ -17,6 +17,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters, write_parameters
 from edesign.damper.temperature import REFERENCE_C, GammaT
 from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.specimen import Specimen
 
 _STAGES: tuple[Stage, ...] = ("declared", "refit", "corrected")
 
@@ -164,12 +165,13 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
         if found.gamma_of != "parameters":
             data["temperature_law"]["of"] = found.gamma_of
     specimen = campaign.specimen
-    data["prototype"] = {
-        "layers": specimen.layers,
-        "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
-        "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
-    }
-    data["tested"] = _tested(found, specimen.layer_thickness)
+    if specimen is not None:
+        data["prototype"] = {
+            "layers": specimen.layers,
+            "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+            "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+        }
+    data["tested"] = _tested(found, specimen)
     best = "" if not carried.replaced else f"; {100 * found.errors['corrected'].validate:.3g} % with forms it lacks"
     head = [
         f"# {law.title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
@@ -217,11 +219,14 @@ def _samples(count: int) -> Any:
     return Variable(("sample",), np.arange(count), "1", "sample")
 
 
-def _tested(found: Calibration, thickness: float) -> dict[str, str]:
-    strains = [100.0 * float(np.max(np.abs(series.displacement))) / thickness for series in found.series]
+def _tested(found: Calibration, specimen: Specimen | None) -> dict[str, str]:
+    largest = np.array([np.max(np.abs(series.displacement)) for series in found.series])
+    name, values, unit = ("deformation", 1e3 * largest, "mm")
+    if specimen is not None:
+        name, values, unit = ("shear_strain", 100.0 * specimen.strain(largest), "%")
     temperatures = [_mean_C(series) for series in found.series]
     return {
-        "shear_strain": _span(min(strains), max(strains), "%"),
+        name: _span(float(values.min()), float(values.max()), unit),
         "temperature": _span(min(temperatures), max(temperatures), "degC"),
     }
 

@@ -163,7 +163,7 @@ def _run(campaign: Path, search: _Search) -> _Found:
         loaded = load_campaign(campaign)
         for note in loaded.notes:
             search.tell(note)
-        search.check(campaign, loaded.title or loaded.specimen.name)
+        search.check(campaign, loaded.label)
         loaded = with_fitted_law(loaded, search.workers, search.tell)
         found = run(loaded, *search.within(_SECONDS))
     return _Found(

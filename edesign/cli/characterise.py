@@ -63,16 +63,17 @@ def characterise(
     if figures is not None:
         check_folder(figures)
     campaign = _campaign(inputs, layers, layer_area, layer_thickness, temperature)
+    specimen = campaign.layers_for("moduli")
     found: dict[str, Properties] = {}
     notes, each = list(campaign.notes), {}
     for test in campaign.tests:
         try:
-            found[test.name] = properties(test, campaign.specimen, asked)
+            found[test.name] = properties(test, specimen, asked)
         except InputError as error:
             notes.append(str(error))
         if per_cycle:
             try:
-                each[test.name] = cycle_properties(test, campaign.specimen)
+                each[test.name] = cycle_properties(test, specimen)
             except InputError as error:
                 notes.append(str(error))
     if not found and not each:
@@ -83,7 +84,6 @@ def characterise(
         data = {**properties_data(found, each), "notes": notes}
         print(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
     else:
-        specimen = campaign.specimen
         title = (
             f"{specimen.name}: {specimen.layers} layers of {1e6 * specimen.layer_area:.6g} mm2, "
             f"{1e3 * specimen.layer_thickness:.6g} mm thick"

@@ -159,6 +159,7 @@ def _fit(
 
     progress = None if quiet else _progress(law.name)
     if given.table is not None:
+        assert given.specimen is not None  # moduli are of layers
         return _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
     found = fit_forces(law, given.tests, begin, specimen=given.specimen, progress=progress, **options)
     low, high = found.tested.temperature_C

@@ -148,7 +148,7 @@ def _read(
     if campaign.law is not None and campaign.law.parameters is not None:
         chosen = law(campaign.law.type)
         damper = Damper(chosen, read_parameters(chosen, campaign.law.parameters))
-    title = campaign.title or campaign.specimen.name
+    title = campaign.label
     return (
         title,
         campaign.tests,

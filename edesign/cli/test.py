@@ -56,7 +56,7 @@ def test(
     with listener(quiet) as listen:
         run = run_programme(plan, folder, _reporter(listen))
     if not quiet:
-        title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen.name}"
+        title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen_name}"
         print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
         print(f"campaign: {run.campaign.path}")
     if figures is not None:

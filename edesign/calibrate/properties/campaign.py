@@ -12,7 +12,14 @@ from pydantic import Field
 
 from edesign.calibrate.problem import Use
 from edesign.damper.testing.campaign import CampaignError
-from edesign.damper.testing.campaign_blocks import LawBlock, LawChoice, SpecimenBlock, Text, check_law, check_specimen
+from edesign.damper.testing.campaign_blocks import (
+    LawBlock,
+    LawChoice,
+    LayeredSpecimenBlock,
+    Text,
+    check_law,
+    check_specimen,
+)
 from edesign.damper.testing.property_table import SAME_LEVEL, SAME_TEMPERATURE, PropertyTable, read_property_table
 from edesign.damper.testing.specimen import Specimen
 from edesign.damper.thesis_tables import measured
@@ -71,7 +78,7 @@ class PropertyCampaignFile(Model):
 
     title: str = ""
     document: Document = Document()
-    specimen: SpecimenBlock
+    specimen: LayeredSpecimenBlock
     law: LawBlock
     properties: PropertiesBlock
 

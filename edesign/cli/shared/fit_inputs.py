@@ -27,7 +27,7 @@ class FitInput:
     Attributes:
         against: "forces" or "properties".
         title: of the campaign or table.
-        specimen: what was tested.
+        specimen: the layers that were tested; None: a device without layers, with forces only.
         law: that the campaign names; None: none.
         tests: to fit to; () for a property table.
         validation: tests to compare with only.
@@ -37,7 +37,7 @@ class FitInput:
 
     against: str
     title: str
-    specimen: Specimen
+    specimen: Specimen | None
     law: LawChoice | None
     tests: tuple[DamperTest, ...]
     validation: tuple[DamperTest, ...]
@@ -69,13 +69,14 @@ def read_input(path: Path, against: str | None, specimen: Specimen | None) -> Fi
     if specimen is not None:
         raise InputError("--layers, --layer-area, --layer-thickness: the campaign file says what the specimen is")
     campaign = load_campaign(path, needs_force=False)
-    tests, title = campaign.used_for("fit"), campaign.title or campaign.specimen.name
+    tests, title = campaign.used_for("fit"), campaign.label
     if not tests:
         raise InputError(f"{path}: no test has `use: fit`, so there is nothing to fit to")
     if against == "properties":
-        table, notes = _properties(tests, campaign.specimen, path)
+        specimen = campaign.layers_for("properties")
+        table, notes = _properties(tests, specimen, path)
         left_out = tuple(f"not fitted to: {note}" for note in notes)
-        return FitInput("properties", title, campaign.specimen, campaign.law, (), (), table, campaign.notes + left_out)
+        return FitInput("properties", title, specimen, campaign.law, (), (), table, campaign.notes + left_out)
     validation = campaign.used_for("validate")
     return FitInput("forces", title, campaign.specimen, campaign.law, tests, validation, None, campaign.notes)
 

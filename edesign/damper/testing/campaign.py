@@ -79,7 +79,7 @@ class CampaignFile(ReadingKeys):
     Attributes:
         title: title of the report.
         document: what the cover of a report says beside the title.
-        specimen: what was tested.
+        specimen: what was tested; its layers are needed for strains and moduli alone.
         law: law that is thought to describe the specimen; without the key none.
         start: how the tests start.
         start_ramp: time from rest to the first sample, with `start: at_rest`; without the key one sampling interval.
@@ -89,7 +89,7 @@ class CampaignFile(ReadingKeys):
 
     title: str = ""
     document: Document = Document()
-    specimen: SpecimenBlock
+    specimen: SpecimenBlock = SpecimenBlock()
     law: CampaignLaw | None = None
     start: StartKind = "unknown"
     start_ramp: PositiveTime | None = None
@@ -102,7 +102,7 @@ class Campaign:
     """Tests of one specimen, in the order in which they were made.
 
     Attributes:
-        specimen: what was tested.
+        specimen: the layers that were tested; None: the device has none, or they are not said.
         law: thought to describe it; None: none named.
         tests: in the order of the file, which is that of the tests.
         path: the campaign file.
@@ -110,9 +110,10 @@ class Campaign:
         text: of the campaign file.
         document: for the cover of a report.
         acceptance: what the device is accepted by.
+        specimen_name: name of what was tested.
     """
 
-    specimen: Specimen
+    specimen: Specimen | None
     law: LawChoice | None
     tests: tuple[DamperTest, ...]
     path: Path
@@ -120,6 +121,29 @@ class Campaign:
     text: str = ""
     document: Document = Document()
     acceptance: Acceptance = field(default_factory=Acceptance)
+    specimen_name: str = "specimen"
+
+    @property
+    def label(self) -> str:
+        """The title, or else the name of the specimen."""
+        return self.title or self.specimen_name
+
+    def layers_for(self, what: str) -> Specimen:
+        """Return the layers of the specimen, for a command that makes strains or moduli of them.
+
+        Args:
+            what: needs them, in the plural: "moduli".
+
+        Raises:
+            InputError: the campaign names none.
+        """
+        if self.specimen is None:
+            raise InputError(
+                f"{self.path}: {what} need the layers of the specimen, `specimen: {{layers: 2, layer_area: 41400 mm^2, "
+                "layer_thickness: 12 mm}`; of a device without layers `edesign sheet` finds stiffness and damping, and "
+                "`edesign fit` the parameters of a law"
+            )
+        return self.specimen
 
     def used_for(self, use: Use) -> tuple[DamperTest, ...]:
         """Return the tests of one use: to fit to, or to compare with only.
@@ -222,24 +246,36 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
     if wrong:
         raise InputError("\n".join(wrong))
     law = None if file.law is None else file.law.choice
-    return Campaign(file.specimen.specimen, law, tuple(tests), path, file.title, text, file.document, file.acceptance)
+    return Campaign(
+        file.specimen.specimen,
+        law,
+        tuple(tests),
+        path,
+        file.title,
+        text,
+        file.document,
+        file.acceptance,
+        file.specimen.name,
+    )
 
 
 def write_campaign(
     folder: Path | str,
-    specimen: Specimen,
+    specimen: Specimen | None,
     tests: Sequence[DamperTest],
     law: LawChoice | None = None,
     title: str = "",
+    specimen_name: str = "",
 ) -> Campaign:
     """Write a campaign: NAME.csv for each test, and then campaign.yaml, so that it names whole files only.
 
     Args:
         folder: made if it does not exist.
-        specimen: what was tested.
+        specimen: the layers that were tested; None: a device without layers.
         tests: names without folders, no two alike.
         law: with parameters as text, numbers without dimension, or the name of a set.
         title: for people.
+        specimen_name: name of what was tested, where it has no layers.
 
     Returns:
         The campaign with its place.
@@ -259,9 +295,10 @@ def write_campaign(
     _remove(path)  # one that is replaced must not name tests of two campaigns if this is interrupted
     for test in tests:
         write_test(folder / f"{test.name}.csv", test)
-    text = _text(specimen, tests, law, title)
+    name = specimen.name if specimen is not None else specimen_name or Campaign.specimen_name
+    text = _text(specimen, name, tests, law, title)
     write_text(text, path)
-    return Campaign(specimen, law, tuple(tests), path, title, text)
+    return Campaign(specimen, law, tuple(tests), path, title, text, specimen_name=name)
 
 
 def _remove(path: Path) -> None:
@@ -271,14 +308,15 @@ def _remove(path: Path) -> None:
         raise ArchiveError(f"{path}: cannot be replaced: {error.strerror}") from error
 
 
-def _text(specimen: Specimen, tests: Sequence[DamperTest], law: LawChoice | None, title: str) -> str:
+def _text(specimen: Specimen | None, name: str, tests: Sequence[DamperTest], law: LawChoice | None, title: str) -> str:
     data: dict[str, Any] = {"title": title} if title else {}
-    data["specimen"] = {
-        "name": specimen.name,
-        "layers": specimen.layers,
-        "layer_area_mm2": _rounded(1e6 * specimen.layer_area),
-        "layer_thickness_mm": _rounded(1e3 * specimen.layer_thickness),
-    }
+    data["specimen"] = {"name": name}
+    if specimen is not None:
+        data["specimen"] |= {
+            "layers": specimen.layers,
+            "layer_area_mm2": _rounded(1e6 * specimen.layer_area),
+            "layer_thickness_mm": _rounded(1e3 * specimen.layer_thickness),
+        }
     if law is not None:
         data["law"] = {"type": law.type}
         if law.parameters is not None:

@@ -51,11 +51,12 @@ def _law_name(value: Any) -> Any:
 
 
 class SpecimenBlock(Model):
-    """The specimen that is tested.
+    """The specimen that is tested; without layers a device that has none, such as a viscous or friction damper.
 
     Attributes:
         name: name of the specimen.
-        layers: number of layers of elastomer.
+        layers: number of layers of elastomer, with `layer_area` and `layer_thickness`; without the three keys there are
+            none.
         layer_area: area of a layer; this key or `layer_area_mm2`.
         layer_area_mm2: area of a layer in mm^2, as a plain number; this key or `layer_area`.
         layer_thickness: thickness of a layer; this key or `layer_thickness_mm`.
@@ -63,20 +64,39 @@ class SpecimenBlock(Model):
     """
 
     name: Text = "specimen"
-    layers: Annotated[int, Field(ge=1)]
+    layers: Annotated[int, Field(ge=1)] | None = None
     layer_area: PositiveArea | None = None
     layer_area_mm2: Positive | None = None
     layer_thickness: PositiveLength | None = None
     layer_thickness_mm: Positive | None = None
 
     @property
-    def specimen(self) -> Specimen:
-        """The specimen in SI; of a checked block."""
+    def specimen(self) -> Specimen | None:
+        """The layers of the specimen in SI, None if it has none; of a checked block."""
+        if self.layers is None:
+            return None
         area = self.layer_area if self.layer_area is not None else 1e-6 * (self.layer_area_mm2 or 0.0)
         thickness = (
             self.layer_thickness if self.layer_thickness is not None else 1e-3 * (self.layer_thickness_mm or 0.0)
         )
         return Specimen(self.name, self.layers, area, thickness)
+
+
+class LayeredSpecimenBlock(SpecimenBlock):
+    """A specimen whose layers must be known, since moduli are given.
+
+    Attributes:
+        layers: number of layers of elastomer.
+    """
+
+    layers: Annotated[int, Field(ge=1)]
+
+    @property
+    def specimen(self) -> Specimen:
+        """The layers of the specimen in SI; of a checked block."""
+        found = super().specimen
+        assert found is not None  # the model demands them
+        return found
 
 
 Extremes = Literal["fresh", "lasting"]
@@ -143,12 +163,17 @@ class LawChoice:
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:
-    """Check that area and thickness are there, once each.
+    """Check that number, area and thickness of layers are there, once each, or none of them.
 
     Args:
         block: the specimen of the file.
         problems: collects what is wrong.
     """
+    sizes = ("layer_area", "layer_area_mm2", "layer_thickness", "layer_thickness_mm")
+    if block.layers is None:
+        if any(getattr(block, key) is not None for key in sizes):
+            problems.under(("specimen",), "layers", "this key is missing; it goes with the size of a layer")
+        return
     for key, suffix in (("layer_area", "mm2"), ("layer_thickness", "mm")):
         check_one(block, key, f"{key}_{suffix}", ("specimen",), problems)
 

@@ -78,13 +78,15 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
         except AnalysisError as error:
             raise AnalysisError(f"test {test.name}: {error}") from error
         tests.append(test.with_force(_measured(force, programme, i)))
-        if isinstance(plan, SineTest):
+        if isinstance(plan, SineTest) and specimen is not None:
             try:
                 found[test.name] = properties(tests[-1], specimen)
             except InputError as error:
                 warnings[f"no properties: {error}"] = None
     title = programme.title or f"Virtual tests of {law.title}"
-    campaign = write_campaign(folder, specimen, tests, programme.law.choice, title)
+    campaign = write_campaign(folder, specimen, tests, programme.law.choice, title, programme.specimen.name)
+    if specimen is None:
+        warnings[f"no moduli of a specimen without layers; `edesign sheet {campaign.path}` has the device's own"] = None
     path = folder / PROPERTIES_FILE
     rows, notes = usable(found)
     warnings.update(dict.fromkeys(notes))
@@ -96,7 +98,7 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
 
 
 def planned_tests(
-    programme: Programme, specimen: Specimen
+    programme: Programme, specimen: Specimen | None
 ) -> Iterator[tuple[SineTest | SweepTest | RandomTest | RecordTest, DamperTest]]:
     """Yield the tests without force, in the order in which they are run.
 
@@ -105,7 +107,7 @@ def planned_tests(
 
     Args:
         programme: the tests that are planned.
-        specimen: the layers that are sheared.
+        specimen: the layers that are sheared; None: a device without layers.
 
     Raises:
         InputError: a test of the programme cannot be made.
@@ -114,6 +116,7 @@ def planned_tests(
     for plan in programme.tests:
         displacements: tuple[float | None, ...] = plan.displacement or (None,)
         if plan.strain:
+            assert specimen is not None  # checked by load_programme
             displacements = tuple(specimen.displacement(strain) for strain in plan.strain)
         frequencies: tuple[float | None, ...] = (None,)
         if isinstance(plan, (SineTest, SweepTest)):
@@ -122,10 +125,14 @@ def planned_tests(
             number += 1
             what: list[str] = [plan.type]
             if displacement is not None:
-                what.append(f"{100.0 * specimen.strain(displacement):.4g}pct")
+                what.append(
+                    f"{1e3 * displacement:.4g}mm"
+                    if specimen is None
+                    else f"{100.0 * specimen.strain(displacement):.4g}pct"
+                )
             if frequency is not None:
                 what.append(f"{frequency:g}Hz")
-            title = plan.title or " ".join(what).replace("pct", " %").replace("Hz", " Hz")
+            title = plan.title or " ".join(what).replace("pct", " %").replace("mm", " mm").replace("Hz", " Hz")
             name = f"{number:03d}_{'_'.join([*what, f'{celsius:g}C'])}"
             try:
                 time, u = _history(plan, displacement, frequency, programme)

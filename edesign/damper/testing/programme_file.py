@@ -219,7 +219,7 @@ class Programme(Model):
 
     Attributes:
         title: title of the campaign that is made.
-        specimen: the virtual specimen.
+        specimen: the virtual specimen; its layers are needed for `strain` and moduli alone.
         law: the law of the specimen.
         sampling_rate: samples a second.
         noise: noise of the force channel; without the key there is none.
@@ -227,7 +227,7 @@ class Programme(Model):
     """
 
     title: str = ""
-    specimen: SpecimenBlock
+    specimen: SpecimenBlock = SpecimenBlock()
     law: VirtualLaw
     sampling_rate: Frequency = 1000.0
     noise: Noise | None = None
@@ -266,6 +266,12 @@ def load_programme(path: Path | str) -> Programme:
             problems.at_value(("law", "effects", *keys), message)
     for i, test in enumerate(programme.tests):
         _check_test(test, i, path, problems)
+        if test.strain is not None and programme.specimen.layers is None:
+            problems.at_key(
+                ("tests", i, "strain"),
+                "a strain needs `specimen.layers`, `layer_area` and `layer_thickness`; of a device without layers give "
+                "`displacement`",
+            )
     if problems.found:
         raise ProgrammeError(path, problems.found)
     programme._path = path

@@ -89,7 +89,7 @@ def _campaign_summary(path: Path) -> dict[str, str]:
         warnings += [f"{test.name}: {text}" for text in _test_doubts(test, specimen)]
     return {
         "title": campaign.title or path.stem,
-        "specimen": f"{specimen.name}: {_size(specimen)}",
+        "specimen": f"{campaign.specimen_name}: {_size(specimen)}",
         "law": _law(campaign.law),
         **({"read": "\n".join(campaign.readings).replace(": read: ", ": ")} if campaign.readings else {}),
         "tests": f"{len(tests)}: {uses['fit']} to fit to, {uses['validate']} to validate",
@@ -103,7 +103,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
     warnings, planned = _specimen_doubts(specimen), []
     for plan, test in planned_tests(programme, specimen):
         planned.append(test)
-        strain = specimen.strain(float(np.max(np.abs(test.displacement))))
+        strain = _largest_strain(test, specimen)
         if strain > LARGE_STRAIN:
             warnings.append(f"{test.name}: a shear strain of {strain:.0%}; is the size of the specimen right?")
         if isinstance(plan, (SineTest, SweepTest)) and programme.sampling_rate < _FEW_SAMPLES * max(plan.frequency):
@@ -117,7 +117,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
     effects = ", ".join(f"{one.name}.{one.form}" for one in programme.law.effects)
     return {
         "title": programme.title or programme.path.stem,
-        "specimen": f"{specimen.name}: {_size(specimen)}",
+        "specimen": f"{programme.specimen.name}: {_size(specimen)}",
         "law": _law(programme.law.choice) + (f", with {effects}" if effects else ""),
         "tests": f"{len(planned)}: {', '.join(f'{count} {kind}' for kind, count in kinds.items())}",
         "range": _range(planned, specimen),
@@ -161,16 +161,23 @@ def table_range(table: PropertyTable) -> str:
     return ", ".join(f"{_span(values)} {unit}" for values, unit in spans)
 
 
-def _specimen_doubts(specimen: Specimen) -> list[str]:
+def _largest_strain(test: DamperTest, specimen: Specimen | None) -> float:
+    """Largest shear strain of a test; 0 of a device without layers."""
+    return 0.0 if specimen is None else specimen.strain(float(np.max(np.abs(test.displacement))))
+
+
+def _specimen_doubts(specimen: Specimen | None) -> list[str]:
     """What is unlikely about the size of a specimen."""
+    if specimen is None:
+        return []
     doubt = layer_doubt(specimen.layer_area, specimen.layer_thickness)
     return [f"specimen {specimen.name}: {doubt}"] if doubt else []
 
 
-def _test_doubts(test: DamperTest, specimen: Specimen) -> list[str]:
+def _test_doubts(test: DamperTest, specimen: Specimen | None) -> list[str]:
     """What is unlikely about a test."""
     found = []
-    strain = specimen.strain(float(np.max(np.abs(test.displacement))))
+    strain = _largest_strain(test, specimen)
     if strain > LARGE_STRAIN:
         found.append(f"a shear strain of {strain:.0%}; are the unit of the displacement and the layers right?")
     return [*found, *force_doubts(test)]
@@ -191,12 +198,15 @@ def force_doubts(test: DamperTest) -> list[str]:
     return []
 
 
-def _range(tests: Sequence[DamperTest], specimen: Specimen) -> str:
-    """Largest strains, durations and temperatures of tests."""
-    strains = np.array([100.0 * specimen.strain(float(np.max(np.abs(test.displacement)))) for test in tests])
+def _range(tests: Sequence[DamperTest], specimen: Specimen | None) -> str:
+    """Largest strains, or displacements of a device without layers, durations and temperatures of tests."""
+    largest = np.array([np.max(np.abs(test.displacement)) for test in tests])
+    reach = f"{_span(1e3 * largest)} mm largest displacement"
+    if specimen is not None:
+        reach = f"{_span(100.0 * specimen.strain(largest))} % largest strain"
     times = np.array([float(test.time[-1] - test.time[0]) for test in tests])
     temperatures = np.array([test.temperature_C for test in tests])
-    return f"{_span(strains)} % largest strain, {_span(times)} s long, {_span(temperatures)} degC"
+    return f"{reach}, {_span(times)} s long, {_span(temperatures)} degC"
 
 
 def _span(values: np.ndarray) -> str:
@@ -204,7 +214,9 @@ def _span(values: np.ndarray) -> str:
     return low if low == high else f"{low} to {high}"
 
 
-def _size(specimen: Specimen) -> str:
+def _size(specimen: Specimen | None) -> str:
+    if specimen is None:
+        return "no layers"
     layers = f"{specimen.layers} layer{'s' * (specimen.layers > 1)}"
     return f"{layers} of {1e6 * specimen.layer_area:.6g} mm2, {1e3 * specimen.layer_thickness:.4g} mm thick"
 

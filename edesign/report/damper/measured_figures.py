@@ -55,19 +55,25 @@ def draw_tests(
 
 
 @styled
-def measured_figure(test: DamperTest, specimen: Specimen) -> Figure:
+def measured_figure(test: DamperTest, specimen: Specimen | None) -> Figure:
     """Draw displacement and force over time, and the loops of stress and strain, as Figs. 3.7 and 4.2 of the thesis.
+
+    Of a device without layers the loops are those of force and displacement.
 
     The last full cycle of the longest block of one amplitude is drawn heavier; not of fewer than three, which agree by
     chance in a random history.
 
     Args:
         test: the damper test.
-        specimen: the specimen with its layers.
+        specimen: the layers that were tested; None: a device without layers.
     """
     figure, axes = new_figure(2, 2, 7.6, 3.6)
     force = test.measured_force()
-    strain, stress = 100.0 * specimen.strain(test.displacement), 1e-6 * specimen.stress(force)
+    across, along = 1e3 * test.displacement, 1e-3 * force
+    names = "displacement (mm)", "force (kN)"
+    if specimen is not None:
+        across, along = 100.0 * specimen.strain(test.displacement), 1e-6 * specimen.stress(force)
+        names = "shear strain (%)", "shear stress (MPa)"
     for axis, values, label, colour in (
         (axes[0][0], 1e3 * test.displacement, "displacement (mm)", BEFORE),
         (axes[1][0], 1e-3 * force, "force (kN)", AFTER),
@@ -84,15 +90,15 @@ def measured_figure(test: DamperTest, specimen: Specimen) -> Figure:
     right = figure.add_subplot(grid[:, 1], axes_class=type(axes[0][0]))
     blocks = find_blocks(test.time, test.displacement)
     cycles = sum(block.cycles for block in blocks)
-    right.plot(strain, stress, color=BEFORE, lw=0.4 if cycles < MANY else 0.2)
+    right.plot(across, along, color=BEFORE, lw=0.4 if cycles < MANY else 0.2)
     longest = max(blocks, key=lambda block: block.cycles, default=None)
     if longest is not None and longest.cycles >= STEADY:
         first, last = np.searchsorted(test.time, longest.bounds[-2:])
         part = slice(first, last + 1)
-        right.plot(strain[part], stress[part], color=AFTER, lw=1.1, label=f"cycle {longest.cycles} of {longest.cycles}")
+        right.plot(across[part], along[part], color=AFTER, lw=1.1, label=f"cycle {longest.cycles} of {longest.cycles}")
         right.legend(loc="upper left")
-    right.set_xlabel("shear strain (%)")
-    right.set_ylabel("shear stress (MPa)")
+    right.set_xlabel(names[0])
+    right.set_ylabel(names[1])
     align_ordinates(row[0] for row in axes)
     figure.suptitle(f"{test.label}, {test.temperature_C:g} °C", fontsize=9.0, x=0.01, ha="left")
     return figure
