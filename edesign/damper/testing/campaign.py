@@ -21,6 +21,7 @@ from edesign.damper.testing.campaign_blocks import (
     check_law,
     check_one,
     check_specimen,
+    is_programme,
 )
 from edesign.damper.testing.measured_columns import ReadingKeys, reading_of
 from edesign.damper.testing.measured_files import read_test, write_test
@@ -206,12 +207,18 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         needs_force: whether tests without force are refused.
 
     Raises:
-        InputError: the file cannot be read, or tests are wrong; the message lists the first mistake of each of them.
+        InputError: the file cannot be read, is a programme, or tests are wrong; the message lists the first mistake of
+            each of them.
         CampaignError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
     text = read_yaml_text(path, _WHAT)
     file, problems = check_model(text, CampaignFile, _WHAT, _BEGINS)
+    if is_programme(problems.root):
+        raise InputError(
+            f"{path}: this is a programme, and tests that were made are needed; `edesign test {path} --output DIR` "
+            f"makes them with its law, and writes DIR/{CAMPAIGN_FILE}, which names them"
+        )
     if file is None:
         raise CampaignError(path, problems.found)
     check_specimen(file.specimen, problems)

@@ -20,6 +20,7 @@ from edesign.project.notation.units import PositiveArea, PositiveLength
 from edesign.project.notation.written import Written, given
 from edesign.project.reading.base import Model, refuse
 from edesign.project.reading.problems import Keys, Problems
+from edesign.project.reading.yaml_nodes import Node
 
 Text = Annotated[str, Field(min_length=1)]
 Positive = Annotated[float, Field(gt=0.0)]
@@ -160,6 +161,28 @@ class LawChoice:
     extremes: Extremes | None = None
     gamma_T_of: GammaOf | None = None
     fitted: bool = False
+
+
+def is_programme(root: Node) -> bool:
+    """Return whether a file is a programme of tests rather than a campaign, which has the same keys in part.
+
+    Args:
+        root: outermost mapping of the file.
+    """
+    tests = root.child("tests")
+    plans = () if tests is None else tests.items or ()
+    return "sampling_rate" in (root.entries or {}) or any(plan.child("type") is not None for plan in plans)
+
+
+def is_campaign(root: Node) -> bool:
+    """Return whether all tests of a file are those of a campaign, which name a file and have no type.
+
+    Args:
+        root: outermost mapping of the file.
+    """
+    tests = root.child("tests")
+    entries = () if tests is None else tests.items or ()
+    return bool(entries) and all(entry.child("file") is not None and entry.child("type") is None for entry in entries)
 
 
 def check_specimen(block: SpecimenBlock, problems: Problems) -> None:

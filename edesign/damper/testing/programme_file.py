@@ -18,9 +18,11 @@ from edesign.damper.testing.campaign_blocks import (
     check_law,
     check_one,
     check_specimen,
+    is_campaign,
     parse_celsius,
 )
 from edesign.damper.testing.measured_histories import Use
+from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect
 from edesign.project.notation.temperature import TEMPERATURE_TEXT, parse_temperature
 from edesign.project.notation.units import (
@@ -248,11 +250,16 @@ def load_programme(path: Path | str) -> Programme:
         path: of the programme file.
 
     Raises:
-        InputError: the file cannot be read.
+        InputError: the file cannot be read, or is a campaign.
         ProgrammeError: the file is wrong; the message lists all problems with file, line and column.
     """
     path = Path(path)
     programme, problems = check_model(read_yaml_text(path, _WHAT), Programme, _WHAT, _BEGINS)
+    if programme is None and is_campaign(problems.root):
+        raise InputError(
+            f"{path}: this is a campaign, and a programme is needed, whose tests have a `type`; "
+            "`edesign characterise`, `sheet`, `fit` and `calibrate` read campaigns"
+        )
     if programme is None:
         raise ProgrammeError(path, problems.found)
     check_specimen(programme.specimen, problems)

@@ -13,7 +13,7 @@ from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import practical_unit, write_parameters
 from edesign.damper.testing.campaign import load_campaign
-from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.damper.testing.campaign_blocks import LawChoice, is_programme
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.programme import planned_tests
 from edesign.damper.testing.programme_file import Programme, SineTest, SweepTest, load_programme
@@ -69,9 +69,7 @@ def tests_summary(path: Path) -> dict[str, str]:
         InputError: it, or a file of a test, is wrong.
     """
     root, _ = parse(read_yaml_text(path, "campaign or programme file"))
-    tests = root.child("tests")
-    first = tests.child(0) if tests is not None else None
-    if first is not None and first.child("type") is not None:
+    if is_programme(root):
         return _programme_summary(load_programme(path))
     return _campaign_summary(path)
 

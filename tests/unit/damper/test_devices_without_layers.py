@@ -126,3 +126,18 @@ def test_a_programme_in_displacements(tmp_path: Path, capsys: pytest.CaptureFixt
     path.write_text(PROGRAMME.replace("SIZE", "strain: 20 %"), encoding="utf-8")
     assert command.main(["test", str(path), "-o", str(out)]) == 2
     assert "tests[0].strain: a strain needs `specimen.layers`" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("name", ["fit", "calibrate", "characterise", "sheet"])
+def test_a_programme_in_place_of_a_campaign(tmp_path: Path, capsys: pytest.CaptureFixture[str], name: str) -> None:
+    path = tmp_path / "programme.yaml"
+    path.write_text(PROGRAMME.replace("SIZE", "displacement: 20 mm"), encoding="utf-8")
+    assert command.main([name, str(path)]) == 2
+    said = capsys.readouterr().err
+    assert f"this is a programme, and tests that were made are needed; `edesign test {path} --output DIR`" in said
+    assert "unknown" not in said
+
+
+def test_a_campaign_in_place_of_a_programme(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command.main(["test", str(campaign(tmp_path, LAW)), "-o", str(tmp_path / "out")]) == 2
+    assert "this is a campaign, and a programme is needed" in capsys.readouterr().err
