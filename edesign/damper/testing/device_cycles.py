@@ -15,8 +15,11 @@ from edesign.errors import InputError
 LEAST_CYCLES = 3
 """Of a run: standards ask for three cycles of the largest amplitude at least, and tell devices by the third."""
 
-_STORES = 1e-3
-"""k' over k'' from which a device stores energy: below it is what estimates of a dashpot leave."""
+_STORES = 0.03
+"""k' over k'' from which a device is said to store energy: the tangent of 1.8 degrees, by which filters and clocks of
+two channels may differ (5 ms at 1 Hz). Below it k' of a dashpot is what noise and phase leave."""
+_GIVES = 1e-3
+"""-k'' over k_eq from which a device gives energy: below it is what estimates of a spring leave."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +88,7 @@ class Run:
     @property
     def gives_energy(self) -> bool:
         """True if the device gives energy in a cycle, as no damper does: a channel has the other sign."""
-        return bool(np.any(self.loss_stiffness < -_STORES * np.abs(self.equivalent_stiffness)))
+        return bool(np.any(self.loss_stiffness < -_GIVES * np.abs(self.equivalent_stiffness)))
 
     def from_third(self, values: np.ndarray) -> np.ndarray:
         """Return the deviation of the value of each cycle from that of the third one, as a ratio.
