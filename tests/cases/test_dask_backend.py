@@ -32,7 +32,7 @@ distributed = pytest.importorskip("distributed")
 pytest.importorskip("cryptography")  # a cluster of this machine has certificates of its own
 
 ROOT = Path(edesign.__file__).parents[1]
-SUPPORT = ROOT / "tests" / "support"
+TESTS = ROOT / "tests"
 
 
 @pytest.fixture(scope="module")
@@ -282,7 +282,7 @@ def _process(folder: Path, code: Path, module: str, *words: str | Path) -> Itera
 
 
 def _environment(code: Path) -> dict[str, str]:
-    return os.environ | {"PYTHONPATH": os.pathsep.join([str(code), str(SUPPORT)]), "OPENBLAS_NUM_THREADS": "1"}
+    return os.environ | {"PYTHONPATH": os.pathsep.join([str(code), str(TESTS)]), "OPENBLAS_NUM_THREADS": "1"}
 
 
 def _stop_at_progress(listener: Listener, keys: set[str]) -> Listener:
