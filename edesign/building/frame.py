@@ -93,7 +93,7 @@ def build_frame(
         vertical = base | vertical if vertical else vertical
     for name, mass in masses.items():
         model.mass(nodes[name], mass, vertical.get(name, 0.0), 0.0)
-    gravity = model.pattern("gravity")
+    gravity = model.pattern()
     for name, loads in beam_loads(project, project.loads.gravity).items():
         _add_loads(model, gravity, nodes, members[name], loads, (0.0, -1.0))
     for name, load in column_loads(project, project.loads.gravity).items():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any
+from typing import Any, assert_never
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -73,6 +73,8 @@ class Model:
                 kind, values = lib.ED_BILINEAR, [E, fy, b]
             case MenegottoPinto(E, fy, b, R0, cR1, cR2):
                 kind, values = lib.ED_MENEGOTTO_PINTO, [E, fy, b, R0, cR1, cR2]
+            case _:
+                assert_never(law)
         number = self._checked(lib.ed_model_material(self._c, kind, len(values), values))
         if fatigue is not None:
             self._checked(lib.ed_model_fatigue(self._c, number, fatigue.strain, -1.0 / fatigue.exponent))
@@ -416,11 +418,8 @@ class Model:
         self.damper_terms.append(tuple(terms))
         return number
 
-    def pattern(self, name: str = "") -> int:
+    def pattern(self) -> int:
         """Add a load pattern.
-
-        Args:
-            name: for people.
 
         Returns:
             Number of the pattern.

@@ -48,7 +48,7 @@ def ours(length: float, targets: list[float], fatigue: Fatigue | None = None) ->
     model.fix(left, ux=True, uy=True, rz=True)
     model.fix(right, uy=True, rz=True)
     strut = model.strut("D", left, right, section, bar, float(AREA.sum()), CAMBER, elements=BEAMS)
-    pull = model.pattern("pull")
+    pull = model.pattern()
     model.nodal_load(pull, right, 1.0)
     analysis = Analysis(model)
     kinds = {"N": "axial_force", "w": "deflection", "damage": "damage"}

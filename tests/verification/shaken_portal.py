@@ -67,7 +67,7 @@ def portal(
             made[k] = m.beam_column(f"M{k}", ids[i], ids[j], section, geometry="linear" if k == 2 else "p_delta")
     for k in (0, 1):
         m.fix(ids[k], True, True, True)
-    g = m.pattern("gravity")
+    g = m.pattern()
     for k in (2, 3):
         m.mass(ids[k], 20e3 * u.mass, 20e3 * u.mass)
         m.nodal_load(g, ids[k], fy=-200e3 * u.force)

@@ -103,7 +103,7 @@ def cantilever(
     end = (0.0, length) if vertical else (length, 0.0)
     nodes, elements = line(m, (0.0, 0.0), end, n, section, geometry)
     m.fix(nodes[0], True, True, True)
-    return Structure(m, nodes, elements, m.pattern("loads"))
+    return Structure(m, nodes, elements, m.pattern())
 
 
 def steel_cantilever(
@@ -114,7 +114,7 @@ def steel_cantilever(
     section = m.fibre_section(*layers, m.material(law))
     nodes, elements = line(m, (0.0, 0.0), (0.0, length), 1, section, geometry, points)
     m.fix(nodes[0], True, True, True)
-    return Structure(m, nodes, elements, m.pattern("loads"))
+    return Structure(m, nodes, elements, m.pattern())
 
 
 def steel_portal(
@@ -143,7 +143,7 @@ def steel_portal(
     for node in nodes[2:]:
         if masses:
             m.mass(node, 20e3, 20e3)
-    return Structure(m, nodes, elements, m.pattern("loads"))
+    return Structure(m, nodes, elements, m.pattern())
 
 
 def oscillator(stiffness: float, mass: float, law: Steel | None = None, parallel: float = 0.0) -> Structure:
@@ -163,7 +163,7 @@ def oscillator(stiffness: float, mass: float, law: Steel | None = None, parallel
         elements.append(m.link("spring", a, b, (parallel, 0.0, 0.0)))
     if mass > 0.0:
         m.mass(b, mass)
-    return Structure(m, [a, b], elements, m.pattern("pull"))
+    return Structure(m, [a, b], elements, m.pattern())
 
 
 def final(structure: Structure, channels: Sequence[Channel], steps: int = 1, **settings: float) -> dict[str, float]:

@@ -43,7 +43,7 @@ def loaded(
     model.fix(left, ux=True, uy=True, rz=True)
     model.fix(right, uy=True, rz=True)
     strut = model.strut("D", left, right, section, bar, AREA, camber, **options)  # type: ignore[arg-type]
-    pull = model.pattern("pull")
+    pull = model.pattern()
     model.nodal_load(pull, right, 1.0)
     analysis = Analysis(model)
     kinds = {"N": "axial_force", "e": "deformation", "w": "deflection", "d": "damage", "b": "broken_share"}

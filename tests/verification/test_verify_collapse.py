@@ -123,7 +123,7 @@ def test_softening_past_the_peak(geometry: str) -> None:
     L, P = 4.0, 600e3
     s = steel_cantilever(L, LAYERS, STEEL, geometry)
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-P)
-    g = s.model.pattern("lateral")
+    g = s.model.pattern()
     s.model.nodal_load(g, s.nodes[1], fx=1.0)
     a = s.analysis(tolerance=1e-9)
     assert a.static(s.pattern, steps=2).status == "completed"

@@ -65,7 +65,7 @@ def responses(frame: FrameModel, dampers: bool) -> dict[str, Results]:
     """Displacements, axial forces of columns and base reactions under each unit load (1 MN, 1 MN m)."""
     patterns = {}
     for load in LOADS:
-        patterns[load] = frame.model.pattern(load)
+        patterns[load] = frame.model.pattern()
         forces = {"x": (1e6, 0.0, 0.0), "y": (0.0, 1e6, 0.0), "r": (0.0, 0.0, 1e6)}[load[-1]]
         frame.model.nodal_load(patterns[load], frame.nodes[load[:2]], *forces)
     channels = [

@@ -34,7 +34,7 @@ def column() -> tuple[Analysis, int]:
     m.fix(base, True, True, True)
     element = m.beam_column("column", base, top, section, points=5, geometry="p_delta")
     m.mass(top, MASS, 0.0)
-    gravity = m.pattern("gravity")
+    gravity = m.pattern()
     m.nodal_load(gravity, top, fy=-P)
     analysis = Structure(m, [base, top], [element], gravity).analysis(tolerance=1e-9)
     assert analysis.static(gravity, steps=2).status == "completed"

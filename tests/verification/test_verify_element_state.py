@@ -28,7 +28,7 @@ def test_equilibrium_and_compatibility(law: Steel, target: float, steps: int) ->
     i, j = m.node("i", 0, 0), m.node("j", L, 0)
     m.fix(i, True, True, True)
     e = m.beam_column("e", i, j, section, POINTS, "linear")
-    g, push = m.pattern("load"), m.pattern("push")
+    g, push = m.pattern(), m.pattern()
     m.uniform_load(g, e, axial=5e3, transverse=W)
     m.nodal_load(push, j, fy=1.0)
     a = Analysis(m, tolerance=1e-9)

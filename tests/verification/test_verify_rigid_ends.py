@@ -26,7 +26,7 @@ def portal(geometry: str, rigid: bool, law: str = "elastic") -> tuple[Structure,
     stiff = m.elastic_section(STIFF * EA, STIFF * EI) if not rigid else -1
     at = {"A0": (0.0, 0.0), "B0": (B, 0.0), "A1": (0.0, H), "B1": (B, H)}
     nodes = {name: m.node(name, *place) for name, place in at.items()}
-    g = m.pattern("gravity")
+    g = m.pattern()
     found = {}
 
     def member(name: str, start: str, end: str, arms: tuple[float, float], load: float) -> None:

@@ -13,7 +13,7 @@ def column() -> tuple[Structure, int, int]:
     """An elastic-plastic cantilever with a vertical and a lateral pattern."""
     s = steel_cantilever(4.0, i_layers(4, 16), Bilinear(E, FY), "p_delta")
     s.model.nodal_load(s.pattern, s.nodes[1], fy=-300e3)
-    lateral = s.model.pattern("lateral")
+    lateral = s.model.pattern()
     s.model.nodal_load(lateral, s.nodes[1], fx=1e3)
     return s, s.pattern, lateral
 
@@ -108,7 +108,7 @@ def test_load_that_stays() -> None:
     s = steel_portal()
     m = s.model
     m.nodal_load(s.pattern, s.nodes[2], fx=10e3)
-    other = m.pattern("other")
+    other = m.pattern()
     m.nodal_load(other, s.nodes[3], fx=5e3)
     a = s.analysis(tolerance=1e-9)
     assert a.static(s.pattern).status == "completed"

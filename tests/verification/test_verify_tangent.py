@@ -30,7 +30,7 @@ def frame(geometry: str, law: Steel, release: bool, member_loads: bool) -> Struc
         m.truss("brace", c, d, steel, 2e-3, geometry=geometry),
     ]
     m.link("spring", d, c, (1e6, 2e6, 3e5))
-    g = m.pattern("start")
+    g = m.pattern()
     for node, fx, fy, mz in ((b, 150e3, -400e3, 40e3), (c, 60e3, -200e3, -30e3)):
         m.nodal_load(g, node, fx, fy, mz)
     if member_loads:

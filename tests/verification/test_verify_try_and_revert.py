@@ -19,7 +19,7 @@ STEPS = 120
 def begin(kind: str, curved: bool = False, **settings_: float) -> Analysis:
     """A run that has begun: "history", "static" (further gravity) or "pushover"."""
     m, n, _, g = portal(curved=curved)
-    lateral = m.pattern("lateral")
+    lateral = m.pattern()
     m.nodal_load(lateral, n[2], fx=1e3)
     a = prepare(m, g, SI, "current", **settings_)
     if kind == "history":

@@ -93,7 +93,7 @@ def push(
         CoreError: the frame is a mechanism.
     """
     frame = make_frame(project, spec.dampers)
-    lateral = frame.model.pattern("lateral")
+    lateral = frame.model.pattern()
     for name, load in loads.items():
         frame.model.nodal_load(lateral, frame.nodes[name], load, 0.0, 0.0)
     structure = make_structure(project, frame)
