@@ -170,7 +170,7 @@ def write_text(text: str, path: Path) -> None:
 
 
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
-    """Write a file that appears only when it is complete; it never replaces an archive.
+    """Write a file that appears only when it is complete, a power failure included; it never replaces an archive.
 
     Args:
         path: the file.
@@ -188,6 +188,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     try:
         partial = _new_file_beside(path)
         write(partial)
+        _sync(partial)  # file systems may rename first and write the content later
         os.replace(partial, path)
     except BaseException as error:
         with suppress(OSError):  # where nothing can be written, nothing can be deleted either
@@ -197,6 +198,15 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
             raise ArchiveError(f"{path}: cannot be written: {reason(error)}") from error
         raise
     note_output(path)
+
+
+def _sync(path: Path) -> None:
+    """Bring the content of a file to the disk."""
+    descriptor = os.open(path, os.O_RDONLY)
+    try:
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
 def _new_file_beside(path: Path) -> Path:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import h5py
@@ -27,3 +28,22 @@ def test_text_takes_the_place_of_text(tmp_path: Path) -> None:
         write_text(text, path)
         assert path.read_text(encoding="utf-8") == text
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_content_is_on_the_disk_before_the_name(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """After a power failure a file is the old one or the new one, never an empty one."""
+    steps = []
+    sync, replace = os.fsync, os.replace
+
+    def noted_sync(descriptor: int) -> None:
+        steps.append(f"synced {os.fstat(descriptor).st_size} bytes")
+        sync(descriptor)
+
+    def noted_replace(old: Path, new: Path) -> None:
+        steps.append("renamed")
+        replace(old, new)
+
+    monkeypatch.setattr(os, "fsync", noted_sync)
+    monkeypatch.setattr(os, "replace", noted_replace)
+    write_text("a,b\n", tmp_path / "table.csv")
+    assert steps == ["synced 4 bytes", "renamed"]
