@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 
 import numpy as np
 
@@ -16,6 +16,7 @@ from edesign.exchange.sap2000.model import (
     Sap2000Model,
     Vector,
 )
+from edesign.exchange.sap2000.records import keyed
 from edesign.exchange.sap2000.tables import Row, Tables
 from edesign.exchange.sap2000.units import Units
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -34,9 +35,7 @@ GENTLE = 1e-9
 
 def read_loads(tables: Tables, units: Units, model: Sap2000Model) -> None:
     """Add the load patterns and loads of tables to a model, whose joints and frames it has."""
-    for row in tables.of("LOAD PATTERN DEFINITIONS"):
-        name = row.text("LoadPat")
-        model.patterns[name] = LoadPattern(name, row.text("DesignType", "Other"), row.number("SelfWtMult", 0.0), row)
+    model.patterns = keyed(tables, "LOAD PATTERN DEFINITIONS", "LoadPat", _load_pattern)
     for row in tables.of("JOINT LOADS - FORCE"):
         system = row.text("CoordSys", "GLOBAL").upper()
         if system not in ("GLOBAL", "LOCAL"):  # joints have no local axes of their own
@@ -55,6 +54,10 @@ def read_loads(tables: Tables, units: Units, model: Sap2000Model) -> None:
         model.frame_points.append(FramePoint(frame, _pattern(row, model), along, at, force, row))
     for row in tables.of("FRAME LOADS - GRAVITY"):
         _gravity(row, model)
+
+
+def _load_pattern(row: Row) -> LoadPattern:
+    return LoadPattern(row.text("LoadPat"), row.text("DesignType", "Other"), row.number("SelfWtMult", 0.0), row)
 
 
 def _distributed(row: Row, units: Units, model: Sap2000Model) -> None:
@@ -123,7 +126,7 @@ def _place(row: Row, letter: str, units: Units, length: float) -> float:
 
 def read_masses(tables: Tables, units: Units, model: Sap2000Model) -> None:
     """Add the added masses of joints and the mass source to a model."""
-    for row in tables.of("JOINT ADDED MASS ASSIGNMENTS"):
+    for row in keyed(tables, "JOINT ADDED MASS ASSIGNMENTS", "Joint", lambda row: row).values():
         joint = _part(row, "Joint", model.joints)
         x, y, z = (row.number(f"Mass{axis}", 0.0) * units.mass for axis in "123")
         if min(x, y, z) < 0.0:
@@ -137,24 +140,31 @@ def read_masses(tables: Tables, units: Units, model: Sap2000Model) -> None:
         names = [row.text("MassSource", "") for row in rows if row.yes("IsDefault")]
         chosen = names[0] if names else rows[0].text("MassSource", "")
         own = [row for row in rows if row.text("MassSource", "") == chosen]
-        patterns = {_pattern(row, model): row.number("Multiplier", 1.0) for row in own if row.has("LoadPat")}
-        model.mass_source = MassSource(own[0].yes("Elements"), own[0].yes("Masses"), patterns)
+        model.mass_source = MassSource(own[0].yes("Elements"), own[0].yes("Masses"), _mass_patterns(own, model))
         return
-    for row in tables.of("MASSES 1 - MASS SOURCE"):  # up to version 15
-        kind = row.text("MassFrom", "Elements").lower()
+    if rows := tables.of("MASSES 1 - MASS SOURCE"):  # up to version 15
+        kind = next((row.text("MassFrom") for row in rows if row.has("MassFrom")), "Elements").lower()
         elements = "element" in kind
-        patterns = {}
-        if row.has("LoadPat"):
-            patterns[_pattern(row, model)] = row.number("Multiplier", 1.0)
-        before = model.mass_source.patterns
-        model.mass_source = MassSource(elements, elements, {**before, **patterns})
+        model.mass_source = MassSource(elements, elements, _mass_patterns(rows, model))
         return
     model.mass_source = MassSource(elements=True, joints=True)  # what SAP2000 takes without the table
 
 
+def _mass_patterns(rows: Iterable[Row], model: Sap2000Model) -> dict[str, float]:
+    """The factors of the load patterns of a mass source, each of which has a record."""
+    found: dict[str, float] = {}
+    for row in rows:
+        if row.has("LoadPat"):
+            name = _pattern(row, model)
+            if name in found:
+                raise row.error(f"LoadPat {name} is there twice")
+            found[name] = row.number("Multiplier", 1.0)
+    return found
+
+
 def read_cases(tables: Tables, model: Sap2000Model) -> None:
     """Find the gravity loads before the modes: the case that the modal case begins with, or GRAVITY."""
-    cases = {row.text("Case"): row for row in tables.of("LOAD CASE DEFINITIONS")}
+    cases = keyed(tables, "LOAD CASE DEFINITIONS", "Case", lambda row: row)
     modal = [row for row in cases.values() if row.text("Type", "") == "LinModal"]
     before = [row.text("InitialCond", "Zero") for row in modal]
     name = next((case for case in before if case in cases), "GRAVITY" if "GRAVITY" in cases else "")

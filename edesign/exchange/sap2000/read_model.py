@@ -128,11 +128,11 @@ def _joints(tables: Tables, units: Units, model: Sap2000Model) -> None:
     model.joints = keyed(tables, "JOINT COORDINATES", "Joint", place)
     if not model.joints:
         raise InputError(f"{tables.path}: the table JOINT COORDINATES is missing or empty: there is no structure")
-    for row in tables.of("JOINT RESTRAINT ASSIGNMENTS"):
+    for row in keyed(tables, "JOINT RESTRAINT ASSIGNMENTS", "Joint", lambda row: row).values():
         held = six_flags(row.yes(name) for name in DIRECTIONS)
         model.restraints[known_name(row, "Joint", model.joints, "joint")] = held
         model.rows["restraint", row.text("Joint")] = row
-    for row in tables.of("JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED"):
+    for row in keyed(tables, "JOINT SPRING ASSIGNMENTS 1 - UNCOUPLED", "Joint", lambda row: row).values():
         if row.text("CoordSys", "GLOBAL").upper() not in ("GLOBAL", "LOCAL"):  # joints have no local axes of their own
             raise row.error("springs are taken in the system GLOBAL only")
         factors = [units.force / units.length] * 3 + [units.moment] * 3
@@ -240,7 +240,7 @@ def _links(tables: Tables, model: Sap2000Model) -> None:
 
 def _constraints(tables: Tables, model: Sap2000Model) -> None:
     levels = {}
-    for row in tables.of("CONSTRAINT DEFINITIONS - DIAPHRAGM"):
+    for row in keyed(tables, "CONSTRAINT DEFINITIONS - DIAPHRAGM", "Name", lambda row: row).values():
         if row.text("Axis", "Z").upper() not in ("Z", "AUTO") or row.text("CoordSys", "GLOBAL").upper() != "GLOBAL":
             raise row.error(f"diaphragm {row.text('Name')} is not horizontal")
         levels[row.text("Name")] = row.yes("MultiLevel")

@@ -76,6 +76,8 @@ def read_link_properties(tables: Tables, units: Units, model: Sap2000Model) -> N
                 continue
             if row.text("DOF").upper() != "U1":
                 raise row.error(f"link property {name} acts along {row.text('DOF')}; only U1, its axis, is taken")
+            if name in model.link_properties:
+                raise row.error(f"Link {name} is there twice")
             if row.yes("Fixed"):
                 raise row.error(f"link property {name} is fixed along U1; only springs and dampers are taken")
             exponent = row.number("CExp", 1.0)

@@ -189,6 +189,33 @@ def test_tables_that_would_change_the_structure_are_refused(name: str, row: str,
     assert words in message
 
 
+TWICE = {
+    "LOAD PATTERN DEFINITIONS": "LoadPat=DEAD   DesignType=Dead   SelfWtMult=0",
+    "JOINT COORDINATES": "Joint=3   XorR=0   Y=0   Z=5",
+    "JOINT RESTRAINT ASSIGNMENTS": "Joint=2   U1=No   U2=No   U3=Yes   R1=No   R2=No   R3=No",
+    "MATERIAL PROPERTIES 02 - BASIC MECHANICAL PROPERTIES": "Material=S275   E1=200000000",
+    "FRAME SECTION PROPERTIES 01 - GENERAL": "SectionName=HEB300   Material=S275   Area=0.02",
+    "MASS SOURCE": "MassSource=MSSSRC1   LoadPat=LIVE   Multiplier=0.6",
+}
+
+
+@pytest.mark.parametrize(("name", "row"), TWICE.items(), ids=TWICE)
+def test_records_of_one_name_are_refused(name: str, row: str, tmp_path: Path) -> None:
+    text = with_table(FRAME, name, row)
+    line = 1 + text.split("\n").index(f"   {row}")
+    key, part = next(field for field in row.split("   ") if not field.startswith("MassSource")).split("=")
+    assert refusal(text, tmp_path) == f"model.s2k:{line}: {name}: {key} {part} is there twice"
+
+
+def test_all_records_of_an_old_mass_source_count(take: Take) -> None:
+    """Up to version 15 each load pattern has a record: they make the masses of the same factors in newer files."""
+    newer = node_masses(take(FRAME)[0])
+    begin, end = (FRAME.index(words) for words in ('TABLE:  "MASS SOURCE"', "END TABLE DATA"))
+    rows = "MassFrom=Loads   LoadPat=DEAD   Multiplier=1", "MassFrom=Loads   LoadPat=LIVE   Multiplier=0.3"
+    older = with_table(FRAME[:begin] + FRAME[end:], "MASSES 1 - MASS SOURCE", *rows)
+    assert node_masses(take(older)[0]) == pytest.approx(newer)
+
+
 @pytest.mark.parametrize("text", ["", "nothing", "a: 1\n", b"\x89HDF\r\n\x1a\n", b"\x00" * 99, b"TABLE", '"' * 50])
 def test_what_is_no_text_of_sap2000(text: str | bytes, tmp_path: Path) -> None:
     assert refusal(text, tmp_path).startswith("model.s2k")
