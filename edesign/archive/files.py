@@ -172,6 +172,8 @@ def write_text(text: str, path: Path) -> None:
 def write_whole(path: Path, write: Callable[[Path], object]) -> None:
     """Write a file that appears only when it is complete, a power failure included; it never replaces an archive.
 
+    Its folder is made if it does not exist.
+
     Args:
         path: the file.
         write: writes to the path that it is given, beside the file and with its suffix.
@@ -184,6 +186,7 @@ def write_whole(path: Path, write: Callable[[Path], object]) -> None:
         raise ArchiveError(f"{path}: cannot be written: this file is an archive, and it is left as it is")
     spare_inputs(path)
     check_file(path)
+    make_folder(path.parent)
     partial: Path | None = None
     try:
         partial = _new_file_beside(path)

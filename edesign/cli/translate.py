@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from edesign.errors import InputError
 
 if TYPE_CHECKING:
     from collections.abc import Iterable
@@ -19,7 +22,7 @@ def translate(
         Path, typer.Argument(help="The project or building file, or SAP2000's text (.s2k).", show_default=False)
     ],
     target: Annotated[
-        Path,
+        Path | None,
         typer.Argument(
             help=(
                 "The file to write; its ending says for which program: .py OpenSeesPy, .tcl OpenSees, .s2k SAP2000; "
@@ -27,20 +30,32 @@ def translate(
             ),
             show_default=False,
         ),
-    ],
+    ] = None,
     without_dampers: Annotated[
         bool, typer.Option("--without-dampers", help="Leave dampers, isolators and tuned masses out.")
     ] = False,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace files that edesign did not write.")] = False,
+    to: Annotated[str | None, typer.Option("--to", hidden=True)] = None,  # answered, as other programs have it
+    quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress.")] = False,
 ) -> None:
     """Write the model of a project or building for another program, or a SAP2000 model as a file of edesign."""
-    from edesign.exchange.formats import TAKEN, check_own_files, find_format, write_translation
+    from edesign.archive.files import check_file
+    from edesign.cli.shared.stages import Tell, in_stages
+    from edesign.exchange.formats import TAKEN, Translation, check_own_files, find_format, write_translation
 
+    if target is None or to is not None:
+        raise InputError(f"{'--to: there is no such option: ' if to is not None else ''}{_without_target(source)}")
     if source.suffix.lower() in TAKEN:
         _take(source, target, overwrite)
         return
     form = find_format(target)
-    found = form.translate(_read(source), target, without_dampers)
+    check_file(target)  # rather than after the records are fitted
+
+    def work(tell: Tell) -> Translation:
+        tell(f"reading {source}")
+        return form.translate(_read(source), target, without_dampers, tell)
+
+    found = in_stages(work, quiet)
     check_own_files(found, overwrite)
     write_translation(found)
     others = len(found.files) - 1
@@ -52,10 +67,20 @@ def translate(
     )
 
 
+def _without_target(source: Path) -> str:
+    """What to write after the source, by examples with its own name."""
+    from edesign.exchange.formats import FORMATS, TAKEN
+
+    command = f"edesign translate {shlex.quote(str(source))} {shlex.quote(source.stem)}"
+    if source.suffix.lower() in TAKEN:
+        return f"name the file to write after it: {command}.yaml"
+    examples = "".join(f"\n  {known.program + ':':<11} {command}{known.suffix}" for known in FORMATS)
+    return f"name the file to write after the source; its ending says for which program:{examples}"
+
+
 def _read(source: Path) -> Project | Building:
     from edesign.building.building_file import load_building
     from edesign.building.project_file import load_project
-    from edesign.errors import InputError
     from edesign.file_kinds import BUILDING, STUDY, kind_of
 
     kind = kind_of(source)
@@ -70,7 +95,6 @@ def _read(source: Path) -> Project | Building:
 def _take(source: Path, target: Path, overwrite: bool) -> None:
     """Write a SAP2000 model as a project or building file."""
     from edesign.archive.files import check_own_yaml, write_yaml
-    from edesign.errors import InputError
     from edesign.exchange.sap2000.translate import take_model
 
     if target.suffix.lower() not in (".yaml", ".yml"):

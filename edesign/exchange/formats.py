@@ -35,6 +35,10 @@ class Translation:
     differences: tuple[str, ...] = ()
 
 
+Tell = Callable[[str], None]
+Translator = Callable[[Project | Building, Path, bool, Tell], Translation]
+
+
 @dataclass(frozen=True)
 class Format:
     """A kind of file of another program.
@@ -44,8 +48,8 @@ class Format:
         program: that reads it.
         use: what to do with the file; `{}` stands for its name.
         place: the module and the function that translate, loaded when they are needed. The function takes the project,
-            the path of the model, and whether the dampers are left out; it raises InputError, with the place in the
-            project file, for what the program lacks.
+            the path of the model, whether the dampers are left out, and what takes the names of its stages; it raises
+            InputError, with the place in the project file, for what the program lacks.
         building: the function of the same module that takes a building in place of the project; "": there is none.
     """
 
@@ -55,13 +59,20 @@ class Format:
     place: tuple[str, str]
     building: str = ""
 
-    def translate(self, source: Project | Building, path: Path, without_dampers: bool = False) -> Translation:
+    def translate(
+        self,
+        source: Project | Building,
+        path: Path,
+        without_dampers: bool = False,
+        tell: Tell = lambda stage: None,
+    ) -> Translation:
         """Return the files that describe a project or building to the program; nothing is written.
 
         Args:
             source: the validated project or building.
             path: of the model.
             without_dampers: whether dampers, isolators and tuned masses are left out.
+            tell: takes the name of each stage of the work at its beginning.
 
         Raises:
             InputError: the program lacks something that the project has, or takes no buildings.
@@ -74,8 +85,8 @@ class Format:
                     f"{source.path}: edesign writes no buildings for {self.program}; `edesign extract` takes a plane "
                     "frame from it, which it does write"
                 )
-        make = cast("Callable[[Project | Building, Path, bool], Translation]", getattr(import_module(module), function))
-        return make(source, path, without_dampers)
+        make = cast("Translator", getattr(import_module(module), function))
+        return make(source, path, without_dampers, tell)
 
 
 FORMATS = (

@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from edesign.exchange.formats import Tell
 from edesign.exchange.opensees.commands import Block, Command, File, Name, Value, command
 from edesign.exchange.opensees.dynamics import damping_values
 from edesign.exchange.opensees.structure import Structure
@@ -20,6 +21,7 @@ from edesign.project.analysis.analyses import (
     PushoverAnalysis,
 )
 from edesign.project.project import Project
+from edesign.project.reading.words import counted
 from edesign.project.records.records import record_of
 from edesign.study.analysis.capacity import capacity
 from edesign.study.analysis.damper_stiffness import damped_modes
@@ -28,13 +30,15 @@ from edesign.study.analysis.lateral_patterns import lateral_loads
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import GRAVITY_STEPS, make_frame, make_structure
 from edesign.study.analysis.vertical_motion import ground_motion
-from edesign.study.motions.motions import Motion, project_motions
+from edesign.study.motions.motions import Motion, match_options, project_motions
 from edesign.study.run.plan import make_plan
 
 PUSH, QUAKE, VERTICAL = 2, 3, 4
 """Tags of the patterns beside gravity, and of their time series."""
 NAMED = 4
 """Analyses that a sentence names."""
+TOLD_EVERY = 5
+"""Records between words on how many are ready."""
 
 
 @dataclass
@@ -96,7 +100,9 @@ class Parts:
         return (*(self.soil if moves else ()), *found)
 
 
-def programme(project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool) -> Programme:
+def programme(
+    project: Project, structure: Structure, parts: Parts, stem: str, without_dampers: bool, tell: Tell
+) -> Programme:
     """Return the analyses of a project as data of a script.
 
     Args:
@@ -105,6 +111,7 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
         parts: blocks of the model.
         stem: of the script's name, with which those of the records begin.
         without_dampers: whether the script is to have no dampers.
+        tell: takes the name of each stage at its beginning.
 
     Raises:
         InputError: a record cannot be read, or is wrong.
@@ -112,7 +119,8 @@ def programme(project: Project, structure: Structure, parts: Parts, stem: str, w
     """
     found = Programme()
     tasks = [task.spec for task in make_plan(project)]
-    motions = _motions(project, tasks)
+    motions = _motions(project, tasks, tell)
+    tell("translating the analyses")
     histories = [spec for spec in tasks if isinstance(spec, HistoryAnalysis)]
     if histories:
         found.damping = damping_values(project, not without_dampers)
@@ -202,7 +210,7 @@ def _pushover(found: Programme, project: Project, spec: PushoverAnalysis, struct
     }
 
 
-def _motions(project: Project, tasks: Iterable[PlannedAnalysis]) -> dict[str, Motion]:
+def _motions(project: Project, tasks: Iterable[PlannedAnalysis], tell: Tell) -> dict[str, Motion]:
     """All records of the histories, made ready."""
     wanted: list[str] = []
     for spec in tasks:
@@ -212,8 +220,20 @@ def _motions(project: Project, tasks: Iterable[PlannedAnalysis]) -> dict[str, Mo
                 wanted += references(project, record_of(reference))
     if not wanted:
         return {}
-    recordings = find_recordings(project, list(dict.fromkeys(wanted)))
-    return project_motions(project, recordings, lambda: fundamental_period(project))
+    wanted = list(dict.fromkeys(wanted))
+    tell(f"reading {counted(len(wanted), 'record')}")
+    recordings = find_recordings(project, wanted)
+    ready: list[str] = []
+
+    def each(motion: Motion) -> None:
+        ready.append(motion.name)
+        if fits and len(ready) % TOLD_EVERY == 0:
+            tell(f"fitting records to the spectrum: {len(ready)} of {len(wanted)} done")
+
+    fits = any(match_options(project, name) is not None for name in wanted)
+    if fits:
+        tell(f"fitting records to the spectrum: 0 of {len(wanted)} done")
+    return project_motions(project, recordings, lambda: fundamental_period(project), each=each)
 
 
 def _history(

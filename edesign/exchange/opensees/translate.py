@@ -14,7 +14,7 @@ from edesign.building.devices import Attached, DeviceLaw
 from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
 from edesign.errors import InputError
-from edesign.exchange.formats import MARK, Translation
+from edesign.exchange.formats import MARK, Tell, Translation
 from edesign.exchange.opensees.analyses import Parts, has_placed_dampers, programme
 from edesign.exchange.opensees.commands import Block, Command, Name, Value, command
 from edesign.exchange.opensees.dampers import DamperBuilder
@@ -32,42 +32,51 @@ from edesign.exchange.opensees.structure import (
 from edesign.exchange.opensees.structure_builder import StructureBuilder
 from edesign.exchange.recorded_model import RecordedModel
 from edesign.project.project import Project
+from edesign.project.records.records import ChosenRecords
 from edesign.study.analysis.dampers import attachments, device_laws
 from edesign.study.analysis.structure import GRAVITY_STEPS
 from edesign.study.motions.choosing import with_choices
 
 
-def translate_python(project: Project, path: Path, without_dampers: bool = False) -> Translation:
+def translate_python(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:
     """Return a script for OpenSeesPy and its records; errors as `Format.translate`."""
-    return _translate(project, path, without_dampers, python_text)
+    return _translate(project, path, without_dampers, tell, python_text)
 
 
-def translate_tcl(project: Project, path: Path, without_dampers: bool = False) -> Translation:
+def translate_tcl(project: Project, path: Path, without_dampers: bool, tell: Tell) -> Translation:
     """Return a script for OpenSees and its records; errors as `Format.translate`."""
-    return _translate(project, path, without_dampers, tcl_text)
+    return _translate(project, path, without_dampers, tell, tcl_text)
 
 
-def _translate(project: Project, path: Path, without_dampers: bool, text: Callable[[Script, Path], str]) -> Translation:
+def _translate(
+    project: Project, path: Path, without_dampers: bool, tell: Tell, text: Callable[[Script, Path], str]
+) -> Translation:
     if not re.fullmatch(r"[\w.+-]+", path.name, re.ASCII):
         raise InputError(f"{path}: the script names files beside it; give it a name of letters, digits and `_ + - .`")
     refuse(project, without_dampers)
+    if any(isinstance(spec, ChosenRecords) for spec in project.records.values()):
+        tell("choosing the records")
     project = with_choices(project)
-    script, beside = opensees_script(project, path, without_dampers)
+    script, beside = opensees_script(project, path, without_dampers, tell)
     return replace(beside, files={path: text(script, path), **beside.files})
 
 
-def opensees_script(project: Project, path: Path, without_dampers: bool = False) -> tuple[Script, Translation]:
+def opensees_script(
+    project: Project, path: Path, without_dampers: bool = False, tell: Tell = lambda stage: None
+) -> tuple[Script, Translation]:
     """Return a project as blocks of commands and data, and beside it its records, with what is left out or differs.
 
     Args:
         project: the validated project.
         path: of the script.
         without_dampers: whether dampers and tuned masses are left out.
+        tell: takes the name of each stage at its beginning.
 
     Raises:
         InputError: OpenSees lacks something that the project has, or a record is wrong.
         AnalysisError: an analysis that the script takes numbers from failed.
     """
+    tell("building the frame")
     left_out = []
     has_dampers = project.dampers is not None and not without_dampers and any(s.dampers for s in project.analyses)
     plain = RecordedModel()
@@ -131,7 +140,7 @@ def opensees_script(project: Project, path: Path, without_dampers: bool = False)
         added_feet,
         equations,
     )
-    found = programme(project, structure, parts, path.stem, without_dampers)
+    found = programme(project, structure, parts, path.stem, without_dampers, tell)
     left_out += found.left_out
     constants: dict[str, Value | dict[str, Value]] = {
         **SETTINGS,

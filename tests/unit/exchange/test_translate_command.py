@@ -119,6 +119,27 @@ def test_other_names_and_files_of_others(tmp_path: Path, capsys: pytest.CaptureF
     ast.parse((tmp_path / "model.py").read_text())
 
 
+def test_the_file_to_write_is_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    """Without it, and with the option that other programs have for it, by lines that can be copied."""
+    for words in (["a b/frame.yaml"], ["a b/frame.yaml", "--to", "opensees"]):
+        assert main(["translate", *words]) == 2
+        said = capsys.readouterr().err
+        assert "its ending says for which program" in said
+        assert "  OpenSees:   edesign translate 'a b/frame.yaml' frame.tcl\n" in said
+    assert main(["translate", "model.s2k"]) == 2
+    assert "edesign translate model.s2k model.yaml\n" in capsys.readouterr().err
+
+
+def test_a_folder_is_made_or_named(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    braced, made = case("braced_truss"), tmp_path / "new" / "model.py"
+    assert main(["translate", braced, str(made)]) == 0
+    assert made.is_file()
+    stages = [line for line in capsys.readouterr().err.splitlines() if line.endswith(" ...")]
+    assert stages[1:] == ["building the frame ...", "reading 1 record ...", "translating the analyses ..."]
+    assert main(["translate", braced, str(made / "model.py"), "--quiet"]) == 4
+    assert capsys.readouterr().err == f"edesign: {made}: {made} is a file, and a folder is needed\n"
+
+
 def test_titles_cannot_leave_the_comment(tmp_path: Path) -> None:
     """Quotes, backslashes and line breaks of a title are text in both languages."""
     text = Path(case("braced_truss")).read_text(encoding="utf-8").replace("../records", str(CASES / "records"))
