@@ -134,15 +134,29 @@ def select_sections(building: Building, tell: Listener = lambda line: None, work
 
 
 def _left_out(groups: Iterable[Group]) -> Iterator[str]:
-    """Yield a line for all groups from whose lists the same sections are left out."""
-    named: dict[tuple[str, ...], list[str]] = {}
+    """Yield a line for the groups of a kind from whose lists sections are left out, which are mostly the same."""
+    of_kind: dict[str, list[Group]] = {}
     for group in groups:
         if group.left_out:
-            named.setdefault(group.left_out, []).append(group.name)
-    for sections, names in named.items():
-        which = f"group {names[0]}" if len(names) == 1 else f"groups {', '.join(names)}"
-        shown = ", ".join(sections[:_SHOWN]) + (f" and {len(sections) - _SHOWN} more" if len(sections) > _SHOWN else "")
-        yield f"{which}: left out for their class, thickness or slenderness: {shown}"
+            of_kind.setdefault(group.kind, []).append(group)
+    for alike in of_kind.values():
+        common = tuple(name for name in alike[0].left_out if all(name in group.left_out for group in alike))
+        own: dict[tuple[str, ...], list[str]] = {}
+        for group in alike:
+            own.setdefault(tuple(name for name in group.left_out if name not in common), []).append(group.name)
+        parts = [f"{_named([group.name for group in alike])} {_shown(common)}"] if common else []
+        also = "also " if common else ""
+        parts += [f"{_named(names)} {also}{_shown(more)}" for more, names in own.items() if more]
+        yield f"left out for their class, thickness or slenderness: of {'; of '.join(parts)}"
+
+
+def _named(groups: Sequence[str]) -> str:
+    return f"group {groups[0]}" if len(groups) == 1 else f"groups {', '.join(groups)}"
+
+
+def _shown(sections: Sequence[str]) -> str:
+    more = len(sections) - _SHOWN
+    return ", ".join(sections[:_SHOWN]) + (f" and {more} more" if more > 0 else "")
 
 
 def _sections(analysis: ElasticAnalysis, groups: Sequence[Group]) -> dict[str, str]:

@@ -266,15 +266,20 @@ def test_sections_of_too_high_a_class_are_left_out_by_name() -> None:
     brief = ("leave_out:", "evaluations: 2\n    leave_out:")  # it is told before the search
     with pytest.raises(InputError, match="its evaluations are used up"):
         select_sections(building(TEXT, ("D: [SHS150x8]", "D: [SHS200x5, SHS150x8]"), brief), lines.append)
-    assert lines[0] == "group D: left out for their class, thickness or slenderness: SHS200x5"
+    assert lines[0] == "left out for their class, thickness or slenderness: of group D SHS200x5"
 
 
-def test_groups_of_the_same_list_share_a_line_that_stays_short() -> None:
+def test_groups_of_a_kind_share_a_line_that_stays_short() -> None:
     base = next(of for of in groups_of(ElasticAnalysis(building(TEXT))) if of.name == "D")
     names = tuple(f"SHS{i}" for i in range(9))
-    groups = [replace(base, name=name, left_out=names) for name in ("D1", "D2")]
+    groups = [replace(base, name="D1", left_out=(*names, "SHS90")), replace(base, name="D2", left_out=names)]
     (line,) = _left_out([*groups, replace(base, left_out=())])
-    assert line.startswith("groups D1, D2: left out") and line.endswith("SHS4, SHS5 and 3 more")
+    assert line == (
+        "left out for their class, thickness or slenderness: of groups D1, D2 SHS0, SHS1, SHS2, SHS3, SHS4, SHS5 "
+        "and 3 more; of group D1 also SHS90"
+    )
+    apart = [replace(base, name=name, left_out=(name,)) for name in ("D1", "D2")]
+    assert next(_left_out(apart)).endswith(": of group D1 D1; of group D2 D2")
 
 
 def test_lists_of_diagonals_hold_what_has_an_allowed_slenderness() -> None:
