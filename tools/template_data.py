@@ -16,6 +16,7 @@ from edesign.damper.testing.programme import run_programme
 from edesign.damper.testing.programme_file import load_programme
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.simulation import simulate
+from edesign.ground_motion.sources import SIMULATED
 from edesign.project.notation.units import STANDARD_GRAVITY
 
 TEMPLATES = Path(__file__).parents[1] / "edesign" / "project" / "templates"
@@ -39,7 +40,7 @@ def at2_text(record: Record) -> str:
     """Return a record as a file in the format of the PEER data base, samples in g."""
     samples = [f"{value:15.7E}" for value in record.acceleration / STANDARD_GRAVITY]
     head = [
-        "SIMULATED BY EDESIGN, NOT RECORDED: STAND-IN FOR A RECORDING, NO EVIDENCE FOR A DESIGN",
+        f"{SIMULATED}: STAND-IN FOR A RECORDING, NO EVIDENCE FOR A DESIGN",
         record.source,
         "ACCELERATION TIME SERIES IN UNITS OF G",
         f"NPTS= {len(samples):6d}, DT= {record.time_step:7.4f} SEC",

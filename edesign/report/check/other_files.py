@@ -30,9 +30,10 @@ def suite_summary(path: Path) -> dict[str, str]:
     pgas = sorted(item.record.pga / STANDARD_GRAVITY for item in found)
     warnings = [f"{item.record.name}: {text}" for item in found for text in doubts(item.record)]
     peer = sum(entry.peer is not None for entry in suite.records)
-    if origins["stand-in"]:
+    missing = sum(item.origin == "stand-in" and item.entry is not None and item.entry.file is None for item in found)
+    if missing:
         where = "; `folders` of the project, or `--folder`, tells where yours are" if peer else ""
-        warnings.append(f"{origins['stand-in']} of {len(found)} recordings are simulated here{where}")
+        warnings.append(f"{missing} of {len(found)} recordings are simulated here{where}")
     return {
         "title": suite.title,
         "recordings": f"{len(found)}: {', '.join(f'{count} {ORIGINS[origin]}' for origin, count in origins.items())}",
