@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import shutil
+import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, TypeVar
 
@@ -25,6 +27,7 @@ def check(
 ) -> None:
     """Check a file of any kind: a project with its records and frame, tests, laws, suites, ...; print a summary."""
     from edesign.errors import InputError
+    from edesign.report.tables.text import NARROWEST, PAPER, in_facts
     from edesign.report.tables.visible import visible_line
 
     if drawing is not None and not figure:
@@ -36,9 +39,12 @@ def check(
         target = default_figure_path(file) if drawing is None else drawing
         check_figure_path(target)
     found = _summary(file, target)
+    terminal = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     for label, text in found.items():
-        for i, line in enumerate(text.split("\n")):
-            print(visible_line(f"{label + ':' if i == 0 else '':<11} {line}"))
+        # elsewhere warnings stay whole: programs look for one a line
+        width = terminal or (sys.maxsize if label == "warnings" else PAPER)
+        for line in in_facts(f"{label}:", text, 12, max(width, NARROWEST)):
+            print(visible_line(line))
     count = len(found.get("warnings", "").splitlines())
     print("ok" if not count else f"ok, with {count} warning{'s' * (count > 1)}")
 

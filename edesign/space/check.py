@@ -102,9 +102,7 @@ def _masses(frame: SpaceFrame) -> str:
     """Mass, its centre and radius of gyration at each floor, and the mass in all."""
     of = floor_masses(frame)
     rows = [
-        f"{mass / 1e3:.1f} t at x = {x:.2f} m, y = {y:.2f} m, radius of gyration {gyration:.2f} m"
-        if mass
-        else "no mass"
+        f"{mass / 1e3:.1f} t at ({x:.2f}, {y:.2f}) m, radius of gyration {gyration:.2f} m" if mass else "no mass"
         for mass, x, y, gyration in list(zip(of.mass, of.x, of.y, of.gyration, strict=True))[1:]
     ]
     lines = [f"{floors_text}: {text}" for floors_text, text in _floors(rows)]

@@ -48,6 +48,22 @@ def wrapped(text: str) -> list[str]:
     return textwrap.wrap(text, PAPER)
 
 
+def in_facts(label: str, text: str, indent: int, width: int) -> list[str]:
+    """Return a label and the lines of a text beside it, broken between words where they are longer than a line.
+
+    Args:
+        label: before the first line.
+        text: of one or more lines; what of one goes on in the next is two characters further to the right.
+        indent: characters before the text.
+        width: characters of a line.
+    """
+    lines: list[str] = []
+    for whole in text.split("\n"):
+        first, *more = _whole_words(whole, width - indent - 2) if len(whole) > width - indent else [whole]
+        lines += [f"{label if not lines else '':<{indent}}{first}", *(f"{'':<{indent + 2}}{line}" for line in more)]
+    return lines
+
+
 def fitted(table: Table, width: int) -> list[Table]:
     """Return a table as one or more tables below each other that are no wider than a line.
 

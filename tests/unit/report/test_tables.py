@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.report.archive_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
 from edesign.report.tables.table import Table, number, seconds
-from edesign.report.tables.text import folded, print_tables
+from edesign.report.tables.text import folded, in_facts, print_tables
 
 
 @pytest.mark.parametrize(
@@ -140,3 +140,12 @@ def test_a_brace_that_was_never_in_tension_has_none() -> None:
         group.add(f"brace_{kind}_max", (dim,), [high], "1", "largest")
     (row,) = brace_table({"push": group}).rows
     assert row[2].startswith("200") and [float(row[3]), float(row[5])] == [0.0, 0.0]
+
+
+def test_long_facts_go_on_below_themselves() -> None:
+    lines = in_facts("loads:", "floor 1: G 2.0 kN\nbuilding: G 12.0 kN, self_weight 3.0 kN", 8, 30)
+    assert lines == [
+        "loads:  floor 1: G 2.0 kN",
+        "        building: G 12.0 kN,",
+        "          self_weight 3.0 kN",
+    ]
