@@ -172,6 +172,8 @@ def set_indices(figure: Figure) -> None:
                 "".join(f"{before}$_{{\\mathrm{{{index}}}}}$" if index else before for before, index in escaped)
             )
             text.set_parse_math(True)
+        elif parts:
+            text.set_text("".join(before for before, _ in parts))
 
 
 def svg_text(figure: Figure) -> str:

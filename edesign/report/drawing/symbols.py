@@ -13,6 +13,9 @@ GREEK = {
     "lambda": "λ\N{COMBINING MACRON}",
     "mu": "μ",
     "epsilon": "ε",
+    "zeta": "ζ",
+    "kappa": "κ",
+    "omega": "ω",
     "rho": "ρ",
     "theta": "θ",
     "nu": "ν",
@@ -31,9 +34,22 @@ GREEK = {
 _SYMBOL = re.compile(
     r"(?<![A-Za-z0-9_])"
     r"(a_gR|a_g|f_y|gamma_I|gamma_Rd|(?<=gamma_Rd )Omega|T_[BCD1]|G_eq|P_CL|d_t|Q_[A-H]|F_[xyz]|M_y|M_j,Rd|S_j"
-    r"|θ_p|theta_p|alpha_[012]|k_mod|c_mod|k_eq|xi(?= \[)|(?<=effective damping )xi)"
+    r"|θ_p|theta_p|alpha_[012]|k_mod|c_mod|k_eq|xi(?= \[)|(?<=effective damping )xi"
+    # parameters of damper laws, which stand before their values
+    r"|(?:[kcf]_[0-9]+|[kc]_[ab]|c_NL|[uv]_ref|F_y|F_ysc|F_r|A_sc|L_wp|L_y|R_y|K_d|k_eff|zeta_eff|f_slow|f_fast|alpha_d"
+    r"|c_plus|c_minus|alpha|beta|gamma|mu|nu|kappa|omega)(?= =(?: |$)))"
     r"(?![A-Za-z0-9_]|,[A-Za-z0-9])"
 )
+_NUMBERED = re.compile(r"(?<![A-Za-z0-9_&#;])(?:([kcf])([0-9]+)|(F)(y))(?!\.?[A-Za-z0-9_])")
+
+
+def with_indices_of_laws(text: str) -> str:
+    """Return a text with the parameters of damper laws as symbols with an index: k_1 for k1, F_y for Fy.
+
+    Args:
+        text: a formula or the name of a parameter; names of nodes such as A1 stay.
+    """
+    return _NUMBERED.sub(lambda found: "_".join(filter(None, found.groups())), text)
 
 
 _POWER = re.compile(r"(?P<factor>[0-9.]+)e(?P<exponent>[-+\N{MINUS SIGN}]?[0-9]+)")

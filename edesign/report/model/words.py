@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
+from edesign.damper.laws import LAWS
+from edesign.damper.parameter_sets import PARAMETER_SETS
 from edesign.project.dampers.dampers import BraceSection, BraceStiffness, DamperBetween, DamperLaw, DamperRun
 from edesign.project.dampers.isolation import BaseDevice
 from edesign.project.frame.sections import ElasticSection, PlateSection, Section
 from edesign.project.notation.selections import LineSelection, NumberSelection
 from edesign.project.project import Project
 from edesign.report.drawing.style import VARIANTS
-from edesign.report.drawing.symbols import power_of_ten
+from edesign.report.drawing.symbols import power_of_ten, with_indices_of_laws
 
 SCIENTIFIC = 1e9  # such as the area of a member that stands for a rigid one
 MOST = 170  # letters of parameters
@@ -49,9 +51,9 @@ def law_words(name: str, law: DamperLaw) -> str:
     if law.file is not None:
         parts = [f"law of {Path(law.file).name}"]
     else:
-        parts = [str(law.type).replace("_", " ")]
+        parts = [LAWS[str(law.type)].title.partition(":")[0]]
         if isinstance(law.parameters, str):
-            parts.append(f"parameters {law.parameters}")
+            parts.append(f"parameters of {PARAMETER_SETS[law.parameters].source}")
         elif law.parameters:
             parts.append(_parameters(law.parameters))
     if law.prototype is not None:
@@ -66,7 +68,7 @@ def law_words(name: str, law: DamperLaw) -> str:
 def _parameters(values: Mapping[str, object]) -> str:
     found = ""
     for key, value in values.items():
-        text = f"{key} = {_value(value)}"
+        text = f"{with_indices_of_laws(key)} = {_value(value)}"
         if len(found) + len(text) > MOST:
             return f"{found}, …"
         found = f"{found}, {text}" if found else text
@@ -74,7 +76,9 @@ def _parameters(values: Mapping[str, object]) -> str:
 
 
 def _value(value: object) -> str:
-    return " / ".join(map(str, value)) if isinstance(value, (list, tuple)) else str(value)
+    if isinstance(value, (list, tuple)):
+        return " / ".join(map(_value, value))
+    return str(value).replace("*", "·").replace("^2", "²").replace("^3", "³")
 
 
 def device_size(project: Project, device: DamperRun | DamperBetween | BaseDevice, index: int = 0) -> str:

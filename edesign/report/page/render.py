@@ -13,7 +13,7 @@ from itertools import groupby
 from markupsafe import Markup, escape
 
 from edesign._version import __version__
-from edesign.report.drawing.symbols import GREEK, in_parts
+from edesign.report.drawing.symbols import GREEK, in_parts, with_indices_of_laws
 from edesign.report.page.section import Part, Section, Viewer
 from edesign.report.page.shared_styles import share_styles
 from edesign.report.tables.table import Table
@@ -31,7 +31,7 @@ _OPERATORS = (("+- ", "± "), ("+-", "±"), ("&lt;=", "≤"), ("&gt;=", "≥"), 
 _ROOT = re.compile(r"\bsqrt(?=\()")
 _TIMES = re.compile(r"(?<=[0-9)]) x (?=[0-9(])")
 _UNIT = re.compile(r"(?<![A-Za-z])(cm)([2346])(?![A-Za-z0-9])")
-_POWER = re.compile(r"\^([0-9.]+)")
+_POWER = re.compile(r"\^(?:\((?P<whole>(?:[^()]|\([^()]*\))*)\)|(?P<word>[0-9.]+|[A-Za-z]+(?:_[A-Za-z0-9]+)?))")
 _INDEX = r"(?:_([A-Za-z0-9]+(?:,[A-Za-z0-9]+)*))?"
 _INDEXED = re.compile(rf"(?<![A-Za-z0-9_&#])({'|'.join(GREEK)}|[A-Za-z]){_INDEX}(?![A-Za-z0-9_])")
 # behind a number or in a header, where it is no name
@@ -156,13 +156,13 @@ def _power_of_ten(found: re.Match[str]) -> str:
 
 def formula(text: str) -> Markup:
     """Return a formula in the symbols of the codes, escaped, with Greek letters, indices and powers."""
-    found = str(typeset(text))
+    found = str(typeset(with_indices_of_laws(text)))
     if found == "–":
         return Markup(found)
     for plain, printed in _OPERATORS:
         found = found.replace(plain, printed)
     found = _UNIT.sub(_raised, _TIMES.sub(" × ", _ROOT.sub("√", found)))
-    found = _POWER.sub(r"<sup>\1</sup>", found)
+    found = _POWER.sub(lambda power: f"<sup>{power['whole'] or power['word']}</sup>", found)
     return Markup(_INDEXED.sub(_indexed, found))
 
 

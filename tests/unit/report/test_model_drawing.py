@@ -20,12 +20,14 @@ from edesign.building.project_file import load_project, load_study
 from edesign.cli.main import main
 from edesign.file_kinds import BUILDING, PROJECT, STUDY, kind_of
 from edesign.project.reading.file_model import FileModel
+from edesign.report.drawing.symbols import in_parts
 from edesign.report.inputs.designed_dampers import designed_dampers
 from edesign.report.model.boxes import Boxes, Spot, corners_of
 from edesign.report.model.drawings import drawings_of
 from edesign.report.model.loads import loads_of
 from edesign.report.model.sheet import Sheet, on_sheet
 from edesign.report.model.study import study_figures
+from edesign.report.model.words import law_words
 
 ROOT = Path(__file__).parents[3]
 FILES = sorted([*ROOT.glob("projects/*/*.yaml"), *ROOT.glob("tests/cases/*/*.yaml")])
@@ -47,6 +49,18 @@ def texts(figure: Any) -> list[str]:
 def drawings(path: Path) -> dict[str, list[str]]:
     """The texts of each drawing of a file by its name."""
     return {name: texts(figure) for name, _, figure in drawings_of(loaded(path))}
+
+
+def test_laws_in_words_have_titles_and_symbols() -> None:
+    cases = Path(__file__).parents[2] / "cases"
+    projects = [load_project(cases / name / "project.yaml") for name in ("any_quantity", "devices_of_practice")]
+    laws = {name: law for project in projects if project.dampers for name, law in project.dampers.laws.items()}
+    said = law_words("rubber", laws["rubber"])
+    assert said.startswith("rubber: modified generalised Maxwell model (MGMM), parameters of thesis Table 4.2, ")
+    assert "F_y = 70 kN, b = 0.04" in law_words("flag", laws["flag"])
+    found = list(in_parts(law_words("one_way", laws["one_way"])))
+    assert {("c", "plus"), ("c", "minus"), ("α", "")} <= {(before[-1:], index) for before, index in found}
+    assert not any(index for _, index in in_parts("columns c_1, k_1"))  # names of users, without values
 
 
 def outline(text: Text, renderer: Any, dpi: float) -> np.ndarray:
@@ -116,7 +130,7 @@ def test_loads_inside_members_are_those_of_the_file() -> None:
         ("footings_on_soil", "lifts off, bearing resistance 400 kPa (C)"),
         ("isolated_frame", "isolator pendulum, vertical 1500 MN/m, lifts off (A-D)"),
         ("isolated_frame", "grid: elastic, A = 6000 cm², I = 7200000 cm⁴"),
-        ("isolated_frame", "moat: gap, k = 80 kN/mm, gap = 300 mm"),
+        ("isolated_frame", "moat: contact with a gap, k = 80 kN/mm, gap = 300 mm"),
         ("buckling_braces", "brace that buckles in the analysis"),
         ("leaning_column", "leaning column: struts between hinges, tied to the floors"),
         ("rigid_ends", "rigid ends to scale, at most 0.2 m"),
