@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import time
 from collections.abc import Callable
 from pathlib import Path
@@ -271,9 +272,11 @@ def refuse_calibration(archive: Archive) -> None:
         ArchiveError: it is one.
     """
     if archive.attributes.get("kind") == "calibration":
+        page = archive.path.with_name("calibration.html")
+        report = f"its report is {page}" if page.is_file() else f"there is no report {page}, which `calibrate` writes"
         raise ArchiveError(
-            f"{archive.path}: this archive has the motions and forces of a calibration, which `edesign export "
-            "--histories '*'` writes; its results are in calibration.json and calibration.html beside it"
+            f"{archive.path}: this archive has the motions and forces of a calibration; {report}. "
+            f"`edesign export {shlex.quote(str(archive.path))} --histories '*'` writes them as tables"
         )
 
 

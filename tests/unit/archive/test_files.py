@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 
 import h5py
 import pytest
 
+from edesign.archive.dataset import Group
 from edesign.archive.files import write_text
+from edesign.archive.reader import open_archive, refuse_calibration
+from edesign.archive.writer import ArchiveWriter
 from edesign.errors import ArchiveError
 
 
@@ -47,3 +51,16 @@ def test_content_is_on_the_disk_before_the_name(tmp_path: Path, monkeypatch: pyt
     monkeypatch.setattr(os, "replace", noted_replace)
     write_text("a,b\n", tmp_path / "table.csv")
     assert steps == ["synced 4 bytes", "renamed"]
+
+
+def test_the_archive_of_a_calibration_names_the_page_that_has_its_results(tmp_path: Path) -> None:
+    path, page = tmp_path / "my calibration.h5", tmp_path / "calibration.html"
+    with ArchiveWriter(path, Group(attributes={"kind": "calibration"})) as writer:
+        writer.finish({"status": "completed"})
+    with open_archive(path) as archive:
+        with pytest.raises(ArchiveError, match=re.escape(f"there is no report {page}, which `calibrate` writes")):
+            refuse_calibration(archive)
+        page.write_text("<html>", encoding="utf-8")
+        said = re.escape(f"its report is {page}. `edesign export '{path}' --histories '*'` writes them as tables")
+        with pytest.raises(ArchiveError, match=said):
+            refuse_calibration(archive)

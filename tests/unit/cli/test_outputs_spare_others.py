@@ -327,6 +327,6 @@ def test_the_report_of_a_calibration_is_not_replaced_by_an_empty_one(
         writer.finish({"status": "completed"})
     Path("calibration.html").write_text("the effects")
     for command in ("report", "show"):
-        assert "its results are in calibration.json" in refused(capsys, command, "calibration.h5", code=4)
+        assert "its report is calibration.html" in refused(capsys, command, "calibration.h5", code=4)
     assert Path("calibration.html").read_text() == "the effects"
     assert main(["export", "calibration.h5", "--list"]) == 0
