@@ -161,12 +161,8 @@ def foreign_kind(path: Path | str) -> FileKind | None:
     Args:
         path: of the file.
     """
-    try:
-        if not Path(path).is_file():  # what a pipe gives its reader needs
-            return None
-        with Path(path).open("rb") as file:
-            head = file.read(HEAD)
-    except (OSError, ValueError):  # what its reader tells
+    head = _head(path)
+    if head is None:
         return None
     found = foreign_content(head)
     return TEXT if found is None and _is_text(head) else found
@@ -199,12 +195,18 @@ def kind_of(path: Path | str) -> FileKind | None:
     Args:
         path: of the file.
     """
+    head = _head(path)
+    return None if head is None else kind_of_content(head)
+
+
+def _head(path: Path | str) -> bytes | None:
+    """First bytes of a file; None: it cannot be read, which its reader tells."""
     try:
         if not Path(path).is_file():  # what a pipe gives its reader needs
             return None
         with Path(path).open("rb") as file:
-            return kind_of_content(file.read(HEAD))
-    except (OSError, ValueError):  # what its reader tells
+            return file.read(HEAD)
+    except (OSError, ValueError):
         return None
 
 
