@@ -13,7 +13,8 @@ from edesign.building.building_file import load_building
 from edesign.building.frame import build_frame
 from edesign.building.project_file import load_project
 from edesign.core import Analysis
-from edesign.exchange.sap2000.translate import take_model, translate_building, translate_project
+from edesign.exchange.formats import find_format
+from edesign.exchange.sap2000.translate import take_model
 from edesign.project.building.building import Building
 from edesign.project.project import Project
 from edesign.space.structure.geometry import space_frame
@@ -139,7 +140,7 @@ def test_the_tables_of_a_frame_alone_give_its_results(tmp_path: Path) -> None:
         FRAME.replace("law: bilinear, E: 210 GPa, fy: 275 MPa", "law: elastic, E: 210 GPa")
     )
     project = load_project(tmp_path / "frame.yaml")
-    text = translate_project(project, tmp_path / "x.s2k", False).files[tmp_path / "x.s2k"]
+    text = find_format(tmp_path / "x.s2k").translate(project, tmp_path / "x.s2k").files[tmp_path / "x.s2k"]
     solved = Solved(text)
     displacements, reactions, periods = frame_results(project)
     of_tables = solved.displacements("G")
@@ -151,7 +152,7 @@ def test_the_tables_of_a_frame_alone_give_its_results(tmp_path: Path) -> None:
 
 
 def test_the_tables_of_a_building_alone_give_its_results(building: Building, tmp_path: Path) -> None:
-    text = translate_building(building, tmp_path / "x.s2k", False).files[tmp_path / "x.s2k"]
+    text = find_format(tmp_path / "x.s2k").translate(building, tmp_path / "x.s2k").files[tmp_path / "x.s2k"]
     solved = Solved(text)
     cases, reactions, periods = building_results(building)
     assert set(cases) == {"G", "self_weight", "Q_B", "Q_H"}
@@ -165,7 +166,7 @@ def test_the_tables_of_a_building_alone_give_its_results(building: Building, tmp
 
 def test_a_frame_comes_back_whole(project: Project, tmp_path: Path) -> None:
     path = tmp_path / "x.s2k"
-    path.write_text(translate_project(project, path, False).files[path], newline="")
+    path.write_text(find_format(path).translate(project, path).files[path], newline="")
     taken = take_model(path, tmp_path / "back.yaml")
     (tmp_path / "back.yaml").write_text(taken.text)
     assert taken.kind == "project"
@@ -178,7 +179,7 @@ def test_a_frame_comes_back_whole(project: Project, tmp_path: Path) -> None:
 
 def test_a_building_comes_back_whole(building: Building, tmp_path: Path) -> None:
     path = tmp_path / "x.s2k"
-    path.write_text(translate_building(building, path, False).files[path], newline="")
+    path.write_text(find_format(path).translate(building, path).files[path], newline="")
     taken = take_model(path, tmp_path / "back.yaml")
     (tmp_path / "back.yaml").write_text(taken.text)
     assert taken.kind == "building"
@@ -188,7 +189,7 @@ def test_a_building_comes_back_whole(building: Building, tmp_path: Path) -> None
         close(*(np.array([r[0][case][n] for n in sorted(first[0][case])]) for r in (back, first)), BACK)
     close(back[2], first[2], BACK)
     # what a second translation writes is the same text, but for digits: the names are those of the grid
-    again = translate_building(load_building(tmp_path / "back.yaml"), path, False).files[path]
+    again = find_format(path).translate(load_building(tmp_path / "back.yaml"), path).files[path]
     assert again.count("\r\n") == path.read_bytes().count(b"\r\n")
 
 
@@ -209,7 +210,7 @@ def test_dampers_become_links_and_dampers_again(tmp_path: Path) -> None:
     """Springs in series: 1 / k = lambda / c0 + 1 / brace, with 2 x 45 MN/m = 90 MN/m beside the brace of 90 MN/m."""
     (tmp_path / "frame.yaml").write_text(FRAME.replace("analyses:", f"{DAMPERS}analyses:"))
     path = tmp_path / "x.s2k"
-    path.write_text(translate_project(load_project(tmp_path / "frame.yaml"), path, False).files[path], newline="")
+    path.write_text(find_format(path).translate(load_project(tmp_path / "frame.yaml"), path).files[path], newline="")
     links = {r["Link"]: r for r in Solved(path.read_text()).t["LINK PROPERTY DEFINITIONS 04 - DAMPER"]}
     power, maxwell = links.values()
     assert [float(power[k]) for k in ("TransK", "TransC", "CExp")] == pytest.approx([2e5, 600.0, 0.5], rel=1e-12)
@@ -230,7 +231,7 @@ def test_spectra_are_functions_in_g(building: Building, tmp_path: Path) -> None:
     hazard = "hazard: {code: ec8-2004, a_gR: 2.4 m/s^2, ground: B, spectrum: 1, levels: {DBE: {gamma_I: 1.0}}}\n"
     (tmp_path / "building.yaml").write_text(BUILDING + hazard)
     path = tmp_path / "x.s2k"
-    text = translate_building(load_building(tmp_path / "building.yaml"), path, False).files[path]
+    text = find_format(path).translate(load_building(tmp_path / "building.yaml"), path).files[path]
     rows = Solved(text).t["FUNCTION - RESPONSE SPECTRUM - USER"]
     assert {r["Name"] for r in rows} == {"DBE"} and rows[0]["FuncDamp"] == "0.05"
     T, a = np.array([[float(r["Period"]), float(r["Accel"])] for r in rows]).T
