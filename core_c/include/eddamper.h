@@ -85,15 +85,19 @@ void ed_damper_ask(ed_damper *damper, const ed_stop *stop);
 int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 
-/* ED_DAMPER_BEST: the exact step where the law has one, else SUNDIALS; ED_DAMPER_ODE: SUNDIALS. */
-enum { ED_DAMPER_BEST = 0, ED_DAMPER_ODE = 1 };
+/* ED_DAMPER_BEST: the exact step where the law has one, else SUNDIALS; ED_DAMPER_ODE: SUNDIALS; ED_DAMPER_FIXED: the exact step where the
+ * law alone has one, else a method of order 2 in as many sub-steps as the motion asks for, 1 to 64 from one turn to the next. With it
+ * forces are a smooth function of the parameters. A state goes on by the method that made it. */
+enum { ED_DAMPER_BEST = 0, ED_DAMPER_ODE = 1, ED_DAMPER_FIXED = 2 };
 /* One step of duration h from `committed`, along the cubic through deformation and velocity at both ends. Writes the state at its
- * end, the force there, and its derivatives to u1 and v1 (slope). tolerance: relative, of SUNDIALS. Repeated calls give the same. */
-int ed_damper_step(const ed_damper *damper, int method, double tolerance, const double *committed, double h, double u0, double v0,
+ * end, the force there, and its derivatives to u1 and v1 (slope). Repeated calls give the same. fineness: of SUNDIALS its relative
+ * tolerance; of ED_DAMPER_FIXED a length > 0 in which the law changes, such as the deformation at yield: a sub-step moves a quarter of
+ * it at most. */
+int ed_damper_step(const ed_damper *damper, int method, double fineness, const double *committed, double h, double u0, double v0,
                    double u1, double v1, double *trial, double *force, double *slope);
 /* Force under n samples of deformation u and velocity v at ascending times, from rest; held at u[0] for long before. force: n.
  * *done: samples that were reached when it fails. */
-int ed_damper_history(const ed_damper *damper, int method, double tolerance, int n, const double *time, const double *u,
+int ed_damper_history(const ed_damper *damper, int method, double fineness, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
 /* Of the terms that relax in the MGMM (ED_E_STATE: not of an MGMM alone), with g = k_mod u (spring), c_mod v (dashpot) and |v|^alpha sgn v (power)
  * along the same cubics, the moments 1/h integral of g(s) T_k(2 s/h - 1) ds over each step, T_k Chebyshev's polynomials: with
@@ -117,10 +121,19 @@ typedef struct {
 } ed_rig;
 /* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
  * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the
- * damper. e is a parabola between samples, and linear over parts of a step in which it comes to an end of the play. */
-int ed_damper_history_in_series(const ed_damper *damper, int n, const double *time, const double *u, const double *v,
-                                const double *factor, const double *added, const double *spring, const ed_rig *rig, double *force,
-                                double *own, int *done);
+ * damper. e is a parabola between samples, and linear over parts of a step in which it comes to an end of the play. fineness: of
+ * ED_DAMPER_FIXED alone; SUNDIALS has the tolerance that the balance asks for. */
+int ed_damper_history_in_series(const ed_damper *damper, int method, double fineness, int n, const double *time, const double *u,
+                                const double *v, const double *factor, const double *added, const double *spring, const ed_rig *rig,
+                                double *force, double *own, int *done);
+
+/* One test. factor (>= 0), added, spring (>= 0): n, or NULL; rig: NULL, none. */
+typedef struct {
+  int n;
+  const double *time, *u, *v;
+  const double *factor, *added, *spring;
+  const ed_rig *rig;
+} ed_test;
 
 /* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on to all that
  * follows, and ED_E_NOT_FINITE says that there is some. */

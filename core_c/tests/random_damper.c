@@ -121,7 +121,8 @@ static void call_steps(caller *c, const ed_damper *damper)
 
 static void call_histories(caller *c, const ed_damper *damper)
 {
-  const int n = samples(c, 200), method = chance(c, 0.2) ? ED_DAMPER_ODE : ED_DAMPER_BEST;
+  const int n = samples(c, 200), method = chance(c, 0.2) ? ED_DAMPER_ODE : chance(c, 0.3) ? ED_DAMPER_FIXED : ED_DAMPER_BEST;
+  const double fineness = or_absurd(c, method == ED_DAMPER_FIXED ? 2e-3 : 1e-6);
   double *time = ascending(c, n, size_between(c, 1e-3, 0.1)), *u = values_between(c, n, 1e-5, 2e-2), *v = values_between(c, n, 1e-4, 0.3);
   double *force = room(n), *own = room(n);
   for (int i = 1; i < n && chance(c, 0.995); i++) { /* a smooth motion at first */
@@ -129,7 +130,7 @@ static void call_histories(caller *c, const ed_damper *damper)
     v[i] = 7e-2 * cos(7.0 * time[i]);
   }
   int done = -1;
-  int status = expect_listed(c, ed_damper_history(damper, method, or_absurd(c, 1e-6), n, time, u, v, force, &done));
+  int status = expect_listed(c, ed_damper_history(damper, method, fineness, n, time, u, v, force, &done));
   expect_finite(status, force, n);
   CHECK(status != ED_OK || done == n);
   double *moment[3] = {NULL}, held;
@@ -154,7 +155,7 @@ static void call_histories(caller *c, const ed_damper *damper)
     if (spring)
       spring[i] = size_between(c, 1e3, 1e6);
   }
-  status = expect_listed(c, ed_damper_history_in_series(damper, n, time, u, v, factor, added, spring, &rig, force, own, &done));
+  status = expect_listed(c, ed_damper_history_in_series(damper, method, fineness, n, time, u, v, factor, added, spring, &rig, force, own, &done));
   expect_finite(status, force, n);
   expect_finite(status, own, n);
   free(time), free(u), free(v), free(force), free(own), free(factor), free(added), free(spring);

@@ -89,7 +89,7 @@ static void check_dampers(const double *a)
   CHECK(done > 0 && done < LONG);
   CHECK_STATUS(ed_damper_history(ode, ED_DAMPER_BEST, 1e-6, LONG, time, a, v, force, &done), ED_E_STOPPED);
   CHECK(done > 0 && done < LONG);
-  CHECK_STATUS(ed_damper_history_in_series(bare, LONG, time, a, v, NULL, NULL, NULL, &rig, force, own_u, &done), ED_E_STOPPED);
+  CHECK_STATUS(ed_damper_history_in_series(bare, ED_DAMPER_BEST, 0.0, LONG, time, a, v, NULL, NULL, NULL, &rig, force, own_u, &done), ED_E_STOPPED);
   CHECK(done > 0 && done < LONG);
   CHECK_STATUS(ed_mgmm_moments(bare, LONG, time, a, v, NULL, NULL, moments, &held, &done), ED_E_STOPPED);
   CHECK_INT(own.asked, 4);

@@ -9,6 +9,7 @@ from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, S
 from edesign.core.model import Model
 from edesign.core.modes import Modes, damped_eigenvalue, natural_modes
 from edesign.core.response import ENERGIES, Channel, Response
+from edesign.core.rig import SeriesRig
 from edesign.core.springs import ContactSpring, DeterioratingSide, DeterioratingSpring, MultilinearSpring, SpringLaw
 
 __all__ = [
@@ -36,6 +37,7 @@ __all__ = [
     "MultilinearSpring",
     "Newmark",
     "Response",
+    "SeriesRig",
     "SpringLaw",
     "Steel",
     "SupportMotion",

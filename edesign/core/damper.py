@@ -11,11 +11,13 @@ from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
+from edesign.core.rig import SeriesRig
 from edesign.core.stop import STOP, raise_if_stopped
 
-Method = Literal["best", "ode"]
+Method = Literal["best", "ode", "fixed"]
 Term = Literal["spring", "dashpot", "power"]
-_METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE}
+METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE, "fixed": lib.ED_DAMPER_FIXED}
+"""The core's number of each method."""
 TOLERANCE = 1e-6
 """Relative tolerance of SUNDIALS for laws without an exact step."""
 MOMENTS = int(lib.ED_MOMENTS)
@@ -117,6 +119,7 @@ class CoreDamper:
         velocity: ArrayLike,
         method: Method = "best",
         tolerance: float = TOLERANCE,
+        length: float | None = None,
     ) -> np.ndarray:
         """Return the force history from rest, the damper held at the first deformation for long before.
 
@@ -124,8 +127,11 @@ class CoreDamper:
             time: (n,) s, ascending.
             deformation: (n,) m.
             velocity: (n,) m/s; between samples the cubic through deformation and velocity.
-            method: "best" takes the exact step where the law has one, "ode" SUNDIALS.
+            method: "best" takes the exact step where the law has one, "ode" SUNDIALS, "fixed" the exact step or
+                sub-steps that the motion alone decides, so that forces are a smooth function of the parameters.
             tolerance: relative, of SUNDIALS.
+            length: of a deformation in which the law changes, m, for "fixed": such as the one at yield, and the same
+                for all dampers that are compared. A sub-step moves a quarter of it at most.
 
         Returns:
             Force (n,) N.
@@ -139,8 +145,8 @@ class CoreDamper:
         result, done = np.empty_like(t), ffi.new("int *")
         status = lib.ed_damper_history(
             self._handle,
-            _METHODS[method],
-            tolerance,
+            METHODS[method],
+            fineness(method, tolerance, length),
             t.size,
             ffi.from_buffer("double[]", t),
             ffi.from_buffer("double[]", u),
@@ -166,6 +172,8 @@ class CoreDamper:
         power: float = 1.0,
         back: float = 1.0,
         damping: float = 0.0,
+        method: Method = "best",
+        length: float | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the force history in series with a rig whose pins have play and whose parts are flexible.
 
@@ -190,6 +198,8 @@ class CoreDamper:
                 with a bend above 0, without play.
             back: times as stiff where it is pushed together (e < 0), above 0.
             damping: N s/m, at least 0.
+            method: as in `force`.
+            length: as in `force`.
 
         Returns:
             Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
@@ -210,28 +220,18 @@ class CoreDamper:
                 text = f"{name[:-1]} = {one.min():g} is not allowed: at least 0"
                 raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
             given.append(ffi.NULL if one is None else ffi.from_buffer("double[]", one))
-        if not (stiffness > 0.0 and np.isfinite(stiffness)):
-            text = f"stiffness = {stiffness:g} is not allowed: finite and above 0"
-            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        if not (power >= 1.0 and np.isfinite(power)) or (power > 1.0 and not (bend > 0.0 and play == 0.0)):
-            text = f"power = {power:g} is not allowed: 1, or above with bend > 0 and without play"
-            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        if not (back > 0.0 and np.isfinite(back)):
-            text = f"back = {back:g} is not allowed: finite and above 0"
-            raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-        for name, value in (("play", play), ("bend", bend), ("within", within), ("damping", damping)):
-            if not (value >= 0.0 and np.isfinite(value)):
-                text = f"{name} = {value:g} is not allowed: finite, at least 0"
-                raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
+        rig = SeriesRig(stiffness, play, bend, within, power, back, damping)
         force, own, done = np.empty_like(t), np.empty_like(t), ffi.new("int *")
         status = lib.ed_damper_history_in_series(
             self._handle,
+            METHODS[method],
+            fineness(method, TOLERANCE, length),
             t.size,
             ffi.from_buffer("double[]", t),
             ffi.from_buffer("double[]", u),
             ffi.from_buffer("double[]", v),
             *given,
-            ffi.new("ed_rig *", (stiffness, back, bend, power, within, play, damping)),
+            rig.for_core(),
             ffi.from_buffer("double[]", force),
             ffi.from_buffer("double[]", own),
             done,
@@ -291,6 +291,7 @@ class CoreDamper:
         after: tuple[float, float],
         method: Method = "best",
         tolerance: float = TOLERANCE,
+        length: float | None = None,
     ) -> tuple[np.ndarray, float, tuple[float, float]]:
         """Take one step along the cubic through deformation and velocity before and after it.
 
@@ -299,8 +300,9 @@ class CoreDamper:
             duration: s.
             before: deformation (m) and velocity (m/s) at its start.
             after: deformation (m) and velocity (m/s) at its end.
-            method: how the law is integrated.
-            tolerance: relative, of the integration.
+            method: as in `force`; a state goes on by the method that made it.
+            tolerance: relative, of SUNDIALS.
+            length: as in `force`.
 
         Returns:
             The state at its end, the force there (N), and its derivatives to deformation (N/m) and velocity
@@ -310,8 +312,8 @@ class CoreDamper:
         trial, force, slope = np.empty_like(given), ffi.new("double *"), ffi.new("double[2]")
         status = lib.ed_damper_step(
             self._handle,
-            _METHODS[method],
-            tolerance,
+            METHODS[method],
+            fineness(method, tolerance, length),
             ffi.from_buffer("double[]", given),
             duration,
             *before,
@@ -322,6 +324,25 @@ class CoreDamper:
         )
         _check(status, "damper step")
         return trial, float(force[0]), (float(slope[0]), float(slope[1]))
+
+
+def fineness(method: Method, tolerance: float, length: float | None) -> float:
+    """Return what the core is told of how finely a method goes.
+
+    Args:
+        method: how a law is integrated.
+        tolerance: relative, of SUNDIALS.
+        length: of "fixed", m.
+
+    Raises:
+        CoreError: "fixed" without a length above 0.
+    """
+    if method != "fixed":
+        return tolerance
+    if length is None or not (length > 0.0 and np.isfinite(length)):
+        text = f'length = {length} is not allowed: method "fixed" needs one, finite and above 0'
+        raise CoreError("ED_E_ARGUMENT", f"damper history: {text}")
+    return length
 
 
 def _check(status: int, call: str, where: str = "") -> None:

@@ -61,7 +61,12 @@ class Damper:
         return replace(self, parameters=values, temperature_C=temperature_C), warnings
 
     def force(
-        self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike | None = None, method: Method = "best"
+        self,
+        time: ArrayLike,
+        deformation: ArrayLike,
+        velocity: ArrayLike | None = None,
+        method: Method = "best",
+        length: float | None = None,
     ) -> np.ndarray:
         """Return the force history under a deformation, from rest.
 
@@ -69,11 +74,12 @@ class Damper:
             time: (n,) s, ascending.
             deformation: (n,) m.
             velocity: (n,) m/s; None: that of the cubic spline through the deformation.
-            method: how the law is integrated.
+            method: how the law is integrated, as in `CoreDamper.force`.
+            length: of "fixed", m.
 
         Returns:
             (n,) N.
         """
         if velocity is None:
             velocity = spline_velocity(time, deformation)
-        return self.core.force(time, deformation, velocity, method)
+        return self.core.force(time, deformation, velocity, method, length=length)

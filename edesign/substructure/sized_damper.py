@@ -33,6 +33,7 @@ class SizedDamper(CoreDamper):
         velocity: ArrayLike,
         method: Method = "best",
         tolerance: float = TOLERANCE,
+        length: float | None = None,
     ) -> np.ndarray:
         """Return the force history of the device, as `CoreDamper.force`.
 
@@ -41,14 +42,15 @@ class SizedDamper(CoreDamper):
             deformation: (n,) m, of the device.
             velocity: (n,) m/s, of the device.
             method: how the law is integrated.
-            tolerance: relative, of the integration.
+            tolerance: relative, of SUNDIALS.
+            length: of "fixed", m, of the device.
 
         Returns:
             (n,) N.
         """
         scale = self.scales[1]
         u, v = scale * np.asarray(deformation, dtype=float), scale * np.asarray(velocity, dtype=float)
-        return self.scales[0] * super().force(time, u, v, method, tolerance)
+        return self.scales[0] * super().force(time, u, v, method, tolerance, self._of_law(length))
 
     def step(
         self,
@@ -58,6 +60,7 @@ class SizedDamper(CoreDamper):
         after: tuple[float, float],
         method: Method = "best",
         tolerance: float = TOLERANCE,
+        length: float | None = None,
     ) -> tuple[np.ndarray, float, tuple[float, float]]:
         """Take one step of the device, as `CoreDamper.step`.
 
@@ -67,9 +70,13 @@ class SizedDamper(CoreDamper):
             before: deformation (m) and velocity (m/s) of the device at its start.
             after: deformation (m) and velocity (m/s) of the device at its end.
             method: how the law is integrated.
-            tolerance: relative, of the integration.
+            tolerance: relative, of SUNDIALS.
+            length: of "fixed", m, of the device.
         """
         force, scale = self.scales
         start, end = (scale * before[0], scale * before[1]), (scale * after[0], scale * after[1])
-        found, value, (of_u, of_v) = super().step(state, duration, start, end, method, tolerance)
+        found, value, (of_u, of_v) = super().step(state, duration, start, end, method, tolerance, self._of_law(length))
         return found, force * value, (force * scale * of_u, force * scale * of_v)
+
+    def _of_law(self, length: float | None) -> float | None:
+        return None if length is None else abs(self.scales[1]) * length

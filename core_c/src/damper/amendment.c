@@ -109,6 +109,15 @@ void ed_amendments_start(const ed_damper *damper, double *state, int begun)
   }
 }
 
+void ed_amendments_keep(const ed_damper *damper, const double *before, double *state)
+{
+  const int first = damper->n_ode + damper->n_memory;
+  if (damper->n_amendments == 0)
+    return;
+  memcpy(state + first + FIRST_STATE, before + first + FIRST_STATE, (size_t)(damper->n_amended - FIRST_STATE) * sizeof *state);
+  state[first + BEGUN] = 0.0;
+}
+
 void ed_amendments_jump(const ed_damper *damper, double *state, const double *after)
 {
   const int first = damper->n_ode + damper->n_memory;

@@ -85,6 +85,8 @@ struct ed_law {
   /* Events other than reversals of the path, which always end a segment. Ascending places in (0, h) of the path where the
    * equations are not smooth, given the memory at its start; at most 8. NULL: none. */
   int (*events)(const ed_damper *damper, const ed_path *path, const double *memory, double at[8]);
+  /* Writes into a state at rest what the specimen keeps of `before`, the state at the end of a test. NULL: nothing. */
+  void (*keep)(const ed_damper *damper, const double *before, double *state);
   /* tau of a law that relaxes all of its forces, F + tau F' = everything, so that amendments may stand inside it. NULL: it does not. */
   double (*relaxation_time)(const ed_damper *damper);
 };
@@ -123,6 +125,8 @@ int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_paramet
                             char message[ED_DAMPER_MESSAGE]);
 /* Of a state at rest: whether the deformation of the next step counts as way and work, or only leads to the first one. */
 void ed_amendments_start(const ed_damper *damper, double *state, int begun);
+/* Gives a state that is held at rest the drivers of `before`, the state at the end of a test; the next step is no way and no work. */
+void ed_amendments_keep(const ed_damper *damper, const double *before, double *state);
 /* After a jump of the velocity from `state`, in no time, to `after`: the next step begins with the force there. */
 void ed_amendments_jump(const ed_damper *damper, double *state, const double *after);
 /* Turns the force of the law at the end of a path, and its derivatives, into those with the amendments; the law's part of `trial` is
@@ -143,8 +147,5 @@ static inline int ed_damper_own_step(const ed_damper *damper, const double *comm
   const int status = damper->law->step(damper, committed, path, direction, trial, out);
   return damper->n_amendments == 0 || status != ED_OK ? status : ed_amend(damper, committed, path, direction, trial, out);
 }
-
-/* ED_OK if n >= 1 samples are finite and their times ascend; *done: those that are well when they are not, else 0. */
-int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done);
 
 #endif

@@ -262,6 +262,19 @@ static void start(const ed_damper *damper, double *state)
   ed_mgmm_remember(ed_mgmm_constants_of(damper), ed_mgmm_extremes(been, ED_LARGEST_U), ed_mgmm_extremes(been, ED_LARGEST_V), state + 1);
 }
 
+static ed_running both(ed_running one, ed_running other)
+{
+  return ed_extremes_with(ed_extremes_with(one, other.largest), other.smallest);
+}
+
+static void keep(const ed_damper *damper, const double *before, double *state)
+{
+  double *memory = state + 1;
+  ed_mgmm_remember(ed_mgmm_constants_of(damper),
+                   both(ed_mgmm_extremes(memory, ED_LARGEST_U), ed_mgmm_extremes(before + 1, ED_LARGEST_U)),
+                   both(ed_mgmm_extremes(memory, ED_LARGEST_V), ed_mgmm_extremes(before + 1, ED_LARGEST_V)), memory);
+}
+
 /* At most 5 of the deformation and 3 of the velocity, which is quadratic. */
 static int events(const ed_damper *damper, const ed_path *path, const double *memory, double at[8])
 {
@@ -283,4 +296,5 @@ static double relaxation_time(const ed_damper *damper)
 }
 
 const ed_law ed_mgmm = {.name = "mgmm", .prepare = prepare, .start = start,
-                        .step = step, .rate = rate, .remember = remember, .events = events, .relaxation_time = relaxation_time};
+                        .step = step, .rate = rate, .remember = remember, .events = events, .keep = keep,
+                        .relaxation_time = relaxation_time};

@@ -1,6 +1,7 @@
 /* What the terms of the MGMM do over each step, for any relaxation time. */
 #include "damper/laws.h"
 #include "damper/mgmm_terms.h"
+#include "damper/test_run.h"
 #include "edcore.h"
 
 #include <math.h>

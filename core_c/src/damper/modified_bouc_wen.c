@@ -187,6 +187,12 @@ static void remember(const ed_damper *damper, double u, double v, const double *
   memory[1] = now.smallest;
 }
 
+static void keep(const ed_damper *damper, const double *before, double *state)
+{
+  const int n = damper->n_ode;
+  memcpy(state + n, before + n, (size_t)damper->n_memory * sizeof *state);
+}
+
 /* Where the whole deformation begins or ceases to be an extreme; that of the device itself is known only while it is integrated. */
 static int events(const ed_damper *damper, const ed_path *path, const double *memory, double at[8])
 {
@@ -200,4 +206,5 @@ const ed_law ed_modified_bouc_wen = {.name = "modified_bouc_wen",
                                      .step = step,
                                      .rate = rate,
                                      .remember = remember,
+                                     .keep = keep,
                                      .events = events};
