@@ -127,13 +127,29 @@ int ed_damper_history_in_series(const ed_damper *damper, int method, double fine
                                 const double *v, const double *factor, const double *added, const double *spring, const ed_rig *rig,
                                 double *force, double *own, int *done);
 
-/* One test. factor (>= 0), added, spring (>= 0): n, or NULL; rig: NULL, none. */
+/* One test of a campaign. factor (>= 0), added, spring (>= 0): n, or NULL; rig: NULL, none. */
 typedef struct {
   int n;
   const double *time, *u, *v;
   const double *factor, *added, *spring;
   const ed_rig *rig;
+  double rest; /* s since the test before, > 0 where the specimen carries something over; not asked for of the first one */
 } ed_test;
+/* How a damper came through a campaign: ED_OK, or why it did not, in which test and at which sample, both from 0. */
+typedef struct {
+  int status, test, sample;
+} ed_campaign_end;
+/* Forces of n_sets dampers in the same n_tests tests: factor F(u_d) + added + spring u_d, with u_d = u without rig, as from
+ * ed_damper_history and ed_damper_history_in_series, to the last bit. force: [set][test][sample], the samples of tests one behind the other;
+ * own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves NaN from there on and does not stop
+ * the others.
+ * carry: the tests are those of one specimen, in this order. Extremes that soften a law (ED_LAW_MGMM, ED_LAW_MODIFIED_BOUC_WEN) and the
+ * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, heat and what relaxes fade,
+ * and no way or work is counted. Everything else of the law begins anew. carry = 0: each test has a new specimen.
+ * ED_E_ARGUMENT, ED_E_NOT_FINITE: a test that is not allowed, and every `end` says which; ED_E_STOPPED. Calls for different dampers
+ * may run in parallel. */
+int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, const ed_test *test, int method, double fineness,
+                       int carry, double *force, double *own, ed_campaign_end *end);
 
 /* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on to all that
  * follows, and ED_E_NOT_FINITE says that there is some. */

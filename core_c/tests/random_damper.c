@@ -158,6 +158,18 @@ static void call_histories(caller *c, const ed_damper *damper)
   status = expect_listed(c, ed_damper_history_in_series(damper, method, fineness, n, time, u, v, factor, added, spring, &rig, force, own, &done));
   expect_finite(status, force, n);
   expect_finite(status, own, n);
+  const ed_test test[2] = {{n, time, u, v, factor, added, spring, chance(c, 0.5) ? &rig : NULL, 0.0},
+                           {n, time, u, v, NULL, added, NULL, NULL, or_absurd(c, size_between(c, 1e-3, 1e5))}};
+  const ed_damper *const both[2] = {damper, damper};
+  double *all = room(4 * n), *deformations = chance(c, 0.5) ? room(4 * n) : NULL;
+  ed_campaign_end end[2];
+  status = expect_listed(c, ed_damper_campaign(2, both, 2, test, method, fineness, chance(c, 0.5), all, deformations, end));
+  for (int s = 0; status == ED_OK && s < 2; s++) {
+    expect_finite(expect_listed(c, end[s].status), all + 2 * s * n, 2 * n);
+    if (deformations)
+      expect_finite(end[s].status, deformations + 2 * s * n, 2 * n);
+  }
+  free(all), free(deformations);
   free(time), free(u), free(v), free(force), free(own), free(factor), free(added), free(spring);
   free(moment[0]), free(moment[1]), free(moment[2]);
 }

@@ -93,6 +93,15 @@ static void check_dampers(const double *a)
   CHECK(done > 0 && done < LONG);
   CHECK_STATUS(ed_mgmm_moments(bare, LONG, time, a, v, NULL, NULL, moments, &held, &done), ED_E_STOPPED);
   CHECK_INT(own.asked, 4);
+  enum { SHORT = 1000, SHORT_TESTS = LONG / SHORT }; /* none of which lasts long enough to be asked about */
+  ed_test *test = calloc(SHORT_TESTS, sizeof *test);
+  ed_campaign_end end;
+  for (int i = 0; i < SHORT_TESTS; i++)
+    test[i] = (ed_test){.n = SHORT, .time = time, .u = a, .v = v};
+  CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)&exact, SHORT_TESTS, test, ED_DAMPER_BEST, 1e-6, 0, force, NULL, &end), ED_E_STOPPED);
+  CHECK(end.status == ED_E_STOPPED && end.test > 0 && isnan(force[LONG - 1]));
+  CHECK_INT(own.asked, 5);
+  free(test);
   enum { SOME = 20000 };
   own.answer = 0;
   CHECK_STATUS(ed_damper_history(exact, ED_DAMPER_BEST, 1e-6, SOME, time, a, v, force, &done), ED_OK);

@@ -2,6 +2,7 @@
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.analysis import Analysis, SupportMotion
+from edesign.core.campaign import CampaignForces, CampaignTest, campaign_forces
 from edesign.core.damper import AmendmentValues, CoreDamper, LawValues
 from edesign.core.errors import CoreError
 from edesign.core.integrators import HHT, GeneralisedAlpha, Integrator, Newmark
@@ -18,6 +19,8 @@ __all__ = [
     "AmendmentValues",
     "Analysis",
     "Bilinear",
+    "CampaignForces",
+    "CampaignTest",
     "Channel",
     "ContactSpring",
     "CoreDamper",
@@ -32,6 +35,7 @@ __all__ = [
     "MenegottoPinto",
     "Model",
     "Modes",
+    "campaign_forces",
     "damped_eigenvalue",
     "library_versions",
     "MultilinearSpring",
