@@ -86,8 +86,9 @@ int ed_damper_state_size(const ed_damper *damper);            /* doubles */
 void ed_damper_start(const ed_damper *damper, double *state); /* at rest */
 
 /* ED_DAMPER_BEST: the exact step where the law has one, else SUNDIALS; ED_DAMPER_ODE: SUNDIALS; ED_DAMPER_FIXED: the exact step where the
- * law alone has one, else a method of order 2 in as many sub-steps as the motion asks for, 1 to 64 from one turn to the next. With it
- * forces are a smooth function of the parameters. A state goes on by the method that made it. */
+ * law has one that is not itself an integration in parts (ED_LAW_MAXWELL_POWER), else a method of order 2 in as many sub-steps as the
+ * motion asks for, 1 to 64 from one turn to the next. With it forces are a smooth function of the parameters.
+ * A state goes on by the method that made it. */
 enum { ED_DAMPER_BEST = 0, ED_DAMPER_ODE = 1, ED_DAMPER_FIXED = 2 };
 /* One step of duration h from `committed`, along the cubic through deformation and velocity at both ends. Writes the state at its
  * end, the force there, and its derivatives to u1 and v1 (slope). Repeated calls give the same. fineness: of SUNDIALS its relative
@@ -140,8 +141,8 @@ typedef struct {
   int status, test, sample;
 } ed_campaign_end;
 /* Forces of n_sets dampers in the same n_tests tests: factor F(u_d) + added + spring u_d, with u_d = u without rig, as from
- * ed_damper_history and ed_damper_history_in_series, to the last bit. force: [set][test][sample], the samples of tests one behind the other;
- * own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves NaN from there on and does not stop
+ * ed_damper_history and ed_damper_history_in_series, to the last bit. force: [set][test][sample], the samples of tests one behind the
+ * other; own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves NaN from there on and does not stop
  * the others.
  * carry: the tests are those of one specimen, in this order. Extremes that soften a law (ED_LAW_MGMM, ED_LAW_MODIFIED_BOUC_WEN) and the
  * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, heat and what relaxes fade,

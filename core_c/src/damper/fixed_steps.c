@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { COPIES = 3, MOST_SUB_STEPS = 64, MOST_ITERATIONS = 30, MOST_HALVINGS = 12 }; /* copies: the variables, and two derivatives */
+enum { COPIES = 3, MOST_SUB_STEPS = 64, MOST_ITERATIONS = 80, MOST_HALVINGS = 12 }; /* copies: the variables, and two derivatives */
 /* About a turn of the motion forces that go with a power of the velocity change fast: so many sub-steps at least, where the speed at one
  * end is below this share of that at the other. */
 enum { ABOUT_TURNS = 4 };
@@ -34,7 +34,8 @@ struct ed_fixed_steps {
 
 int ed_fixed_steps_suit(const ed_damper *damper)
 {
-  return damper->law->rate != NULL && !ed_damper_has_exact_step(damper);
+  const ed_law *law = damper->law;
+  return law->rate != NULL && (!ed_damper_has_exact_step(damper) || (law->in_parts && damper->joint == 0.0));
 }
 
 ed_fixed_steps *ed_fixed_steps_new(const ed_damper *damper, double length)
@@ -109,22 +110,35 @@ static void solve(const ed_fixed_steps *in, double *x)
     ed_dense_solve(n, in->matrix, in->pivot, x);
 }
 
+/* Newton's next z of one variable, whose residual falls as z grows, as it does for all that decays: kept between the ends that were found
+ * to lie on either side; halfway between them where it does not come closer quickly, as about rest where a slope is infinite. */
+static double kept(double z, double residual, double change, double *before, double *low, double *high)
+{
+  *(residual > 0.0 ? low : high) = z;
+  double next = z + change;
+  if (!(next > *low && next < *high && fabs(change) <= 0.5 * *before) && isfinite(*high - *low))
+    next = 0.5 * (*low + *high);
+  *before = fabs(next - z);
+  return next;
+}
+
 /* z = known + gain f(t, z) from a first guess in `stage`, and its derivatives. 0: Newton's method does not settle. */
 static int solve_stage(ed_fixed_steps *in, double t, double gain)
 {
   const int n = in->damper->n_ode;
-  double *z = in->stage[0];
+  double *z = in->stage[0], before = INFINITY, low = -INFINITY, high = INFINITY;
   int settled = 0;
   for (int k = 0; !settled; k++) {
     if (k == MOST_ITERATIONS || !rate_at(in, t, z) || !factor(in, gain))
       return 0;
     for (int i = 0; i < n; i++)
       in->change[i] = in->known[0][i] + gain * in->rate.y[i] - z[i];
+    const double residual = in->change[0];
     solve(in, in->change);
     settled = 1;
     for (int i = 0; i < n; i++) {
       settled &= fabs(in->change[i]) <= SETTLED * (fabs(z[i]) + fabs(in->known[0][i]));
-      z[i] += in->change[i];
+      z[i] = n > 1 || settled ? z[i] + in->change[i] : kept(z[i], residual, in->change[i], &before, &low, &high);
       if (!isfinite(z[i]))
         return 0;
     }

@@ -11,7 +11,7 @@
 
 typedef struct ed_fixed_steps ed_fixed_steps;
 
-/* Laws with differential equations and without exact step. */
+/* Laws with differential equations and without exact step, or with one that integrates in parts. */
 int ed_fixed_steps_suit(const ed_damper *damper);
 /* length: of a deformation in which the law changes; sub-steps move a quarter of it at most. NULL: out of memory. */
 ed_fixed_steps *ed_fixed_steps_new(const ed_damper *damper, double length);

@@ -64,6 +64,7 @@ struct ed_law {
   int softens;           /* the force may fall while the deformation grows */
   int takes_brace;       /* `rate` itself puts brace > 0 in series */
   int plastic_path;      /* where in its state the sum of the sizes of its plastic deformations stands, from 1; 0: it keeps none */
+  int in_parts;          /* the exact step integrates in parts that an estimate of the error chooses */
   int step_takes_brace;  /* so does the exact step; else brace.c puts it there */
   /* Turns a damper with a brace into one of the law that both are together, and that takes the brace itself. NULL: there is none. */
   void (*with_brace)(ed_damper *damper);

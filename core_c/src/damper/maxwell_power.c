@@ -332,6 +332,7 @@ static void rate(const ed_damper *damper, double u, double v, const double *y, c
 const ed_law ed_maxwell_power = {.name = "maxwell_power",
                                  .takes_brace = 1,
                                  .step_takes_brace = 1,
+                                 .in_parts = 1,
                                  .prepare = prepare,
                                  .step = step,
                                  .rate = rate};
