@@ -46,16 +46,18 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
                          char *message, int size);
 void ed_damper_free(ed_damper *damper);
 
-/* Amendments: effects that a law has not. F = phi F_law + parallel forces, phi the product of the factors. Their drivers are those of
- * the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)), largest deformation M, path s += |u1 - u0|, work E of
- * F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from the next step on; g = (a/a0)^m / (1 + (a/a0)^m). */
+/* Amendments: effects that a law has not, each an equation (factor or force) at a placement. F = phi F_law + parallel forces, phi the
+ * product of the factors. Their drivers are those of the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)),
+ * largest deformation M, path s += |u1 - u0|, work E of F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from
+ * the next step on; g = (a/a0)^m / (1 + (a/a0)^m). recovery: what a specimen regains from one test to the next, where tests are carried
+ * on; within one it has no use. */
 enum {
   ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
   ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
   ED_AMEND_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
-  ED_AMEND_MULLINS_PATH = 3,              /* m s0: phi = 1 + m exp(-s/s0) */
-  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r: phi = 1 - m erf((M - |u|)/r) */
-  ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0: k exp(-s/s0) u */
+  ED_AMEND_MULLINS_PATH = 3,              /* m s0 recovery: phi = 1 + m exp(-s/s0) */
+  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r recovery: phi = 1 - m erf((M - |u|)/r) */
+  ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0 recovery: k exp(-s/s0) u */
   ED_AMEND_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
   ED_AMEND_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
   ED_AMEND_HARDENING_POWER = 8,           /* k p r: k u (|u|/r)^(p-1) */
@@ -65,18 +67,29 @@ enum {
   ED_AMEND_RELAXATION_BRANCH_MAXWELL = 12,/* k tau: Q' + Q/tau = k v, v linear over the step */
   ED_AMEND_VELOCITY_EXPONENT_DASHPOT = 13,/* c alpha: c |v|^alpha sgn v */
   ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
-  ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p: phi = 1 - m (1 - exp(-(M/r)^p)) */
+  ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p recovery: phi = 1 - m (1 - exp(-(M/r)^p)) */
   ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
   ED_AMEND_DEGRADATION_PATH = 17,         /* d p S: phi = 1 - d (s/S)^p */
   ED_AMEND_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
-  ED_AMEND_ONE_SIDED_EVEN = 19            /* k n r: k |u| (|u|/r)^(n-1) */
+  ED_AMEND_ONE_SIDED_EVEN = 19,           /* k n r: k |u| (|u|/r)^(n-1) */
+  ED_AMEND_PAYNE_EXPONENTIAL = 20,        /* d a0 m tau_a: phi = 1 - d (1 - exp(-(a/a0)^m)) */
+  ED_AMEND_HARDENING_EXPONENTIAL = 21,    /* k u0: k u (exp((u/u0)^2) - 1) */
+  ED_AMEND_FRICTION_COULOMB = 22,         /* F_c v0: F_c tanh(v/v0) */
+  ED_AMEND_FRICTION_PRESLIDING = 23,      /* F_c x0: F_c z/x0, z' = v - |v| z/x0, exact over the way of the path (Dahl) */
+  ED_AMEND_FRICTION_STRIBECK = 24         /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
 };
-/* Adds one to a damper, before its first state is made; several act together. inside: not beside the law but inside one that relaxes all
- * of its forces, F_law + tau F_law' = everything: it adds Q to the force, Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a
- * factor; force, phi and F_law linear over the step. Refused unless the law is ED_LAW_MGMM (tau = c1/k1). A brace stands in series with
- * the amended damper; laws without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then
- * nothing has changed: ED_E_ID, ED_E_ARGUMENT, ED_E_NOT_FINITE, ED_E_MEMORY. */
-int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size);
+/* Where an equation acts.
+ * WHOLE: a factor on all of the law's force, a force beside it.
+ * INSIDE: in a law that relaxes all of its forces, F_law + tau F_law' = everything (ED_LAW_MGMM, tau = c1/k1): it adds Q to the force,
+ * Q + tau Q' = force, or (phi - 1)(F_law + tau F_law') for a factor; force, phi and F_law linear over the step.
+ * SPRINGS, DASHPOTS: a factor on that part of the force alone. F_law = F_s + F_d, F_s that of the same law without dashpots: the spring of
+ * ED_LAW_KELVIN_VOIGT, LINEARISED, ZENER, GENERALISED_MAXWELL, FRACTIONAL_KELVIN and FRACTIONAL_ZENER; of ED_LAW_MGMM the force with F_s + tau
+ * F_s' = (k0 + k_mod) u. F_law becomes phi_s F_s + phi_d F_d, phi_s and phi_d the products of such factors; in the MGMM they act inside. */
+enum { ED_PLACE_WHOLE = 0, ED_PLACE_INSIDE = 1, ED_PLACE_SPRINGS = 2, ED_PLACE_DASHPOTS = 3 };
+/* Adds one to a damper, before its first state is made; several act together. A brace stands in series with the amended damper; laws
+ * without exact step refuse amendments with a brace. `message` (size bytes) says why it is refused, and then nothing has changed: ED_E_ID,
+ * ED_E_ARGUMENT (the law has no such placement, or the equation is a force and the placement for factors), ED_E_NOT_FINITE, ED_E_MEMORY. */
+int ed_damper_amend(ed_damper *damper, int kind, int placement, int n_parameters, const double *parameters, char *message, int size);
 /* What a damper went through before it starts, for laws that extremes soften (ED_LAW_MGMM; others do not mind): largest deformation
  * and velocity (>= 0), smallest ones (<= 0), in the order largest u, smallest u, largest v, smallest v. ED_E_ARGUMENT: they are not so. */
 int ed_damper_been(ed_damper *damper, const double extremes[4]);

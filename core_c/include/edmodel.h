@@ -90,7 +90,7 @@ int ed_model_damper_carries(ed_model *model, int damper);
  * slider that rubs by what presses on it. The tangent leaves out how N changes. */
 int ed_model_damper_weighs(ed_model *model, int damper, int element, double weight);
 /* Adds an amendment (eddamper.h) to a damper of the model, in the units of its law. */
-int ed_model_amend_damper(ed_model *model, int damper, int kind, int inside, int n_parameters, const double *parameters);
+int ed_model_amend_damper(ed_model *model, int damper, int kind, int placement, int n_parameters, const double *parameters);
 
 int ed_model_pattern(ed_model *model);
 int ed_model_nodal_load(ed_model *model, int pattern, int node, double fx, double fy, double mz);

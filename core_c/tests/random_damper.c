@@ -46,9 +46,9 @@ static const struct {
     [ED_AMEND_CONSTANT] = {1, {0.8}},
     [ED_AMEND_PAYNE_WHOLE] = {4, {0.3, 5e-3, 1.0, 50.0}},
     [ED_AMEND_PAYNE_ELASTIC] = {4, {1e6, 5e-3, 1.0, 50.0}},
-    [ED_AMEND_MULLINS_PATH] = {2, {0.3, 0.1}},
-    [ED_AMEND_MULLINS_MAXIMUM] = {2, {0.3, 5e-3}},
-    [ED_AMEND_MULLINS_ELASTIC] = {2, {1e6, 0.1}},
+    [ED_AMEND_MULLINS_PATH] = {3, {0.3, 0.1, 0.5}},
+    [ED_AMEND_MULLINS_MAXIMUM] = {3, {0.3, 5e-3, 0.5}},
+    [ED_AMEND_MULLINS_ELASTIC] = {3, {1e6, 0.1, 0.5}},
     [ED_AMEND_DEGRADATION_ENERGY] = {2, {0.3, 1e4}},
     [ED_AMEND_SELF_HEATING_RATE] = {2, {1e-6, 100.0}},
     [ED_AMEND_HARDENING_POWER] = {3, {1e6, 3.0, 5e-3}},
@@ -58,11 +58,16 @@ static const struct {
     [ED_AMEND_RELAXATION_BRANCH_MAXWELL] = {2, {1e6, 1.0}},
     [ED_AMEND_VELOCITY_EXPONENT_DASHPOT] = {2, {1e5, 0.4}},
     [ED_AMEND_PAYNE_NETWORK] = {3, {0.3, 5e-3, 1.0}},
-    [ED_AMEND_MULLINS_DAMAGE] = {3, {0.3, 5e-3, 2.0}},
+    [ED_AMEND_MULLINS_DAMAGE] = {4, {0.3, 5e-3, 2.0, 0.5}},
     [ED_AMEND_VELOCITY_EXPONENT_FLOW] = {2, {1e5, 1e-2}},
     [ED_AMEND_DEGRADATION_PATH] = {3, {0.1, 0.5, 1.0}},
     [ED_AMEND_ONE_SIDED_CONTACT] = {5, {1e6, 5e-3, 1.5, 1.0, 1e-2}},
     [ED_AMEND_ONE_SIDED_EVEN] = {3, {1e6, 2.0, 1e-2}},
+    [ED_AMEND_PAYNE_EXPONENTIAL] = {4, {0.3, 5e-3, 1.0, 50.0}},
+    [ED_AMEND_HARDENING_EXPONENTIAL] = {2, {1e6, 2e-2}},
+    [ED_AMEND_FRICTION_COULOMB] = {2, {1e4, 1e-3}},
+    [ED_AMEND_FRICTION_PRESLIDING] = {2, {1e4, 1e-3}},
+    [ED_AMEND_FRICTION_STRIBECK] = {3, {1e4, 0.5, 1e-2}},
 };
 enum { N_AMENDMENTS = sizeof AMENDMENTS / sizeof *AMENDMENTS };
 
@@ -89,6 +94,11 @@ int some_amendment(caller *c, int *kind, double *parameters)
   const int sound = whole(c, 0, N_AMENDMENTS - 1);
   *kind = chance(c, 0.3 * c->wild) ? some_id(c, N_AMENDMENTS) : sound;
   return altered(c, AMENDMENTS[sound].n, AMENDMENTS[sound].parameter, parameters);
+}
+
+int some_placement(caller *c)
+{
+  return chance(c, 0.5) ? ED_PLACE_WHOLE : some_id(c, ED_PLACE_DASHPOTS + 1);
 }
 
 static void call_steps(caller *c, const ed_damper *damper)
@@ -194,7 +204,7 @@ void call_damper(caller *c)
   for (int i = 0; i < 3 && chance(c, 0.4); i++) {
     int kind;
     const int count = some_amendment(c, &kind, parameters);
-    expect_listed(c, ed_damper_amend(damper, kind, chance(c, 0.2), count, parameters, size ? message : NULL, size));
+    expect_listed(c, ed_damper_amend(damper, kind, some_placement(c), count, parameters, size ? message : NULL, size));
   }
   if (chance(c, 0.3)) {
     const double been[4] = {or_absurd(c, 0.01), or_absurd(c, -0.02), or_absurd(c, 0.1), or_absurd(c, -0.1)};

@@ -114,7 +114,7 @@ static void add_damper(caller *c, things *m)
   if (chance(c, 0.3)) {
     int kind;
     const int k = some_amendment(c, &kind, parameters);
-    expect_listed(c, ed_model_amend_damper(m->model, some_id(c, m->dampers), kind, chance(c, 0.2), k, parameters));
+    expect_listed(c, ed_model_amend_damper(m->model, some_id(c, m->dampers), kind, some_placement(c), k, parameters));
   }
 }
 

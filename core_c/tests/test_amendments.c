@@ -16,9 +16,9 @@ static const amendment EACH[] = {
     {ED_AMEND_CONSTANT, 1, {0.8}},
     {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
     {ED_AMEND_PAYNE_ELASTIC, 4, {1.5, 0.4, 0.8, 0.7}},
-    {ED_AMEND_MULLINS_PATH, 2, {0.4, 6.0}},
-    {ED_AMEND_MULLINS_MAXIMUM, 2, {0.35, 0.8}},
-    {ED_AMEND_MULLINS_ELASTIC, 2, {2.0, 5.0}},
+    {ED_AMEND_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
+    {ED_AMEND_MULLINS_MAXIMUM, 3, {0.35, 0.8, 0.0}},
+    {ED_AMEND_MULLINS_ELASTIC, 3, {2.0, 5.0, 1.0}},
     {ED_AMEND_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
     {ED_AMEND_SELF_HEATING_RATE, 2, {0.03, 4.0}},
     {ED_AMEND_HARDENING_POWER, 3, {0.7, 3.0, 1.1}},
@@ -28,11 +28,16 @@ static const amendment EACH[] = {
     {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, {3.0, 0.25}},
     {ED_AMEND_VELOCITY_EXPONENT_DASHPOT, 2, {0.6, 0.4}},
     {ED_AMEND_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
-    {ED_AMEND_MULLINS_DAMAGE, 3, {0.3, 0.7, 1.4}},
+    {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
     {ED_AMEND_VELOCITY_EXPONENT_FLOW, 2, {0.5, 0.3}},
     {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
     {ED_AMEND_ONE_SIDED_CONTACT, 5, {1.4, 0.2, 1.5, -1.0, 0.8}},
     {ED_AMEND_ONE_SIDED_EVEN, 3, {0.9, 2.2, 0.7}},
+    {ED_AMEND_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
+    {ED_AMEND_HARDENING_EXPONENTIAL, 2, {0.4, 1.1}},
+    {ED_AMEND_FRICTION_COULOMB, 2, {0.5, 0.5}},
+    {ED_AMEND_FRICTION_PRESLIDING, 2, {0.4, 0.15}},
+    {ED_AMEND_FRICTION_STRIBECK, 3, {0.3, 0.8, 4.0}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
 
@@ -58,14 +63,50 @@ static void amend(rig *r, const amendment *one)
 
 /* Drivers and forces by the definitions, with memories of their own. */
 typedef struct {
-  double u, v, envelope[KINDS], largest, path, work, heat, branch, network, force;
+  double u, v, envelope[KINDS], largest, path, work, heat, branch, network, friction, force;
 } memory;
+
+static double broken(const double *p, double *envelope, double h, double u)
+{
+  *envelope = fmax(fabs(u), *envelope * exp(-h / p[3]));
+  return pow(*envelope / p[1], p[2]);
+}
 
 static double payne(const double *p, double *envelope, double h, double u)
 {
-  *envelope = fmax(fabs(u), *envelope * exp(-h / p[3]));
-  const double power = pow(*envelope / p[1], p[2]);
+  const double power = broken(p, envelope, h, u);
   return power / (1.0 + power);
+}
+
+/* Velocity of the cubic over a step, at s of 0 to 1; and its deformation. */
+static double cubic_v(const memory *m, double h, double u, double v, double s)
+{
+  const double w = (u - m->u) / h;
+  return m->v + s * (6.0 * w - 4.0 * m->v - 2.0 * v) + s * s * (3.0 * m->v + 3.0 * v - 6.0 * w);
+}
+
+static double cubic_u(const memory *m, double h, double u, double v, double s)
+{
+  return (1.0 - s) * (1.0 - s) * ((1.0 + 2.0 * s) * m->u + s * h * m->v) + s * s * ((3.0 - 2.0 * s) * u - (1.0 - s) * h * v);
+}
+
+/* z/x0 of Dahl's model after a way from one turn of the cubic to the next, by bisection between a hundred places. */
+static double dahl(const memory *m, double h, double u, double v, double x0)
+{
+  double z = m->friction, from = m->u;
+  for (int i = 0; i <= 100; i++) {
+    double low = 0.01 * i, high = fmin(0.01 * (i + 1), 1.0);
+    if (i < 100 && cubic_v(m, h, u, v, low) * cubic_v(m, h, u, v, high) >= 0.0)
+      continue;
+    for (int k = 0; i < 100 && k < 60; k++) {
+      const double middle = 0.5 * (low + high);
+      *(cubic_v(m, h, u, v, middle) * cubic_v(m, h, u, v, low) > 0.0 ? &low : &high) = middle;
+    }
+    const double to = i < 100 ? cubic_u(m, h, u, v, low) : u, steady = to > from ? 1.0 : -1.0;
+    z = steady + (z - steady) * exp(-fabs(to - from) / x0);
+    from = to;
+  }
+  return z;
 }
 
 /* The amended force at (u, v) after h, given the law's; `used`: which of EACH act. */
@@ -111,6 +152,18 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       break;
     case ED_AMEND_ONE_SIDED_EVEN: beside += p[0] * p[2] * pow(fabs(u) / p[2], p[1]); break;
     case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
+    case ED_AMEND_PAYNE_EXPONENTIAL: phi *= 1.0 - p[0] * (1.0 - exp(-broken(p, &m->envelope[i], h, u))); break;
+    case ED_AMEND_HARDENING_EXPONENTIAL: beside += p[0] * u * (exp(u * u / (p[1] * p[1])) - 1.0); break;
+    case ED_AMEND_FRICTION_COULOMB: beside += p[0] * (1.0 - 2.0 / (exp(2.0 * v / p[1]) + 1.0)); break;
+    case ED_AMEND_FRICTION_PRESLIDING:
+      m->friction = dahl(m, h, u, v, p[1]);
+      beside += p[0] * m->friction;
+      break;
+    case ED_AMEND_FRICTION_STRIBECK: {
+      const double x = v / p[2];
+      beside += p[0] * (1.0 + p[1] * exp(-x * x)) * (1.0 - 2.0 / (exp(20.0 * x) + 1.0));
+      break;
+    }
     }
   }
   const double force = phi * law + beside, work = 0.5 * (m->force + force) * (u - m->u);
@@ -252,7 +305,7 @@ static void check_branch_is_zener(double brace)
 static void check_softening_brace(double kb)
 {
   const double plastic[] = {10.0, 2.0, 0.0};
-  const amendment soft[] = {{ED_AMEND_MULLINS_PATH, 2, {1.0, 0.5}}, {ED_AMEND_DEGRADATION_ENERGY, 2, {0.5, 1.0}}};
+  const amendment soft[] = {{ED_AMEND_MULLINS_PATH, 3, {1.0, 0.5, 0.0}}, {ED_AMEND_DEGRADATION_ENERGY, 2, {0.5, 1.0}}};
   rig braced = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, plastic, kb), own = new_rig(ED_LAW_ELASTIC_PLASTIC, 3, plastic, 0.0);
   for (int i = 0; i < 2; i++) {
     amend(&braced, &soft[i]);

@@ -108,12 +108,12 @@ static void check_single_calls(int method)
 static void check_carry(const ed_rig *rig, double brace)
 {
   static const struct {
-    int kind, n, inside;
+    int kind, n, placement;
     double p[4];
   } AMENDMENT[] = {{ED_AMEND_PAYNE_WHOLE, 4, 0, {0.3, 5e-3, 1.0, 50.0}},     {ED_AMEND_SELF_HEATING_RATE, 2, 0, {1e-4, 100.0}},
-                   {ED_AMEND_MULLINS_PATH, 2, 0, {0.3, 0.1}},                {ED_AMEND_MULLINS_MAXIMUM, 2, 0, {0.3, 5e-3}},
+                   {ED_AMEND_MULLINS_PATH, 3, 0, {0.3, 0.1}},                {ED_AMEND_MULLINS_MAXIMUM, 3, 0, {0.3, 5e-3}},
                    {ED_AMEND_DEGRADATION_ENERGY, 2, 0, {0.3, 1e3}},          {ED_AMEND_PAYNE_NETWORK, 3, 0, {0.3, 5e-3, 20.0}},
-                   {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, 0, {1e6, 20.0}},  {ED_AMEND_MULLINS_DAMAGE, 3, 1, {0.3, 5e-3, 2.0}}};
+                   {ED_AMEND_RELAXATION_BRANCH_MAXWELL, 2, 0, {1e6, 20.0}},  {ED_AMEND_MULLINS_DAMAGE, 4, 1, {0.3, 5e-3, 2.0}}};
   enum { CARRIED = 3, LONG = CARRIED * N };
   static double long_t[LONG], long_u[LONG], long_v[LONG], long_force[LONG], long_own[LONG], apart[2][ALL], deformation[ALL];
   ed_test test[TESTS];
@@ -135,7 +135,7 @@ static void check_carry(const ed_rig *rig, double brace)
   }
   ed_damper *damper = ed_damper_new(ED_LAW_MGMM, 12, MGMM, brace, 0.0, &status, message, sizeof message);
   for (int i = 0; i < (brace > 0.0 ? 7 : 8); i++)
-    CHECK_STATUS(ed_damper_amend(damper, AMENDMENT[i].kind, AMENDMENT[i].inside, AMENDMENT[i].n, AMENDMENT[i].p, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_amend(damper, AMENDMENT[i].kind, AMENDMENT[i].placement, AMENDMENT[i].n, AMENDMENT[i].p, message, sizeof message), ED_OK);
   if (rig)
     CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, LONG, long_t, long_u, long_v, NULL, NULL, NULL, rig, long_force, long_own, &done), ED_OK);
   else

@@ -18,7 +18,7 @@ from edesign.calibrate.structure.damping import Damping
 from edesign.calibrate.structure.effect import Setting
 from edesign.calibrate.structure.effects import MODULES as STRUCTURAL_MODULES
 from edesign.calibrate.unknown import Unknown
-from edesign.damper.amendments import AMENDMENTS
+from edesign.damper.amendment_kinds import kind_if_known
 from edesign.errors import InputError
 from edesign.project.reading.problems import unknown_name
 
@@ -131,7 +131,7 @@ def _known(tests: str, forms: Iterable[Any], page: str) -> KnownEffect:
         name = _NUMBERED.sub("N", form.form)
         if name in listed:
             continue
-        kind = AMENDMENTS.get(_carried(form))
+        kind = kind_if_known(*_carried(form))
         meanings = {one.name: one.meaning for one in kind.parameters} if kind is not None else {}
         listed[name] = EffectForm(
             name,

@@ -104,7 +104,7 @@ def _starts(found: Calibration) -> dict[str, Any]:
 def _carried(law: CarriedLaw) -> dict[str, Any]:
     return {
         "validate": _finite(law.validate),
-        "effects": [{"name": one.name, "form": one.form} for one in law.effects],
+        "effects": [{"name": one.name, "form": one.label.partition(".")[2]} for one in law.effects],
         "replaced": list(law.replaced),
         "withheld": law.withheld,
     }

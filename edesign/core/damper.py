@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Literal
+from typing import Any, Literal, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,9 @@ from edesign.core.stop import STOP, raise_if_stopped
 
 Method = Literal["best", "ode", "fixed"]
 Term = Literal["spring", "dashpot", "power"]
+Placement = Literal["whole", "inside", "springs", "dashpots"]
+"""Where an amendment acts: on all of the law's force, inside a law that relaxes, on its springs or dashpots alone."""
+PLACEMENTS: tuple[Placement, ...] = get_args(Placement)
 METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE, "fixed": lib.ED_DAMPER_FIXED}
 """The core's number of each method."""
 TOLERANCE = 1e-6
@@ -31,12 +34,13 @@ class AmendmentValues:
     Attributes:
         kind: its name, e.g. "payne.whole".
         values: parameters in the order of the core, SI units.
-        inside: whether it acts inside the law, which must relax all of its forces, or beside it.
+        placement: where it acts. "whole": a factor on all of the law's force, a force beside it; "inside": within a
+            law that relaxes all of its forces; "springs", "dashpots": a factor on what these carry of the law's force.
     """
 
     kind: str
     values: tuple[float, ...]
-    inside: bool = False
+    placement: Placement = "whole"
 
 
 @dataclass(frozen=True)
@@ -66,6 +70,15 @@ def amendment_number(kind: str) -> int:
     return int(getattr(lib, f"ED_AMEND_{kind.upper().replace('.', '_')}"))
 
 
+def placement_number(placement: Placement) -> int:
+    """Return the core's number of a placement, ED_PLACE_*.
+
+    Args:
+        placement: its name.
+    """
+    return int(getattr(lib, f"ED_PLACE_{placement.upper()}"))
+
+
 class CoreDamper:
     """A damper law of the core with its parameters and amendments, and a brace in series with them.
 
@@ -79,7 +92,8 @@ class CoreDamper:
             before; the MGMM alone minds.
 
     Raises:
-        CoreError: a parameter or extreme is not allowed, or the law takes no amendments with a brace, or none inside.
+        CoreError: a parameter or extreme is not allowed, or the law takes no amendments with a brace, or none at this
+            placement.
     """
 
     def __init__(
@@ -103,7 +117,8 @@ class CoreDamper:
             raise CoreError("ED_E_ARGUMENT", text)
         for amendment in amendments:
             number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
-            refused = lib.ed_damper_amend(handle, number, amendment.inside, len(values), values, message, 256)
+            place = placement_number(amendment.placement)
+            refused = lib.ed_damper_amend(handle, number, place, len(values), values, message, 256)
             if refused != lib.ED_OK:
                 raise CoreError(status_name(refused), ffi.string(message).decode(errors="replace"))
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
-from edesign.core.damper import LawValues, amendment_number, law_number
+from edesign.core.damper import LawValues, amendment_number, law_number, placement_number
 from edesign.core.errors import CoreError, status_name
 from edesign.core.materials import Bilinear, Elastic, Fatigue, MenegottoPinto, Steel
 from edesign.core.springs import SpringLaw
@@ -413,7 +413,8 @@ class Model:
             self._checked(lib.ed_model_damper_weighs(self._c, number, *pressed_by))
         for amendment in law.amendments:
             kind, values = amendment_number(amendment.kind), list(amendment.values)
-            self._checked(lib.ed_model_amend_damper(self._c, number, kind, amendment.inside, len(values), values))
+            place = placement_number(amendment.placement)
+            self._checked(lib.ed_model_amend_damper(self._c, number, kind, place, len(values), values))
         self.damper_names.append(name)
         self.damper_terms.append(tuple(terms))
         return number

@@ -1,12 +1,13 @@
-"""The kinds of amendments of damper laws: names and forms of effects, with their parameters."""
+"""The kinds of amendments of damper laws: names and forms of effects with their parameters, and where they act."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import ClassVar
 
+from edesign.core.damper import PLACEMENTS, Placement
 from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean, listed
@@ -16,7 +17,6 @@ _MULLINS = "Mullins (1969), Rubber Chem. Technol. 42, 339-362"
 _VISCOUS = "Soong and Dargush (1997), Passive Energy Dissipation Systems in Structural Engineering"
 _ANY = -math.inf
 _INSIDE = "_inside"
-_MAY_BE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent")
 
 
 @dataclass(frozen=True)
@@ -26,18 +26,21 @@ class AmendmentKind(Law):
     Attributes:
         for_core: how many parameters the core takes.
         constant: whether it is a factor that does not change in a run: the core takes the factor alone.
-        inside: whether it acts inside the law, which must relax all of its forces.
     """
 
     kind: ClassVar[str] = "effect"
     for_core: int = 0
     constant: bool = False
-    inside: bool = False
 
     @property
-    def core_name(self) -> str:
-        """Name of the amendment in the core, beside the law or inside."""
-        return self.name.removesuffix(_INSIDE) if self.inside else self.name
+    def is_factor(self) -> bool:
+        """Whether it is a factor of the law's force; else a force of its own."""
+        return self.equation.startswith("phi")
+
+    @property
+    def placements(self) -> tuple[Placement, ...]:
+        """Where it may act: springs or dashpots of a law alone only as a factor."""
+        return PLACEMENTS if self.is_factor else ("whole", "inside")
 
 
 def _positive(name: str, meaning: str, unit: str) -> Parameter:
@@ -59,7 +62,7 @@ _BROKEN = (
 )
 _RECOVERY = Parameter(
     "recovery",
-    "share regained between two tests; not used in a project",
+    "share regained between two tests of a specimen; not used in a project",
     "",
     upper=1.0,
     lower_allowed=True,
@@ -125,6 +128,18 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             True,
         ),
         kind(
+            "payne.exponential",
+            "softening with amplitude that goes exponentially",
+            "phi = 1 - d (1 - exp(-(a/a0)^m))",
+            "Payne (1962), J. Appl. Polym. Sci. 6, 57-63; the course with amplitude: phenomenological",
+            (
+                _share("d", "share of the force that goes in the end"),
+                _positive("a0", "envelope of the deformation at which 1 - 1/e of it is gone", "m"),
+                *_BROKEN[1:],
+            ),
+            True,
+        ),
+        kind(
             "mullins.path",
             "softening with the path of the whole force",
             "phi = 1 + m exp(-s/s0)",
@@ -132,8 +147,8 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (
                 Parameter("m", "share by which the virgin damper is stronger", "", lower=-1.0),
                 _positive("s0", "path after which 1/e of it is left", "m"),
+                _RECOVERY,
             ),
-            more=(_RECOVERY,),
         ),
         kind(
             "mullins.maximum",
@@ -143,8 +158,8 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (
                 _share("m", "share of the force that goes far below the largest deformation"),
                 _positive("r", "distance from the largest deformation over which it goes", "m"),
+                _RECOVERY,
             ),
-            more=(_RECOVERY,),
         ),
         kind(
             "mullins.damage",
@@ -155,8 +170,8 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _share("m", "share of the force that goes in the end"),
                 _positive("r", "largest deformation at which 1 - 1/e of it has gone", "m"),
                 _positive("p", "exponent", ""),
+                _RECOVERY,
             ),
-            more=(_RECOVERY,),
         ),
         kind(
             "mullins.elastic",
@@ -166,8 +181,8 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (
                 _any("k", "stiffness that the virgin damper has more", "N/m"),
                 _positive("s0", "path after which 1/e of it is left", "m"),
+                _RECOVERY,
             ),
-            more=(_RECOVERY,),
         ),
         kind(
             "degradation.energy",
@@ -270,6 +285,16 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
         ),
         kind(
+            "hardening.exponential",
+            "spring that stiffens exponentially",
+            "k u (exp((u/u0)^2) - 1)",
+            "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.5",
+            (
+                _any("k", "stiffness that its rise is a multiple of", "N/m"),
+                _positive("u0", "deformation at which the secant stiffness is (e - 1) k", "m"),
+            ),
+        ),
+        kind(
             "hardening.threshold",
             "hardening beyond a deformation",
             "k max(|u| - u0, 0) sgn u",
@@ -351,30 +376,69 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
             True,
         ),
+        kind(
+            "friction.coulomb",
+            "friction",
+            "F_c tanh(u'/v0)",
+            "Coulomb (1785); Andersson et al. (2007), Tribology International 40, 580-587, Eq. 4",
+            (_positive("F_c", "friction force", "N"), _positive("v0", "velocity over which it rises", "m/s")),
+            True,
+        ),
+        kind(
+            "friction.presliding",
+            "friction that builds up over a way",
+            "F_c z/x0, z' = u' - |u'| z/x0",
+            "Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
+            (_positive("F_c", "friction force", "N"), _positive("x0", "way over which it builds up", "m")),
+        ),
+        kind(
+            "friction.stribeck",
+            "friction that falls from breaking away to sliding",
+            "F_c (1 + s exp(-(u'/v_s)^2)) tanh(10 u'/v_s)",
+            "Armstrong-Helouvry, Dupont and Canudas de Wit (1994), Automatica 30, 1083-1138, section 2.1",
+            (
+                _positive("F_c", "friction force of fast sliding", "N"),
+                Parameter("s", "share by which it is larger near rest", "", lower_allowed=True),
+                _positive("v_s", "velocity over which it falls", "m/s"),
+            ),
+            True,
+        ),
     )
 
 
-def _beside_and_inside(kinds: Sequence[AmendmentKind]) -> Iterator[tuple[tuple[str, str], AmendmentKind]]:
-    for kind in kinds:
-        name, form = kind.name.split(".")
-        yield (name, form), kind
-        if name in _MAY_BE_INSIDE:
-            right = "(phi - 1)(F + tau F'), " if kind.equation.startswith("phi") else ""
-            yield (
-                (name, form + _INSIDE),
-                replace(
-                    kind,
-                    name=kind.name + _INSIDE,
-                    title=f"{kind.title}, inside the law",
-                    equation=f"Q + tau Q' = {right}{kind.equation}",
-                    rate_dependent=True,
-                    inside=True,
-                ),
-            )
-
-
-AMENDMENTS: dict[tuple[str, str], AmendmentKind] = dict(_beside_and_inside(_kinds()))
+AMENDMENTS: dict[tuple[str, str], AmendmentKind] = {
+    (name, form): kind for kind in _kinds() for name, form in (kind.name.split("."),)
+}
 """All amendments by name of the effect and form."""
+
+_ONCE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent")
+
+FORMER_FORMS: dict[tuple[str, str], tuple[str, Placement]] = {
+    (name, form + _INSIDE): (form, "inside")
+    for name, form in AMENDMENTS
+    if name in _ONCE_INSIDE and form != "exponential"  # came with placements
+}
+"""Forms that law files had before they said placements, by effect and form: the form today, and its placement."""
+
+
+def placed_form(name: str, form: str) -> tuple[str, Placement]:
+    """Return the form of an effect as it is called today, and the placement that a former name says with it.
+
+    Args:
+        name: of the effect.
+        form: of the effect, e.g. "whole" or "whole_inside".
+    """
+    return FORMER_FORMS.get((name, form), (form, "whole"))
+
+
+def kind_if_known(name: str, form: str) -> AmendmentKind | None:
+    """Return the kind of an amendment by a name of today or a former one; None: there is none.
+
+    Args:
+        name: of the effect.
+        form: of the effect.
+    """
+    return AMENDMENTS.get((name, placed_form(name, form)[0]))
 
 
 def parameters_in_core() -> dict[str, tuple[Parameter, ...]]:
@@ -382,9 +446,9 @@ def parameters_in_core() -> dict[str, tuple[Parameter, ...]]:
 
     All that do not change in a run are one amendment there, `constant`, whose factor they make.
     """
-    beside = [kind for kind in AMENDMENTS.values() if not kind.inside and not kind.constant]
+    changing = [kind for kind in AMENDMENTS.values() if not kind.constant]
     constant = {"constant": (_positive("factor", "of the force of the law", ""),)}
-    return constant | {kind.core_name: kind.parameters[: kind.for_core] for kind in beside}
+    return constant | {kind.name: kind.parameters[: kind.for_core] for kind in changing}
 
 
 def amendment_kind(name: str, form: str) -> AmendmentKind:
@@ -392,17 +456,18 @@ def amendment_kind(name: str, form: str) -> AmendmentKind:
 
     Args:
         name: of the effect.
-        form: of the effect.
+        form: of the effect; a former name is that of today.
 
     Raises:
         InputError: there is no such effect, or it has no such form.
     """
-    forms = {kind: value for (effect, kind), value in AMENDMENTS.items() if effect == name}
+    known = kind_if_known(name, form)
+    if known is not None:
+        return known
+    forms = [kind for effect, kind in AMENDMENTS if effect == name]
     if not forms:
         names = list(dict.fromkeys(effect for effect, _ in AMENDMENTS))
         hint = did_you_mean(name, names)
         raise InputError(f"there is no effect `{name}` of a damper law{hint} (there are: {listed(names)})")
-    if form not in forms:
-        hint = did_you_mean(form, forms)
-        raise InputError(f"the effect `{name}` has no form `{form}`{hint} (there are: {listed(forms)})")
-    return forms[form]
+    hint = did_you_mean(form, forms)
+    raise InputError(f"the effect `{name}` has no form `{form}`{hint} (there are: {listed(forms)})")

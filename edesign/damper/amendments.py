@@ -1,6 +1,7 @@
 """Amendments of damper laws: effects that tests have shown and the law has not, as law files and projects carry them.
 
-The force is phi F_law + parallel forces, phi the product of the factors, + what acts inside the law
+Each is an equation, a factor or a force, at a placement. The force is phi F_law + parallel forces, phi the product of
+the factors, + what acts inside the law; factors may act on its springs or dashpots alone
 (docs/reference/laws/effects.md).
 """
 
@@ -11,10 +12,12 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from edesign.core import AmendmentValues
-from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind
+from edesign.core.damper import PLACEMENTS, Placement
+from edesign.damper.amendment_kinds import AMENDMENTS, AmendmentKind, amendment_kind, placed_form
 from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C, GammaT, TemperatureModel, at, passed
 from edesign.errors import InputError
+from edesign.project.reading.problems import did_you_mean, listed
 
 __all__ = ["AMENDMENTS", "Amendment", "AmendmentKind", "amendment_kind", "parameters_at"]
 
@@ -25,22 +28,32 @@ class Amendment:
 
     Attributes:
         name: of the effect, e.g. "payne".
-        form: how it acts, e.g. "whole".
+        form: its equation, e.g. "whole"; a former name such as "whole_inside" is that of today with a placement.
         values: parameters by name, SI units; completed with defaults and checked.
+        placement: where it acts, see `edesign.core.AmendmentValues`.
 
     Raises:
-        InputError: no such effect or form, or wrong parameters.
+        InputError: no such effect, form or placement, or wrong parameters.
     """
 
     name: str
     form: str
     values: Mapping[str, float]
+    placement: Placement = "whole"
     kind: AmendmentKind = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         kind = amendment_kind(self.name, self.form)
+        placement = placement_of(self.name, self.form, None if self.placement == "whole" else self.placement)
+        object.__setattr__(self, "form", placed_form(self.name, self.form)[0])
+        object.__setattr__(self, "placement", placement)
         object.__setattr__(self, "kind", kind)
         object.__setattr__(self, "values", kind.complete(self.values))
+
+    @property
+    def label(self) -> str:
+        """Effect, form and placement, if that is not the usual one, e.g. "payne.whole (springs)"."""
+        return self.kind.name if self.placement == "whole" else f"{self.kind.name} ({self.placement})"
 
     def for_core(self, temperature_C: float | None = None) -> AmendmentValues:
         """Return the amendment as the core takes it at a temperature.
@@ -52,9 +65,8 @@ class Amendment:
             InputError: a constant factor is not greater than zero.
         """
         if self.kind.constant:
-            return AmendmentValues("constant", (self._factor(temperature_C),))
-        values = tuple(self.values.values())[: self.kind.for_core]
-        return AmendmentValues(self.kind.core_name, values, self.kind.inside)
+            return AmendmentValues("constant", (self._factor(temperature_C),), self.placement)
+        return AmendmentValues(self.kind.name, tuple(self.values.values())[: self.kind.for_core], self.placement)
 
     def _factor(self, temperature_C: float | None) -> float:
         if self.name == "temperature_law":
@@ -81,6 +93,38 @@ class Amendment:
                 f"effect {self.kind.name}: 1 + c (T - T0) = {slowed:.3g} at {degrees:g} degC must be greater than 0"
             )
         return math.exp(-p["b"] * warmer / slowed)
+
+
+def placement_of(name: str, form: str, placement: Placement | None) -> Placement:
+    """Return where an amendment acts, and refuse a placement at which it cannot, whatever the law.
+
+    Args:
+        name: of the effect.
+        form: of the effect, which there is; a former name says a placement.
+        placement: where it should act; None: not said.
+
+    Raises:
+        InputError: there is no such placement, it is one for factors alone, or the form says another.
+    """
+    kind, (today, said) = amendment_kind(name, form), placed_form(name, form)
+    if placement is None:
+        return said
+    if placement not in PLACEMENTS:
+        hint = did_you_mean(placement, PLACEMENTS)
+        raise InputError(
+            f"effect {kind.name}: there is no placement `{placement}`{hint} (there are: {listed(PLACEMENTS)})"
+        )
+    if placement not in kind.placements:
+        raise InputError(
+            f"effect {kind.name}: it is a force of its own, and only factors act on {placement} alone "
+            f"(allowed: {listed(kind.placements)})"
+        )
+    if today != form and placement != said:
+        raise InputError(
+            f"effect {name}.{form}: the form says the placement `{said}`, which is not `{placement}`; write "
+            f"`form: {today}` with the placement that is meant"
+        )
+    return placement
 
 
 def parameters_at(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
-from edesign.damper.amendments import AMENDMENTS, Amendment, amendment_kind
+from edesign.damper.amendments import AMENDMENTS, Amendment, amendment_kind, placement_of
 from edesign.damper.parameters import ParameterError, read_parameters, write_parameters
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Effect
@@ -43,7 +43,14 @@ def read_effects(effects: Sequence[Effect]) -> tuple[Amendment, ...]:
             problems.append(((i, key), str(error)))
             continue
         try:
-            amendment = Amendment(effect.name, effect.form, read_parameters(kind, effect.parameters))
+            said = effect.placement if "placement" in effect.model_fields_set else None
+            placement = placement_of(effect.name, effect.form, said)
+        except InputError as error:
+            problems.append(((i, "placement"), str(error)))
+            continue
+        try:
+            values = read_parameters(kind, effect.parameters)
+            amendment = Amendment(effect.name, effect.form, values, placement)
             amendment.for_core()  # a factor that is none
         except ParameterError as error:
             problems += [((i, "parameters", name), message) for name, message in error.problems]
@@ -67,5 +74,6 @@ def write_effects(amendments: Sequence[Amendment]) -> list[dict[str, Any]]:
         units = {parameter.name: parameter.unit for parameter in one.kind.parameters}
         texts = write_parameters(one.kind, one.values)
         parameters = {name: text if units[name] else float(text) for name, text in texts.items()}
-        written.append({"name": one.name, "form": one.form, "parameters": parameters})
+        placement = {} if one.placement == "whole" else {"placement": one.placement}
+        written.append({"name": one.name, "form": one.form, **placement, "parameters": parameters})
     return written

@@ -153,8 +153,9 @@ def resolve(
     for i, one in enumerate(amendments):
         try:
             CoreDamper(chosen.name, list(values.values()), amendments=(one.for_core(temperature_C),))
-        except CoreError as error:  # inside a law that does not relax all of its forces
-            raise source.refuse(("effects", i, "form"), error) from error
+        except CoreError as error:  # no such placement in this law
+            key = "placement" if "placement" in described.effects[i].model_fields_set else "form"
+            raise source.refuse(("effects", i, key), error) from error
     return ResolvedLaw(chosen, values, amendments, temperature_C, warnings)
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable
 
 from pydantic import BaseModel
 
-from edesign.damper.amendments import AMENDMENTS
+from edesign.damper.amendment_kinds import AMENDMENTS, FORMER_FORMS
 from edesign.damper.law import Law, Parameter
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import PARAMETER_SETS, practical_unit
@@ -44,16 +44,21 @@ def add_laws(schema: Json, schema_of_model: Callable[[type[BaseModel]], Json]) -
     for block in effects:
         names = dict.fromkeys(name for name, _ in AMENDMENTS)
         block["properties"]["name"] |= {"enum": list(names)}
-        block["properties"]["form"] |= {"enum": list(dict.fromkeys(form for _, form in AMENDMENTS))}
+        block["properties"]["form"] |= {"enum": list(dict.fromkeys(form for _, form in (*AMENDMENTS, *FORMER_FORMS)))}
         block["allOf"] = [_forms(name) for name in names]
         for (name, form), kind in AMENDMENTS.items():
+            known: Json = {"parameters": {"$ref": f"#/$defs/parameters_of_{name}_{form}"}}
+            placed = {} if kind.is_factor else {"placement": {"enum": list(kind.placements)}}
             block["allOf"].append(
-                {
-                    "if": _is({"name": name, "form": form}),
-                    "then": {"properties": {"parameters": {"$ref": f"#/$defs/parameters_of_{name}_{form}"}}},
-                }
+                {"if": _is({"name": name, "form": form}), "then": {"properties": {**known, **placed}}}
             )
             added[f"parameters_of_{name}_{form}"] = _parameters(kind)
+        for (name, former), (form, placement) in FORMER_FORMS.items():
+            same: Json = {
+                "parameters": {"$ref": f"#/$defs/parameters_of_{name}_{form}"},
+                "placement": {"const": placement},
+            }
+            block["allOf"].append({"if": _is({"name": name, "form": former}), "then": {"properties": same}})
     if added:
         schema.setdefault("$defs", {}).update(added)
 
@@ -70,7 +75,7 @@ def _law(law: Law) -> Json:
 
 
 def _forms(name: str) -> Json:
-    forms = [form for effect, form in AMENDMENTS if effect == name]
+    forms = [form for effect, form in (*AMENDMENTS, *FORMER_FORMS) if effect == name]
     return {"if": _is({"name": name}), "then": {"properties": {"form": {"enum": forms}}}}
 
 

@@ -1,13 +1,16 @@
-"""Amendments of damper laws by their definitions (docs/reference/laws/effects.md), in numpy on samples; examples."""
+"""Amendments of damper laws by their definitions (docs/reference/laws/effects.md), on samples; examples of each."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from math import exp, log
+from typing import NamedTuple
 
 import numpy as np
+from scipy.interpolate import CubicHermiteSpline
 from scipy.special import erf
 
+from edesign.core.damper import Placement
 from edesign.damper.amendments import AMENDMENTS, Amendment
 
 EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
@@ -35,13 +38,38 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("velocity_exponent", "flow"): {"f": 1.5e3, "v0": 4e-3},
     ("degradation", "path"): {"d": 0.2, "p": 1.3, "S": 0.1},
     ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0},
+    ("payne", "exponential"): {"d": 0.25, "a0": 4e-3, "m": 1.3, "tau_a": 2.0},
+    ("hardening", "exponential"): {"k": 1e6, "u0": 7e-3},
+    ("friction", "coulomb"): {"F_c": 1.2e3, "v0": 2e-3},
+    ("friction", "presliding"): {"F_c": 1.5e3, "x0": 8e-4},
+    ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
 }
-EXAMPLES |= {kind: EXAMPLES[kind[0], kind[1].removesuffix("_inside")] for kind in AMENDMENTS if AMENDMENTS[kind].inside}
+PLACED: list[tuple[str, str, Placement]] = [
+    (*of, place) for of, kind in AMENDMENTS.items() for place in kind.placements
+]
+"""All equations at all their placements."""
 
 
-def example(name: str, form: str) -> Amendment:
+def example(name: str, form: str, placement: Placement = "whole") -> Amendment:
     """An amendment that changes forces of some ten kN at some mm visibly."""
-    return Amendment(name, form, EXAMPLES[name, form])
+    return Amendment(name, form, EXAMPLES[name, form], placement)
+
+
+def springs_of(name: str, values: Mapping[str, float]) -> tuple[str, dict[str, float]]:
+    """The law, and its parameters, of what springs carry of the force of a law."""
+    if name != "mgmm":
+        return "kelvin_voigt", {"k": next(iter(values.values())), "c": 0.0}
+    # tau = c1/k1 of a branch that is all but nothing, and k0 beside k_b, where it brings no tau k0 v
+    branch = {key: 1e-12 * values[key] for key in ("k1", "c1")}
+    return name, {
+        **values,
+        **branch,
+        "k0": 0.0,
+        "k_b": values["k0"] + values["k_b"],
+        "c_NL": 0.0,
+        "c_a": 0.0,
+        "c_b": 0.0,
+    }
 
 
 def amended(
@@ -52,120 +80,185 @@ def amended(
     v: np.ndarray,
     temperature_C: float | None = None,
     tau: float = 0.0,
+    springs: np.ndarray | None = None,
 ) -> np.ndarray:
     """Force (n,) N of a law with amendments, of the law's own force (n,) N, all by the definitions.
 
-    tau: of the law, s, for those inside it; it has been held before the first sample.
+    tau: of a law that relaxes all of its forces, s, for those inside it and on its sides; it has been held before the
+    first sample. springs: what these carry of the force (n,) N.
     """
-    beside = tuple(one for one in amendments if not one.kind.inside)
-    inside = np.zeros_like(u)
-    for one in amendments:
-        if one.kind.inside:
-            same = Amendment(one.name, one.form.removesuffix("_inside"), one.values)
-            inside += _inside(same, law_force, time, u, v, tau)
-    return _beside(beside, law_force, time, u, v, temperature_C, inside)
+    carried = {"springs": np.zeros_like(u) if springs is None else springs}
+    carried["dashpots"] = law_force - carried["springs"]
+    given = [_values(one, time, u, v, temperature_C) for one in amendments]
+    count = [0.0] * len(amendments)
+    inside: list[_Relaxing | None] = [None] * len(amendments)
+    sides: dict[str, _Relaxing | None] = {"springs": None, "dashpots": None}
+    found = np.empty_like(u)
+    for i in range(u.size):
+        h = time[i] - time[i - 1] if i else 0.0
+        phi = {"whole": 1.0, "springs": 1.0, "dashpots": 1.0}
+        beside = 0.0
+        for k, one in enumerate(amendments):
+            values = given[k]
+            value = _counted(one, count[k]) if values is None else float(values[i])
+            if one.placement == "inside" and one.kind.is_factor:
+                inside[k] = _relaxed(inside[k], value - 1.0, law_force[i], h, tau)
+                beside += inside[k].q
+            elif one.placement == "inside":
+                held = 0.0 if one.name in ("velocity_exponent", "friction") else value
+                inside[k] = _relaxed(inside[k], value, 1.0, h, tau, held)
+                beside += inside[k].q
+            elif one.kind.is_factor:
+                phi[one.placement] *= value
+            else:
+                beside += value
+        law = law_force[i]
+        for side, force in carried.items():
+            less = phi[side] - 1.0
+            if tau == 0.0:
+                law += less * force[i]
+                continue
+            sides[side] = _relaxed(sides[side], less, force[i], h, tau)
+            law += sides[side].q
+        found[i] = phi["whole"] * law + beside
+        if i:
+            work = 0.5 * (found[i - 1] + found[i]) * (u[i] - u[i - 1])
+            count = [_after(one, state, h, work) for one, state in zip(amendments, count, strict=True)]
+    return found
 
 
-def _inside(
-    one: Amendment, law_force: np.ndarray, time: np.ndarray, u: np.ndarray, v: np.ndarray, tau: float
-) -> np.ndarray:
-    """Q + tau Q' = g: for g a polynomial of time over the step, g - tau g' + tau^2 g'' and what fades from it."""
-    force = _beside((one,), np.zeros_like(u), time, u, v, None)
-    phi = _beside((one,), np.ones_like(u), time, u, v, None) - force
-    q = np.empty_like(u)
-    q[0] = (phi[0] - 1.0) * law_force[0] + (0.0 if one.name == "velocity_exponent" else force[0])
-    for i, h in enumerate(np.diff(time)):
-        rate = (law_force[i + 1] - law_force[i]) / h
-        share = np.polynomial.Polynomial([phi[i] - 1.0, (phi[i + 1] - phi[i]) / h])
-        before_relaxing = np.polynomial.Polynomial([law_force[i] + tau * rate, rate])
-        g = share * before_relaxing + np.polynomial.Polynomial([force[i], (force[i + 1] - force[i]) / h])
-        steady = g - tau * g.deriv() + tau**2 * g.deriv(2)
-        q[i + 1] = steady(h) + (q[i] - steady(0.0)) * exp(-h / tau)
-    return q
+class _Relaxing(NamedTuple):
+    """What relaxes, q, of a factor less 1 and a force at the end of a step."""
+
+    q: float
+    factor: float
+    force: float
 
 
-def _beside(
-    amendments: Sequence[Amendment],
-    law_force: np.ndarray,
-    time: np.ndarray,
-    u: np.ndarray,
-    v: np.ndarray,
-    temperature_C: float | None,
-    inside: np.ndarray | float = 0.0,
-) -> np.ndarray:
-    n = time.size
-    h, du = np.diff(time), np.diff(u)
+def _relaxed(
+    last: _Relaxing | None, factor: float, force: float, h: float, tau: float, held: float | None = None
+) -> _Relaxing:
+    """Q + tau Q' = factor (F + tau F') = g, both linear over the step: of a quadratic of time the particular solution
+    is g - tau g' + tau^2 g'', and the rest fades. held: Q at the first sample.
+    """
+    if last is None:
+        return _Relaxing(factor * force if held is None else held, factor, force)
+    change, rate = (factor - last.factor) / h, (force - last.force) / h
+    everything = last.force + tau * rate
+    g = (last.factor * everything, last.factor * rate + change * everything, change * rate)
+    first, slope = g[0] - tau * g[1] + 2.0 * tau**2 * g[2], g[1] - 2.0 * tau * g[2]
+    steady = first + h * (slope + h * g[2])
+    return _Relaxing(steady + (last.q - first) * exp(-h / tau), factor, force)
+
+
+def _counted(one: Amendment, state: float) -> float:
+    """The factor of what counts work, after what it has counted."""
+    p = one.values
+    return exp(-state) if one.name == "self_heating" else 1.0 - p["d"] * (1.0 - exp(-max(state, 0.0) / p["E0"]))
+
+
+def _after(one: Amendment, state: float, h: float, work: float) -> float:
+    """What has been counted after a step; it acts from the next sample on."""
+    p = one.values
+    return state * exp(-h / p["tau_h"]) + p["beta"] * work if one.name == "self_heating" else state + work
+
+
+def _values(
+    one: Amendment, time: np.ndarray, u: np.ndarray, v: np.ndarray, temperature_C: float | None
+) -> np.ndarray | None:
+    """The factor or force (n,) of an amendment; None: it counts work."""
+    h, du, p = np.diff(time), np.diff(u), one.values
     path = np.concatenate(([0.0], np.cumsum(np.abs(du))))
     largest = np.maximum.accumulate(np.abs(u))
-    phi, beside = np.ones(n), np.zeros(n) + inside
-    counted = []
-    for one in amendments:
-        p = one.values
-        match one.kind.name:
-            case "payne.whole":
-                phi *= 1.0 - p["d"] * _broken(p, h, u)
-            case "payne.elastic":
-                beside -= p["k"] * _broken(p, h, u) * u
-            case "mullins.path":
-                phi *= 1.0 + p["m"] * np.exp(-path / p["s0"])
-            case "mullins.maximum":
-                phi *= 1.0 - p["m"] * erf((largest - np.abs(u)) / p["r"])
-            case "mullins.elastic":
-                beside += p["k"] * np.exp(-path / p["s0"]) * u
-            case "temperature_law.exponential":
-                phi *= 1.0 if temperature_C is None else exp(-p["b"] * (temperature_C - p["T0"]))
-            case "temperature_law.wlf":
-                w = 0.0 if temperature_C is None else temperature_C - p["T0"]
-                phi *= exp(-p["b"] * w / (1.0 + p["c"] * w))
-            case "temperature_law.transition":
-                at = [
-                    1.0 / (1.0 + exp(-(degrees - p["Tc"]) / p["w"])) for degrees in (temperature_C or p["T0"], p["T0"])
-                ]
-                phi *= 1.0 - p["d"] * (at[0] - at[1])
-            case "ageing.linear":
-                phi *= 1.0 + p["rate"] * p["n"]
-            case "ageing.logarithmic":
-                phi *= 1.0 + p["rate"] * log(1.0 + p["n"])
-            case "payne.network":
-                phi *= 1.0 - p["d"] * _network(p, h, du)
-            case "mullins.damage":
-                phi *= 1.0 - p["m"] * (1.0 - np.exp(-((largest / p["r"]) ** p["p"])))
-            case "degradation.path":
-                phi *= 1.0 - p["d"] * (path / p["S"]) ** p["p"]
-            case "hardening.power":
-                beside += p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0)
-            case "hardening.threshold":
-                beside += p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u)
-            case "one_sided.factor":
-                phi *= np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
-            case "one_sided.spring":
-                beside += p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"]
-            case "one_sided.contact":
-                x = np.maximum(p["side"] * u - p["u0"], 0.0)
-                beside += p["side"] * p["k"] * x * (x / p["r"]) ** (p["n"] - 1.0)
-            case "one_sided.even":
-                beside += p["k"] * p["r"] * (np.abs(u) / p["r"]) ** p["n"]
-            case "relaxation_branch.maxwell":
-                beside += _branch(p, h, v)
-            case "velocity_exponent.dashpot":
-                beside += p["c"] * np.abs(v) ** p["alpha"] * np.sign(v)
-            case "velocity_exponent.flow":
-                beside += p["f"] * np.arcsinh(v / p["v0"])
-            case _:
-                counted.append(one)
-    return _with_work(counted, phi * law_force, beside, h, du)
+    ones = np.ones_like(u)
+    match one.kind.name:
+        case "payne.whole":
+            ratio = (_envelope(p, h, u) / p["a0"]) ** p["m"]
+            return 1.0 - p["d"] * ratio / (1.0 + ratio)
+        case "payne.exponential":
+            return 1.0 - p["d"] * (1.0 - np.exp(-((_envelope(p, h, u) / p["a0"]) ** p["m"])))
+        case "payne.elastic":
+            ratio = (_envelope(p, h, u) / p["a0"]) ** p["m"]
+            return -p["k"] * ratio / (1.0 + ratio) * u
+        case "payne.network":
+            return 1.0 - p["d"] * _network(p, h, du)
+        case "mullins.path":
+            return 1.0 + p["m"] * np.exp(-path / p["s0"])
+        case "mullins.maximum":
+            return np.asarray(1.0 - p["m"] * erf((largest - np.abs(u)) / p["r"]))
+        case "mullins.damage":
+            return 1.0 - p["m"] * (1.0 - np.exp(-((largest / p["r"]) ** p["p"])))
+        case "mullins.elastic":
+            return p["k"] * np.exp(-path / p["s0"]) * u
+        case "temperature_law.exponential":
+            return ones if temperature_C is None else ones * exp(-p["b"] * (temperature_C - p["T0"]))
+        case "temperature_law.wlf":
+            w = 0.0 if temperature_C is None else temperature_C - p["T0"]
+            return ones * exp(-p["b"] * w / (1.0 + p["c"] * w))
+        case "temperature_law.transition":
+            at = [1.0 / (1.0 + exp(-(degrees - p["Tc"]) / p["w"])) for degrees in (temperature_C or p["T0"], p["T0"])]
+            return ones * (1.0 - p["d"] * (at[0] - at[1]))
+        case "ageing.linear":
+            return ones * (1.0 + p["rate"] * p["n"])
+        case "ageing.logarithmic":
+            return ones * (1.0 + p["rate"] * log(1.0 + p["n"]))
+        case "degradation.path":
+            return 1.0 - p["d"] * (path / p["S"]) ** p["p"]
+        case "hardening.power":
+            return p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0)
+        case "hardening.exponential":
+            return p["k"] * u * (np.exp((u / p["u0"]) ** 2) - 1.0)
+        case "hardening.threshold":
+            return p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u)
+        case "one_sided.factor":
+            return np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
+        case "one_sided.spring":
+            return p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"]
+        case "one_sided.contact":
+            x = np.maximum(p["side"] * u - p["u0"], 0.0)
+            return p["side"] * p["k"] * x * (x / p["r"]) ** (p["n"] - 1.0)
+        case "one_sided.even":
+            return p["k"] * p["r"] * (np.abs(u) / p["r"]) ** p["n"]
+        case "relaxation_branch.maxwell":
+            return _branch(p, h, v)
+        case "velocity_exponent.dashpot":
+            return p["c"] * np.abs(v) ** p["alpha"] * np.sign(v)
+        case "velocity_exponent.flow":
+            return p["f"] * np.arcsinh(v / p["v0"])
+        case "friction.coulomb":
+            return p["F_c"] * np.tanh(v / p["v0"])
+        case "friction.stribeck":
+            return p["F_c"] * (1.0 + p["s"] * np.exp(-((v / p["v_s"]) ** 2))) * np.tanh(10.0 * v / p["v_s"])
+        case "friction.presliding":
+            return p["F_c"] * _dahl(p["x0"], h, u, v)
+        case "degradation.energy" | "self_heating.rate":
+            return None
+    raise KeyError(one.kind.name)
 
 
-def _broken(p: dict[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarray:
+def _envelope(p: Mapping[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarray:
     a = np.empty_like(u)
     a[0] = abs(u[0])
     for i, step in enumerate(h):
         a[i + 1] = max(abs(u[i + 1]), a[i] * exp(-step / p["tau_a"]))
-    ratio = (a / p["a0"]) ** p["m"]
-    return ratio / (1.0 + ratio)
+    return a
 
 
-def _network(p: dict[str, float], h: np.ndarray, du: np.ndarray) -> np.ndarray:
+def _dahl(x0: float, h: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """z/x0, z' = v - |v| z/x0: exponential over the ways between the turns of the cubics between samples."""
+    z = np.zeros_like(u)
+    for i, step in enumerate(h):
+        cubic = CubicHermiteSpline([0.0, step], u[i : i + 2], v[i : i + 2])
+        turns = [s for s in cubic.derivative().roots(extrapolate=False) if 0.0 < s < step]
+        places = cubic([0.0, *sorted(turns), step])
+        now = z[i]
+        for way in np.diff(places):
+            now = np.sign(way) + (now - np.sign(way)) * exp(-abs(way) / x0)
+        z[i + 1] = now
+    return z
+
+
+def _network(p: Mapping[str, float], h: np.ndarray, du: np.ndarray) -> np.ndarray:
     """x' = (1 - x) |v|/s0 - x/tau, |v| constant over a step."""
     x = np.zeros(h.size + 1)
     for i, step in enumerate(h):
@@ -175,7 +268,7 @@ def _network(p: dict[str, float], h: np.ndarray, du: np.ndarray) -> np.ndarray:
     return x
 
 
-def _branch(p: dict[str, float], h: np.ndarray, v: np.ndarray) -> np.ndarray:
+def _branch(p: Mapping[str, float], h: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Q' + Q/tau = k v: the particular solution of a linear velocity is k tau (v - tau v')."""
     k, tau = p["k"], p["tau"]
     q = np.zeros_like(v)
@@ -183,25 +276,3 @@ def _branch(p: dict[str, float], h: np.ndarray, v: np.ndarray) -> np.ndarray:
         slope = (v[i + 1] - v[i]) / step
         q[i + 1] = exp(-step / tau) * (q[i] - k * tau * (v[i] - tau * slope)) + k * tau * (v[i + 1] - tau * slope)
     return q
-
-
-def _with_work(
-    counted: Sequence[Amendment], force: np.ndarray, beside: np.ndarray, h: np.ndarray, du: np.ndarray
-) -> np.ndarray:
-    """Times the factors of work and heat, which act from the next sample on, and what stands beside."""
-    state = [0.0] * len(counted)
-    found = np.empty_like(force)
-    for i in range(force.size):
-        phi = 1.0
-        for one, x in zip(counted, state, strict=True):
-            p = one.values
-            phi *= exp(-x) if one.name == "self_heating" else 1.0 - p["d"] * (1.0 - exp(-max(x, 0.0) / p["E0"]))
-        found[i] = phi * force[i] + beside[i]
-        if i == 0:
-            continue
-        work = 0.5 * (found[i - 1] + found[i]) * du[i - 1]
-        for j, one in enumerate(counted):
-            p = one.values
-            heats = one.name == "self_heating"
-            state[j] = state[j] * exp(-h[i - 1] / p["tau_h"]) + p["beta"] * work if heats else state[j] + work
-    return found

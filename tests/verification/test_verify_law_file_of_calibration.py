@@ -20,6 +20,7 @@ from edesign.calibrate.fit import Model, fit
 from edesign.calibrate.problem import Candidate, PredictionError
 from edesign.calibrate.result import Calibration, Errors, Estimate, Series
 from edesign.calibrate.write import law_text
+from edesign.damper.amendment_kinds import placed_form
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
@@ -113,7 +114,8 @@ def difference(form: Form, folder: Path, of: DamperProblem) -> tuple[float, floa
     path.write_text(law_text(calibration(of, candidate, values), CAMPAIGN), encoding="utf-8")
     trial = of.trials[order]
     found = resolve(*read_law_file(path), float(trial.temperature[0]))
-    assert [one.kind.name for one in found.amendments] == [f"{form.name}.{getattr(form, 'amendment_form', form.form)}"]
+    carried, placement = placed_form(form.name, getattr(form, "amendment_form", form.form))
+    assert [(one.kind.name, one.placement) for one in found.amendments] == [(f"{form.name}.{carried}", placement)]
     damper = Damper(found.law, found.values, amendments=found.amendments, temperature_C=found.temperature_C)
     force = damper.force(trial.motion.time, trial.motion.displacement, trial.motion.velocity)
     expected = predicted(of, [(candidate, np.array(values))], order)

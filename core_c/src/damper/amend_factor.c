@@ -3,12 +3,20 @@
 
 #include <math.h>
 
+/* The envelope of the deformation, which fades with time constant tau. */
+static double envelope(double tau, double before, const ed_ends *ends, double *after, double *by_u1)
+{
+  const double now = fabs(ends->u1), faded = before * exp(-ends->h / tau);
+  *after = fmax(now, faded);
+  *by_u1 = now >= faded ? ed_sign(ends->u1) : 0.0;
+  return *after;
+}
+
 double ed_payne_share(double a0, double m, double tau, double before, const ed_ends *ends, double *after, double *by_u1)
 {
-  const double now = fabs(ends->u1), faded = before * exp(-ends->h / tau), a = fmax(now, faded);
-  const double power = pow(a / a0, m), g = power / (1.0 + power);
-  *after = a;
-  *by_u1 = now >= faded && a > 0.0 ? m * g / (1.0 + power) / a * ed_sign(ends->u1) : 0.0;
+  double a_by_u1;
+  const double a = envelope(tau, before, ends, after, &a_by_u1), power = pow(a / a0, m), g = power / (1.0 + power);
+  *by_u1 = a > 0.0 ? m * g / (1.0 + power) / a * a_by_u1 : 0.0;
   return g;
 }
 
@@ -39,6 +47,18 @@ static void payne_whole(const double *p, double before, const ed_ends *ends, dou
 const ed_amendment_kind ed_amend_payne_whole = {
     .name = "payne.whole", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_whole};
 
+static void payne_exponential(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_PAYNE_EXPONENTIAL_PARAMETERS };
+  double by_u1;
+  const double a = envelope(p[TAU_A], before, ends, after, &by_u1), power = pow(a / p[A0], p[M]);
+  out->value = 1.0 + p[D] * expm1(-power);
+  out->by_u1 = a > 0.0 ? -p[D] * exp(-power) * p[M] * power / a * by_u1 : 0.0;
+}
+
+const ed_amendment_kind ed_amend_payne_exponential = {
+    .name = "payne.exponential", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_exponential};
+
 /* The filler network breaks along the path and heals in time, the speed constant over the step: x' = (1 - x) |du|/(h s0) - x/tau. */
 static void payne_network(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
@@ -53,6 +73,12 @@ static void payne_network(const double *p, double before, const ed_ends *ends, d
 const ed_amendment_kind ed_amend_payne_network = {
     .name = "payne.network", .is_factor = 1, .has_state = 1, .on_speed = 1, .at_end = payne_network};
 
+/* exp(-s'/s0) = left + recovery (1 - left), left = exp(-s/s0) */
+double ed_path_rested(double s0, double recovery, double before)
+{
+  return recovery > 0.0 ? -s0 * log(recovery + (1.0 - recovery) * exp(-before / s0)) : before;
+}
+
 static void mullins_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_MULLINS_PATH_PARAMETERS };
@@ -60,7 +86,14 @@ static void mullins_path(const double *p, double before, const ed_ends *ends, do
   out->by_u1 *= p[M];
 }
 
-const ed_amendment_kind ed_amend_mullins_path = {.name = "mullins.path", .is_factor = 1, .has_state = 1, .at_end = mullins_path};
+static double mullins_path_rested(const double *p, double before)
+{
+  enum { ED_AMEND_MULLINS_PATH_PARAMETERS };
+  return ed_path_rested(p[S0], p[RECOVERY], before);
+}
+
+const ed_amendment_kind ed_amend_mullins_path = {
+    .name = "mullins.path", .is_factor = 1, .has_state = 1, .at_end = mullins_path, .rested = mullins_path_rested};
 
 /* Pseudo-elasticity [Ogden & Roxburgh 1999] with the deformation in place of the energy. */
 static void mullins_maximum(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
@@ -72,7 +105,14 @@ static void mullins_maximum(const double *p, double before, const ed_ends *ends,
   out->by_u1 = u < before ? p[M] * M_2_SQRTPI * exp(-below * below) / p[R] * ed_sign(ends->u1) : 0.0;
 }
 
-const ed_amendment_kind ed_amend_mullins_maximum = {.name = "mullins.maximum", .is_factor = 1, .has_state = 1, .at_end = mullins_maximum};
+static double mullins_maximum_rested(const double *p, double before)
+{
+  enum { ED_AMEND_MULLINS_MAXIMUM_PARAMETERS };
+  return (1.0 - p[RECOVERY]) * before;
+}
+
+const ed_amendment_kind ed_amend_mullins_maximum = {
+    .name = "mullins.maximum", .is_factor = 1, .has_state = 1, .at_end = mullins_maximum, .rested = mullins_maximum_rested};
 
 /* Discontinuous damage [Simo 1987] with the deformation in place of the energy. */
 static void mullins_damage(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
@@ -84,7 +124,14 @@ static void mullins_damage(const double *p, double before, const ed_ends *ends, 
   out->by_u1 = u >= before && u > 0.0 ? -p[M] * exp(-power) * p[P] * power / u * ed_sign(ends->u1) : 0.0;
 }
 
-const ed_amendment_kind ed_amend_mullins_damage = {.name = "mullins.damage", .is_factor = 1, .has_state = 1, .at_end = mullins_damage};
+static double mullins_damage_rested(const double *p, double before)
+{
+  enum { ED_AMEND_MULLINS_DAMAGE_PARAMETERS };
+  return (1.0 - p[RECOVERY]) * before;
+}
+
+const ed_amendment_kind ed_amend_mullins_damage = {
+    .name = "mullins.damage", .is_factor = 1, .has_state = 1, .at_end = mullins_damage, .rested = mullins_damage_rested};
 
 static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {

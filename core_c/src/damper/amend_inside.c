@@ -18,26 +18,31 @@ static shares shares_of(double h, double tau)
   return (shares){decay, gain[0] - gain[1], gain[1]};
 }
 
-void ed_amend_inside(const ed_amendment *one, const ed_amended *found, double h, double law0, double law1, const double *before,
-                     double *after, ed_amended *beside, double *by_law)
+enum { RELAXING, LAST }; /* what relaxes, and the last force, or factor less 1 */
+
+void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, double law0, double law1, const double before[2],
+                             double after[2], ed_amended *beside, double *by_law)
 {
-  const shares of = shares_of(h, one->tau);
-  const double relaxed = of.decay * before[one->relaxed], last = before[one->relaxed + 1];
-  if (one->kind->is_factor) {
-    const double now = found->value - 1.0, change = now - last, mean = of.first * law0 + of.last * law1, left = law1 - mean;
-    after[one->relaxed] = relaxed - change * mean;
-    after[one->relaxed + 1] = now;
-    beside->value += now * law1 + after[one->relaxed];
-    beside->by_u1 += found->by_u1 * left;
-    *by_law += now - change * of.last;
-    return;
-  }
-  const double time = h / one->tau, share = time * of.last;
-  after[one->relaxed] = relaxed + time * of.first * last + share * found->value;
-  after[one->relaxed + 1] = found->value;
-  beside->value += after[one->relaxed];
+  const shares of = shares_of(h, tau);
+  const double now = found->value - 1.0, change = now - before[LAST], mean = of.first * law0 + of.last * law1, left = law1 - mean;
+  after[RELAXING] = of.decay * before[RELAXING] - change * mean;
+  after[LAST] = now;
+  beside->value += now * law1 + after[RELAXING];
+  beside->by_u1 += found->by_u1 * left;
+  *by_law += now - change * of.last;
+}
+
+void ed_amend_relaxed_force(double tau, const ed_amended *found, double h, const double before[2], double after[2], ed_amended *beside)
+{
+  const shares of = shares_of(h, tau);
+  const double time = h / tau, share = time * of.last;
+  after[RELAXING] = of.decay * before[RELAXING] + time * of.first * before[LAST] + share * found->value;
+  after[LAST] = found->value;
+  beside->value += after[RELAXING];
   beside->by_u1 += share * found->by_u1;
   beside->by_v0 += share * found->by_v0;
   beside->by_v1 += share * found->by_v1;
   beside->chord += share * found->chord;
+  for (int j = 0; j < 2; j++)
+    beside->by_path[j] += share * found->by_path[j];
 }

@@ -25,7 +25,14 @@ static void mullins_elastic(const double *p, double before, const ed_ends *ends,
   out->by_u1 = p[K] * (share + by_u1 * ends->u1);
 }
 
-const ed_amendment_kind ed_amend_mullins_elastic = {.name = "mullins.elastic", .has_state = 1, .at_end = mullins_elastic};
+static double mullins_elastic_rested(const double *p, double before)
+{
+  enum { ED_AMEND_MULLINS_ELASTIC_PARAMETERS };
+  return ed_path_rested(p[S0], p[RECOVERY], before);
+}
+
+const ed_amendment_kind ed_amend_mullins_elastic = {
+    .name = "mullins.elastic", .has_state = 1, .at_end = mullins_elastic, .rested = mullins_elastic_rested};
 
 static void hardening_power(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
@@ -37,6 +44,17 @@ static void hardening_power(const double *p, double before, const ed_ends *ends,
 }
 
 const ed_amendment_kind ed_amend_hardening_power = {.name = "hardening.power", .at_end = hardening_power};
+
+static void hardening_exponential(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_HARDENING_EXPONENTIAL_PARAMETERS };
+  (void)before, (void)after;
+  const double x = ends->u1 / p[U0], more = expm1(x * x);
+  out->value = p[K] * more * ends->u1;
+  out->by_u1 = p[K] * (more + 2.0 * x * x * (1.0 + more));
+}
+
+const ed_amendment_kind ed_amend_hardening_exponential = {.name = "hardening.exponential", .at_end = hardening_exponential};
 
 static void hardening_threshold(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {

@@ -35,19 +35,45 @@ static const ed_amendment_kind *kind_of(int id)
       [ED_AMEND_DEGRADATION_PATH] = &ed_amend_degradation_path,
       [ED_AMEND_ONE_SIDED_CONTACT] = &ed_amend_one_sided_contact,
       [ED_AMEND_ONE_SIDED_EVEN] = &ed_amend_one_sided_even,
+      [ED_AMEND_PAYNE_EXPONENTIAL] = &ed_amend_payne_exponential,
+      [ED_AMEND_HARDENING_EXPONENTIAL] = &ed_amend_hardening_exponential,
+      [ED_AMEND_FRICTION_COULOMB] = &ed_amend_friction_coulomb,
+      [ED_AMEND_FRICTION_PRESLIDING] = &ed_amend_friction_presliding,
+      [ED_AMEND_FRICTION_STRIBECK] = &ed_amend_friction_stribeck,
   };
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
 }
 
-static int check(const ed_damper *damper, const ed_amendment_kind *kind, int id, int inside, int n_parameters, const double *parameters,
-                 char message[ED_DAMPER_MESSAGE])
+/* Whether a placement is that of one side of the law. */
+static int of_side(int placement)
 {
-  if (inside && !damper->law->relaxation_time) {
+  return placement == ED_PLACE_SPRINGS || placement == ED_PLACE_DASHPOTS;
+}
+
+static int check_placement(const ed_damper *damper, const ed_amendment_kind *kind, int placement, char message[ED_DAMPER_MESSAGE])
+{
+  const char *law = damper->law->name;
+  if (placement == ED_PLACE_INSIDE && !damper->law->relaxation_time)
     snprintf(message, ED_DAMPER_MESSAGE,
-             "amendment %s: it can stand inside a law that relaxes all of its forces, as mgmm does, but law %s does not", kind->name,
-             damper->law->name);
-    return ED_E_ARGUMENT;
-  }
+             "amendment %s: it can stand inside a law that relaxes all of its forces, as mgmm does, but law %s does not", kind->name, law);
+  else if (of_side(placement) && !kind->is_factor)
+    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: it is a force of its own, and only factors act on springs or dashpots alone",
+             kind->name);
+  else if (of_side(placement) && !damper->law->without_dashpots)
+    snprintf(message, ED_DAMPER_MESSAGE,
+             "amendment %s: it can act on springs or dashpots alone of a law whose force is a sum of both, as that of kelvin_voigt or mgmm "
+             "is, but that of law %s is not", kind->name, law);
+  else
+    return ED_OK;
+  return ED_E_ARGUMENT;
+}
+
+static int check(const ed_damper *damper, const ed_amendment_kind *kind, int id, int placement, int n_parameters,
+                 const double *parameters, char message[ED_DAMPER_MESSAGE])
+{
+  const int placed = check_placement(damper, kind, placement, message);
+  if (placed != ED_OK)
+    return placed;
   if (damper->brace > 0.0 && !ed_damper_is_braced(damper)) {
     snprintf(message, ED_DAMPER_MESSAGE,
              "amendment %s: law %s is integrated together with its brace, so that no amendment can stand between them; the brace "
@@ -61,7 +87,7 @@ static int check(const ed_damper *damper, const ed_amendment_kind *kind, int id,
   return status;
 }
 
-int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_parameters, const double *parameters,
+int ed_damper_add_amendment(ed_damper *damper, int id, int placement, int n_parameters, const double *parameters,
                             char message[ED_DAMPER_MESSAGE])
 {
   const ed_amendment_kind *kind = kind_of(id);
@@ -69,44 +95,60 @@ int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_paramet
     snprintf(message, ED_DAMPER_MESSAGE, "there is no amendment %d", id);
     return ED_E_ID;
   }
-  const int status = check(damper, kind, id, inside, n_parameters, parameters, message);
+  if (placement != ED_PLACE_WHOLE && placement != ED_PLACE_INSIDE && !of_side(placement)) {
+    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: there is no placement %d", kind->name, placement);
+    return ED_E_ID;
+  }
+  int status = check(damper, kind, id, placement, n_parameters, parameters, message);
   if (status != ED_OK)
     return status;
   ed_amendment *grown = realloc(damper->amendments, ((size_t)damper->n_amendments + 1) * sizeof *grown);
-  if (!grown) {
+  if (grown)
+    damper->amendments = grown;
+  const int splits = of_side(placement) && !damper->springs;
+  status = !grown ? ED_E_MEMORY : splits ? ed_sides_new(damper, message) : ED_OK;
+  if (status == ED_E_MEMORY)
     snprintf(message, ED_DAMPER_MESSAGE, "out of memory");
-    return ED_E_MEMORY;
-  }
+  if (status != ED_OK)
+    return status;
   if (damper->n_amendments == 0)
     damper->n_amended = FIRST_STATE;
-  damper->amendments = grown;
+  if (splits) {
+    damper->at_sides = damper->n_amended;
+    damper->n_amended += ed_sides_size(damper);
+  }
   ed_amendment *added = &grown[damper->n_amendments++];
-  *added = (ed_amendment){.kind = kind, .state = damper->n_amended};
+  *added = (ed_amendment){.kind = kind, .placement = placement, .state = damper->n_amended};
   memcpy(added->parameter, parameters, (size_t)n_parameters * sizeof *parameters);
   damper->n_amended += kind->has_state;
-  if (inside) {
+  if (placement == ED_PLACE_INSIDE) {
     added->tau = damper->law->relaxation_time(damper);
     added->relaxed = damper->n_amended;
     damper->n_amended += 2;
   }
-  damper->rate_independent &= !kind->on_speed && !inside;
+  damper->rate_independent &= !kind->on_speed && placement == ED_PLACE_WHOLE;
   return ED_OK;
 }
 
 void ed_amendments_start(const ed_damper *damper, double *state, int begun)
 {
-  double *own = state + damper->n_ode + damper->n_memory, unused = 0.0;
+  double *own = state + damper->n_ode + damper->n_memory, unused = 0.0, side[ED_SIDES] = {1.0, 1.0};
   if (damper->n_amendments > 0)
     own[BEGUN] = begun;
   for (int i = 0; i < damper->n_amendments; i++) {
     const ed_amendment *one = &damper->amendments[i];
     const ed_ends rest = {.h = 1.0};
     ed_amended found = {0};
-    if (one->tau > 0.0) {
-      one->kind->at_end(one->parameter, 0.0, &rest, &unused, &found);
+    if (one->placement == ED_PLACE_WHOLE)
+      continue;
+    one->kind->at_end(one->parameter, 0.0, &rest, &unused, &found);
+    if (one->placement == ED_PLACE_INSIDE)
       own[one->relaxed + 1] = one->kind->is_factor ? found.value - 1.0 : found.value;
-    }
+    else
+      side[one->placement - ED_PLACE_SPRINGS] *= found.value;
   }
+  if (damper->springs)
+    ed_sides_start(damper, side, own + damper->at_sides);
 }
 
 void ed_amendments_keep(const ed_damper *damper, const double *before, double *state)
@@ -125,9 +167,11 @@ void ed_amendments_jump(const ed_damper *damper, double *state, const double *af
     return;
   state[first + FORCE] = after[first + FORCE];
   state[first + LAW_FORCE] = after[first + LAW_FORCE];
+  if (damper->springs)
+    ed_sides_jump(state + first + damper->at_sides, after + first + damper->at_sides);
   for (int i = 0; i < damper->n_amendments; i++) {
     const ed_amendment *one = &damper->amendments[i];
-    if (one->tau > 0.0 && !one->kind->is_factor)
+    if (one->placement == ED_PLACE_INSIDE && !one->kind->is_factor)
       state[first + one->relaxed + 1] = after[first + one->relaxed + 1];
   }
 }
@@ -145,6 +189,19 @@ static void add(ed_amended *sum, const ed_amended *force)
   sum->by_v0 += force->by_v0;
   sum->by_v1 += force->by_v1;
   sum->chord += force->chord;
+  for (int j = 0; j < 2; j++)
+    sum->by_path[j] += force->by_path[j];
+}
+
+/* What one that is `found` at the end of a step makes inside the law. */
+static void add_inside(const ed_amendment *one, const ed_amended *found, double h, double law0, double law1, const double *before,
+                       double *after, ed_amended *beside, double *by_law)
+{
+  const int at = one->relaxed;
+  if (one->kind->is_factor)
+    ed_amend_relaxed_factor(one->tau, found, h, law0, law1, before + at, after + at, beside, by_law);
+  else
+    ed_amend_relaxed_force(one->tau, found, h, before + at, after + at, beside);
 }
 
 /* Factors depend on the deformation alone, parallel forces on the velocities too. All of the force works. */
@@ -154,23 +211,32 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
   const int first = damper->n_ode + damper->n_memory;
   const double *before = committed + first, h = path->h, u1 = ed_path_u(path, h);
   double *after = trial + first;
-  const ed_ends ends = {.h = h, .du = before[BEGUN] != 0.0 ? u1 - path->c[0] : 0.0, .u1 = u1, .v0 = path->c[1],
-                        .v1 = ed_path_v(path, h), .jump = damper->brace + damper->joint > 0.0 ? JUMP : 0.0};
-  ed_amended factor = {.value = 1.0}, beside = {0};
+  const int counts = before[BEGUN] != 0.0;
+  const ed_ends ends = {.h = h, .du = counts ? u1 - path->c[0] : 0.0, .u1 = u1, .v0 = path->c[1], .v1 = ed_path_v(path, h),
+                        .jump = damper->brace + damper->joint > 0.0 ? JUMP : 0.0, .path = counts ? path : NULL, .direction = direction};
+  ed_amended factor = {.value = 1.0}, side[ED_SIDES] = {{.value = 1.0}, {.value = 1.0}}, beside = {0};
+  ed_damper_force sides = {0};
   double by_law = 0.0;
   for (int i = 0; i < damper->n_amendments; i++) {
     const ed_amendment *one = &damper->amendments[i];
     double unused = 0.0, *state = one->kind->has_state ? &after[one->state] : &unused;
     ed_amended found = {0};
     one->kind->at_end(one->parameter, one->kind->has_state ? before[one->state] : 0.0, &ends, state, &found);
-    if (one->tau > 0.0)
-      ed_amend_inside(one, &found, h, before[LAW_FORCE], out->force, before, after, &beside, &by_law);
+    if (one->placement == ED_PLACE_INSIDE)
+      add_inside(one, &found, h, before[LAW_FORCE], out->force, before, after, &beside, &by_law);
+    else if (of_side(one->placement))
+      multiply(&side[one->placement - ED_PLACE_SPRINGS], &found);
     else if (one->kind->is_factor)
       multiply(&factor, &found);
     else
       add(&beside, &found);
   }
-  const double force = factor.value * out->force + beside.value, work = 0.5 * (before[FORCE] + force) * ends.du;
+  const int status = damper->springs ? ed_sides_act(damper, before + damper->at_sides, before[LAW_FORCE], path, direction, side,
+                                                    after + damper->at_sides, out, &sides)
+                                     : ED_OK;
+  if (status != ED_OK)
+    return status;
+  const double law = out->force + sides.force, force = factor.value * law + beside.value, work = 0.5 * (before[FORCE] + force) * ends.du;
   for (int i = 0; i < damper->n_amendments; i++) {
     const ed_amendment *one = &damper->amendments[i];
     if (one->kind->worked)
@@ -182,9 +248,9 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
   const double of_law = factor.value + by_law;
   for (int j = 0; j < 2; j++) {
     const double u = ed_path_u(&direction[j], h), v0 = direction[j].c[1], v1 = ed_path_v(&direction[j], h);
-    out->slope[j] = of_law * out->slope[j] + out->force * factor.by_u1 * u + beside.by_u1 * u + beside.by_v0 * v0 +
-                    beside.by_v1 * v1;
-    out->chord[j] = of_law * out->chord[j] + beside.chord * v1;
+    out->slope[j] = of_law * out->slope[j] + factor.value * sides.slope[j] + law * factor.by_u1 * u + beside.by_u1 * u +
+                    beside.by_v0 * v0 + beside.by_v1 * v1 + beside.by_path[j];
+    out->chord[j] = of_law * out->chord[j] + factor.value * sides.chord[j] + beside.chord * v1;
   }
   out->force = force;
   return isfinite(out->force + out->slope[0] + out->slope[1]) ? ED_OK : ED_E_NOT_FINITE;

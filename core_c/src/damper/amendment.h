@@ -1,5 +1,6 @@
-/* Amendments of a damper law: effects that its tests showed and the law has not. The force is phi F_law + parallel forces, phi the
- * product of the factors. Drivers (largest deformation, path, work ...) are those of the ends of steps. Private to amend*.c. */
+/* Amendments of a damper law: effects that its tests showed and the law has not. An equation, which is a factor or a force, acts at a
+ * placement: the force is phi F_law + parallel forces, phi the product of the factors of the whole law, or what stands inside the law or acts
+ * on its springs or dashpots alone. Drivers (largest deformation, path, work ...) are those of the ends of steps. Private to amend*.c. */
 #ifndef ED_AMENDMENT_H
 #define ED_AMENDMENT_H
 
@@ -7,14 +8,16 @@
 #include "damper/law.h"
 
 /* A step by its two ends; du: from the one to the other, as far as it counts. jump: deformation over which a force that jumps rises,
- * 0 unless a brace must find its balance inside the jump. */
+ * 0 unless a brace must find its balance inside the jump. path, direction: the way between them, or NULL where it does not count. */
 typedef struct {
   double h, du, u1, v0, v1, jump;
+  const ed_path *path, *direction;
 } ed_ends;
 
-/* A factor or a force at the end of a step, with its derivatives; chord: what comes to by_v1 as in ed_damper_force. */
+/* A factor or a force at the end of a step, with its derivatives; chord: what comes to by_v1 as in ed_damper_force. by_path: to the two
+ * unknowns of the path, of a force that knows more of it than its ends. */
 typedef struct {
-  double value, by_u1, by_v0, by_v1, chord;
+  double value, by_u1, by_v0, by_v1, chord, by_path[2];
 } ed_amended;
 
 typedef struct {
@@ -26,40 +29,61 @@ typedef struct {
   void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out);
   /* The state after a step in which the law, with all factors, has done this work. NULL: none is counted. */
   double (*worked)(const double *p, double before, double h, double work);
+  /* What the next test of a specimen begins with after this state, but for what time alone changes. NULL: all of it. */
+  double (*rested)(const double *p, double before);
 } ed_amendment_kind;
 
 struct ed_amendment {
   const ed_amendment_kind *kind;
-  int state;   /* its place among the amendments' state */
-  double tau;  /* of the law that it stands inside; 0: it stands beside the law */
-  int relaxed; /* inside: the place of what relaxes, and behind it of the last force, or factor less 1 */
+  int placement; /* ED_PLACE_* */
+  int state;     /* its place among the amendments' state */
+  double tau;    /* of the law that it stands inside; 0: it does not stand inside it */
+  int relaxed;   /* inside: the place of what relaxes, and behind it of the last force, or factor less 1 */
   double parameter[ED_MOST_AMENDMENT_PARAMETERS];
 };
 
 /* amend_factor.c */
 extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend_mullins_path, ed_amend_mullins_maximum,
     ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor, ed_amend_payne_network, ed_amend_mullins_damage,
-    ed_amend_degradation_path;
+    ed_amend_degradation_path, ed_amend_payne_exponential;
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
     ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
-    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even;
+    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential;
+/* amend_friction.c */
+extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck;
 
 static inline double ed_sign(double x)
 {
   return (double)((x > 0.0) - (x < 0.0));
 }
 
-/* amend_inside.c: of what `one` is at the end of a step, `found`, the force that it makes inside the law. law0, law1: force of the law at
- * both ends; before, after: the amendments' state. Adds to the force beside the law with its derivatives, and to by_law its derivative to
- * law1. */
-void ed_amend_inside(const ed_amendment *one, const ed_amended *found, double h, double law0, double law1, const double *before,
-                     double *after, ed_amended *beside, double *by_law);
+/* amend_inside.c: what a force, or a factor of a force, makes inside a law that relaxes with tau, of what it is at the end of a step,
+ * `found`. before, after: what relaxes, and the last force, or factor less 1; law0, law1: the force with the factor at both ends. Adds to the
+ * force beside the law with its derivatives, and to by_law its derivative to law1. */
+void ed_amend_relaxed_force(double tau, const ed_amended *found, double h, const double before[2], double after[2], ed_amended *beside);
+void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, double law0, double law1, const double before[2],
+                             double after[2], ed_amended *beside, double *by_law);
+
+/* amend_sides.c: the first side are the springs of the law, the other its dashpots; ED_PLACE_SPRINGS is that of the first. */
+enum { ED_SIDES = 2 };
+/* Gives a damper the law without dashpots, which has one. ED_E_MEMORY and what `prepare` returns. */
+int ed_sides_new(ed_damper *damper, char message[ED_DAMPER_MESSAGE]);
+int ed_sides_size(const ed_damper *damper); /* doubles of state */
+/* Of a state that is all zero; factor: of each side at rest. */
+void ed_sides_start(const ed_damper *damper, const double factor[ED_SIDES], double *own);
+void ed_sides_jump(double *own, const double *after); /* as ed_amendments_jump */
+/* Adds to `out`, with its derivatives, what the factors change of the law's force. before, after: the state of the sides; law0: the law's
+ * force at the beginning of the path; law: that at its end. */
+int ed_sides_act(const ed_damper *damper, const double *before, double law0, const ed_path *path, const ed_path direction[2],
+                 const ed_amended factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out);
 
 /* Payne effect: the share g of the softening at the envelope a of the deformation, which fades with time constant tau.
  * g = (a/a0)^m / (1 + (a/a0)^m) [Kraus 1984]. */
 double ed_payne_share(double a0, double m, double tau, double before, const ed_ends *ends, double *after, double *by_u1);
 /* The path of the deformation: exp(-s/s0). */
 double ed_path_share(double s0, double before, const ed_ends *ends, double *after, double *by_u1);
+/* The path that counts in the next test, of which a rest has healed the share `recovery` of what the path took. */
+double ed_path_rested(double s0, double recovery, double before);
 
 #endif

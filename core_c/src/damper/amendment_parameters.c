@@ -28,23 +28,33 @@ const ed_parameters ed_amendment_parameters[] = {
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
                                              {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"tau", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_PAYNE_EXPONENTIAL] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"a0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"m", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"tau_a", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_MULLINS_PATH] =
-        {.n = 2,
+        {.n = 3,
          .parameter = (const ed_parameter[]){{"m", -1.0, INFINITY, 0, 1, 0, NULL},
-                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_AMEND_MULLINS_MAXIMUM] =
-        {.n = 2,
-         .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
-                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
-    [ED_AMEND_MULLINS_DAMAGE] =
         {.n = 3,
          .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
                                              {"r", 0.0, INFINITY, 0, 1, 0, NULL},
-                                             {"p", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
+    [ED_AMEND_MULLINS_DAMAGE] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"p", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_AMEND_MULLINS_ELASTIC] =
-        {.n = 2,
+        {.n = 3,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
-                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_AMEND_DEGRADATION_ENERGY] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
@@ -63,6 +73,10 @@ const ed_parameters ed_amendment_parameters[] = {
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"p", 1.0, INFINITY, 1, 1, 0, NULL},
                                              {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HARDENING_EXPONENTIAL] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"u0", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_HARDENING_THRESHOLD] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
@@ -100,4 +114,17 @@ const ed_parameters ed_amendment_parameters[] = {
         {.n = 2,
          .parameter = (const ed_parameter[]){{"f", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_FRICTION_COULOMB] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_FRICTION_PRESLIDING] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"x0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_FRICTION_STRIBECK] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"s", 0.0, INFINITY, 1, 1, 0, NULL},
+                                             {"v_s", 0.0, INFINITY, 0, 1, 0, NULL}}},
 };

@@ -49,10 +49,10 @@ static int maxwell(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   return ed_prony_prepare(damper, &series, message);
 }
 
-#define LAW(law, prepares) \
+#define LAW(law, prepares, springs) \
   {.name = law, .prepare = prepares, .step = ed_prony_step, \
-   .rate = ed_prony_rate}
+   .rate = ed_prony_rate, .without_dashpots = springs}
 
-const ed_law ed_fractional_kelvin = LAW("fractional_kelvin", kelvin);
-const ed_law ed_fractional_zener = LAW("fractional_zener", zener);
-const ed_law ed_fractional_maxwell = LAW("fractional_maxwell", maxwell);
+const ed_law ed_fractional_kelvin = LAW("fractional_kelvin", kelvin, ed_prony_without_dashpots);
+const ed_law ed_fractional_zener = LAW("fractional_zener", zener, ed_prony_without_dashpots);
+const ed_law ed_fractional_maxwell = LAW("fractional_maxwell", maxwell, NULL);

@@ -21,10 +21,10 @@ ed_damper *ed_damper_new(int law, int n_parameters, const double *parameters, do
   return NULL;
 }
 
-int ed_damper_amend(ed_damper *damper, int kind, int inside, int n_parameters, const double *parameters, char *message, int size)
+int ed_damper_amend(ed_damper *damper, int kind, int placement, int n_parameters, const double *parameters, char *message, int size)
 {
   char text[ED_DAMPER_MESSAGE] = "";
-  const int status = ed_damper_add_amendment(damper, kind, inside, n_parameters, parameters, text);
+  const int status = ed_damper_add_amendment(damper, kind, placement, n_parameters, parameters, text);
   if (status != ED_OK && size > 0)
     snprintf(message, (size_t)size, "%s", text);
   return status;
@@ -36,6 +36,8 @@ int ed_damper_been(ed_damper *damper, const double extremes[4])
     if (!isfinite(extremes[i]) || (i % 2 ? extremes[i] > 0.0 : extremes[i] < 0.0))
       return ED_E_ARGUMENT;
   memcpy(damper->been, extremes, sizeof damper->been);
+  if (damper->springs)
+    memcpy(damper->springs->been, extremes, sizeof damper->been);
   return ED_OK;
 }
 

@@ -84,8 +84,13 @@ int ed_damper_prepare(ed_damper *damper, int law, int n_parameters, const double
 
 void ed_damper_clear(ed_damper *damper)
 {
+  if (damper->springs) {
+    ed_damper_clear(damper->springs);
+    free(damper->springs);
+  }
   free(damper->derived);
   free(damper->amendments);
+  damper->springs = NULL;
   damper->derived = NULL;
   damper->amendments = NULL;
   damper->n_amendments = damper->n_amended = 0;

@@ -56,6 +56,8 @@ struct ed_damper {
   double been[4]; /* largest and smallest deformation, largest and smallest velocity that it went through before it starts */
   int n_amendments, n_amended;
   ed_amendment *amendments; /* effects that the law has not (amendment.h), with n_amended doubles of state behind the law's; owned */
+  ed_damper *springs; /* the same law without its dashpots, where amendments act on springs or dashpots alone (amend_sides.c); owned */
+  int at_sides;       /* where its state, and what goes with it, stands among the amendments' */
 };
 
 struct ed_law {
@@ -90,6 +92,9 @@ struct ed_law {
   void (*keep)(const ed_damper *damper, const double *before, double *state);
   /* tau of a law that relaxes all of its forces, F + tau F' = everything, so that amendments may stand inside it. NULL: it does not. */
   double (*relaxation_time)(const ed_damper *damper);
+  /* Takes the dashpots out of a damper that is still to be prepared: law and parameters of what its springs carry, which has an exact step
+   * and adds to what the dashpots carry. NULL: the force is no such sum. */
+  void (*without_dashpots)(ed_damper *damper);
 };
 
 /* The laws by their id in eddamper.h (ED_LAW_*). NULL: no such law. */
@@ -122,7 +127,7 @@ static inline int ed_damper_is_braced(const ed_damper *damper)
 }
 
 /* Amendments (amendment.h). */
-int ed_damper_add_amendment(ed_damper *damper, int id, int inside, int n_parameters, const double *parameters,
+int ed_damper_add_amendment(ed_damper *damper, int id, int placement, int n_parameters, const double *parameters,
                             char message[ED_DAMPER_MESSAGE]);
 /* Of a state at rest: whether the deformation of the next step counts as way and work, or only leads to the first one. */
 void ed_amendments_start(const ed_damper *damper, double *state, int begun);

@@ -295,6 +295,17 @@ static double relaxation_time(const ed_damper *damper)
   return ed_mgmm_constants_of(damper)->tau;
 }
 
+/* k0 beside k_b, where it brings no tau k0 v, and of c1 less than its rounding, as tau = c1/k1 stays. */
+static void without_dashpots(ed_damper *damper)
+{
+  enum { ED_LAW_MGMM_PARAMETERS, NOTHING = -60 };
+  double *p = damper->parameter;
+  p[K1] = ldexp(p[K1], NOTHING);
+  p[C1] = ldexp(p[C1], NOTHING);
+  p[K_B] += p[K0];
+  p[K0] = p[C_NL] = p[C_A] = p[C_B] = 0.0;
+}
+
 const ed_law ed_mgmm = {.name = "mgmm", .prepare = prepare, .start = start,
                         .step = step, .rate = rate, .remember = remember, .events = events, .keep = keep,
-                        .relaxation_time = relaxation_time};
+                        .relaxation_time = relaxation_time, .without_dashpots = without_dashpots};

@@ -1,5 +1,6 @@
 #include "damper/prony.h"
 
+#include "damper/laws.h"
 #include "damper/relaxation.h"
 #include "edcore.h"
 
@@ -34,6 +35,14 @@ int ed_prony_prepare(ed_damper *damper, const ed_prony *series, char message[ED_
   damper->n_ode = n;
   damper->diagonal_ode = 1;
   return ED_OK;
+}
+
+void ed_prony_without_dashpots(ed_damper *damper)
+{
+  enum { ED_LAW_KELVIN_VOIGT_PARAMETERS, PARAMETERS };
+  damper->law = &ed_kelvin_voigt;
+  damper->n_parameters = PARAMETERS;
+  damper->parameter[C] = 0.0;
 }
 
 int ed_prony_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],

@@ -15,6 +15,8 @@ int ed_prony_prepare(ed_damper *damper, const ed_prony *series, char message[ED_
 /* Common to all laws that end their `prepare` so. */
 int ed_prony_step(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2],
                   double *trial, ed_damper_force *out);
+/* The spring that carries the force at rest: the first parameter of laws that have one. */
+void ed_prony_without_dashpots(ed_damper *damper);
 void ed_prony_rate(const ed_damper *damper, double u, double v, const double *y, const double *memory, ed_damper_rate *out);
 
 #endif

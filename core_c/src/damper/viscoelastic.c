@@ -51,13 +51,13 @@ static int linearised(ed_damper *damper, char message[ED_DAMPER_MESSAGE])
   return ed_prony_prepare(damper, &(ed_prony){.spring = p[K_EFF], .dashpot = dashpot}, message);
 }
 
-#define LAW(law, prepares) \
+#define LAW(law, prepares, springs) \
   {.name = law, .prepare = prepares, .step = ed_prony_step, \
-   .rate = ed_prony_rate}
+   .rate = ed_prony_rate, .without_dashpots = springs}
 
-const ed_law ed_kelvin_voigt = LAW("kelvin_voigt", kelvin_voigt);
-const ed_law ed_zener = LAW("zener", zener);
-const ed_law ed_generalised_maxwell = LAW("generalised_maxwell", generalised_maxwell);
-const ed_law ed_viscous = LAW("viscous", viscous);
-const ed_law ed_maxwell = LAW("maxwell", maxwell);
-const ed_law ed_linearised = LAW("linearised", linearised);
+const ed_law ed_kelvin_voigt = LAW("kelvin_voigt", kelvin_voigt, ed_prony_without_dashpots);
+const ed_law ed_zener = LAW("zener", zener, ed_prony_without_dashpots);
+const ed_law ed_generalised_maxwell = LAW("generalised_maxwell", generalised_maxwell, ed_prony_without_dashpots);
+const ed_law ed_viscous = LAW("viscous", viscous, NULL);
+const ed_law ed_maxwell = LAW("maxwell", maxwell, NULL);
+const ed_law ed_linearised = LAW("linearised", linearised, ed_prony_without_dashpots);

@@ -12,7 +12,8 @@ from edesign.calibrate.problem import Candidate, Described, Part, PredictionErro
 from edesign.calibrate.result import CarriedLaw
 from edesign.calibrate.search.contest import fit_best
 from edesign.calibrate.search.screening import screen
-from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.amendments import Amendment
 
 _FITTED = 3  # forms of an effect
 
@@ -71,7 +72,7 @@ def _in_known_forms(final: Fitted, lost: list[Candidate], problem: DamperProblem
 
 
 def _carries(candidate: Candidate) -> bool:
-    return (candidate.name, described(candidate).amendment) in AMENDMENTS
+    return kind_if_known(candidate.name, described(candidate).amendment) is not None
 
 
 def _amendment(part: Part) -> Amendment:

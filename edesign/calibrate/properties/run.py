@@ -23,7 +23,8 @@ from edesign.calibrate.properties.result import CorrectedLaw, PropertyCalibratio
 from edesign.calibrate.properties.shape import shape_of
 from edesign.calibrate.run import described
 from edesign.calibrate.search.loop import Loop, Progress
-from edesign.damper.amendments import AMENDMENTS, Amendment
+from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.amendments import Amendment
 from edesign.damper.temperature import GammaT
 
 
@@ -80,7 +81,7 @@ def corrected_law(problem: PropertyProblem, judged: Judged) -> CorrectedLaw:
             gamma_T = form.gamma_T(parameters)
         elif candidate.kind != "damper":
             left_out.append(f"{candidate.label} ({candidate.kind}): {told.title}; no part of the damper")
-        elif (candidate.name, told.amendment) not in AMENDMENTS:
+        elif kind_if_known(candidate.name, told.amendment) is None:
             left_out.append(f"{candidate.label}: law files cannot carry this form")
         else:
             effects.append(Amendment(candidate.name, told.amendment, parameters))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -16,7 +17,6 @@ from edesign.calibrate.properties.result import PropertyCalibration
 from edesign.calibrate.properties.shape import relative
 from edesign.calibrate.result import Stage
 from edesign.calibrate.write import calibration_json
-from edesign.damper.amendments import Amendment
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
@@ -60,9 +60,7 @@ def law_text(calibration: PropertyCalibration) -> str:
     if corrected.gamma_T is not None:
         data["temperature_law"] = {"gamma_T": {f"{t:g} degC": round(g, 6) for t, g in corrected.gamma_T.table}}
     if corrected.effects:
-        data["effects"] = write_effects(
-            [Amendment(one.name, one.form, _rounded(one.values)) for one in corrected.effects]
-        )
+        data["effects"] = write_effects([replace(one, values=_rounded(one.values)) for one in corrected.effects])
         for effect in data["effects"]:
             effect["parameters"] = _six_digits(effect["parameters"])
     data["prototype"] = {

@@ -46,12 +46,16 @@ class Effect(Model):
 
     Attributes:
         name: name of the effect, such as `payne`.
-        form: form of the effect, such as `whole`.
+        form: form of the effect, such as `whole`: its equation.
+        placement: where the equation acts. `whole`: a factor on all of the law's force, a force beside it; `inside`:
+            within a law that relaxes all of its forces, as `mgmm`; `springs` or `dashpots`: a factor on what these
+            carry of the law's force.
         parameters: parameters of the effect, with units.
     """
 
     name: str
     form: str
+    placement: Literal["whole", "inside", "springs", "dashpots"] = "whole"
     parameters: dict[str, Any] = {}
 
 

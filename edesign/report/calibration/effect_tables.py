@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 
 from edesign.calibrate.result import Calibration, Effect, Estimate
-from edesign.damper.amendments import AMENDMENTS
+from edesign.damper.amendment_kinds import kind_if_known
 from edesign.damper.law import Parameter
 from edesign.report.calibration.units import error_text, interval_text, percent, plus_minus, practical, value_text
 from edesign.report.tables.table import Table
@@ -108,7 +108,7 @@ def effect_name(name: str) -> str:
 
 def _parameters(effect: Effect) -> Mapping[str, Parameter]:
     """What law files know of the parameters of a form; nothing of those they cannot carry."""
-    kind = AMENDMENTS.get((effect.name, effect.form))
+    kind = kind_if_known(effect.name, effect.form)
     return {parameter.name: parameter for parameter in kind.parameters} if kind is not None else {}
 
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from edesign.damper.effects_file import read_effects
 from edesign.damper.history import sign_doubtful
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law as law_of
@@ -49,7 +50,7 @@ def law_summary(path: Path) -> dict[str, str]:
     return {
         "law": f"{found.law.name}: {found.law.title}",
         "parameters": "\n".join(parameters),
-        **({"effects": "\n".join(f"{one.name}.{one.form}" for one in found.amendments)} if found.amendments else {}),
+        **({"effects": "\n".join(one.label for one in found.amendments)} if found.amendments else {}),
         "prototype": _size(Specimen("", size.layers, size.layer_area, size.layer_thickness))
         if size is not None
         else "none: the law has the size of the device",
@@ -112,7 +113,7 @@ def _programme_summary(programme: Programme) -> dict[str, str]:
     kinds = Counter(plan.type for plan, _ in planned_tests(programme, specimen))
     hours = sum(float(test.time[-1]) for test in planned)
     noise = programme.noise
-    effects = ", ".join(f"{one.name}.{one.form}" for one in programme.law.effects)
+    effects = ", ".join(one.label for one in read_effects(programme.law.effects))
     return {
         "title": programme.title or programme.path.stem,
         "specimen": f"{programme.specimen.name}: {_size(specimen)}",

@@ -72,7 +72,7 @@ def test_a_specimen_carries_over_what_one_long_test_would():
     amendments = [
         AmendmentValues("payne.whole", (0.3, 5e-3, 1.0, 50.0)),
         AmendmentValues("self_heating.rate", (1e-4, 100.0)),
-        AmendmentValues("mullins.path", (0.3, 0.1)),
+        AmendmentValues("mullins.path", (0.3, 0.1, 0.0)),
     ]
     damper, rests = CoreDamper("mgmm", MGMM, amendments=amendments), (0.0, 20.0, 40.0)
     times, start = [], 0.0

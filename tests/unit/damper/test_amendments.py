@@ -11,6 +11,8 @@ import pytest
 
 from edesign.building.project_file import load_project
 from edesign.core import Analysis, Channel, CoreDamper, Newmark
+from edesign.core.damper import PLACEMENTS
+from edesign.damper.amendment_kinds import FORMER_FORMS
 from edesign.damper.amendments import AMENDMENTS, Amendment
 from edesign.damper.damper import Damper
 from edesign.damper.effects_file import read_effects, write_effects
@@ -63,14 +65,26 @@ def project_file(folder: Path, old: str = "      parameters: thesis_table_4_2\n"
 # ---- files
 
 
-@pytest.mark.parametrize("kind", AMENDMENTS)
-def test_what_is_written_reads_back(kind):
-    amendment = definitions.example(*kind)
+@pytest.mark.parametrize("placed", definitions.PLACED)
+def test_what_is_written_reads_back(placed):
+    amendment = definitions.example(*placed)
     (written,) = write_effects([amendment])
     (back,) = read_effects([Effect(**written)])
-    assert (back.name, back.form) == kind
+    assert (back.name, back.form, back.placement) == placed
+    assert ("placement" in written) == (amendment.placement != "whole")
     assert back.values == pytest.approx(amendment.values, rel=1e-12)
     assert set(written["parameters"]) == {parameter.name for parameter in amendment.kind.parameters}
+
+
+@pytest.mark.parametrize(("name", "former"), FORMER_FORMS)
+def test_a_former_form_is_read_and_written_as_one_of_today_with_its_placement(name, former):
+    form, placement = FORMER_FORMS[name, former]
+    today = definitions.example(name, form, placement)
+    (written,) = write_effects([today])
+    (back,) = read_effects([Effect(name=name, form=former, parameters=written["parameters"])])
+    assert (back.form, back.placement, back.label) == (form, placement, f"{name}.{form} (inside)")
+    assert back.for_core().values == pytest.approx(today.for_core().values, rel=1e-12)
+    assert write_effects([back]) == [written]
 
 
 def test_a_law_file_carries_effects(tmp_path):
@@ -123,6 +137,40 @@ WRONG = {
             .replace("whole", "whole_inside"),
         ),
         r"law.yaml:4:25: effects\[0\].form: amendment payne.whole: it can stand inside .* but law viscous does not",
+    ),
+    "no such placement": (
+        ("form: whole,", "form: whole, placement: spring,"),
+        r"law.yaml:4:43: effects\[0\].placement: `spring` is unknown; did you mean `springs`\? "
+        r"\(allowed: `whole`, `inside`, `springs`, `dashpots`\)",
+    ),
+    "a force on springs": (
+        ("form: dashpot,", "form: dashpot, placement: springs,"),
+        r"effects\[1\].placement: effect velocity_exponent.dashpot: it is a force of its own, and only factors act on "
+        r"springs alone \(allowed: `whole`, `inside`\)",
+    ),
+    "springs of a law without": (
+        (
+            LAW,
+            LAW.replace("mgmm", "viscous")
+            .replace("thesis_table_4_2", "{c: 1 kN*s/mm}")
+            .replace("form: whole,", "form: whole, placement: springs,"),
+        ),
+        r"law.yaml:4:43: effects\[0\].placement: amendment payne.whole: it can act on springs or dashpots alone of a "
+        r"law whose force is a sum of both, .* but that of law viscous is not",
+    ),
+    "inside by placement": (
+        (
+            LAW,
+            LAW.replace("mgmm", "viscous")
+            .replace("thesis_table_4_2", "{c: 1 kN*s/mm}")
+            .replace("form: whole,", "form: whole, placement: inside,"),
+        ),
+        r"effects\[0\].placement: amendment payne.whole: it can stand inside .* but law viscous does not",
+    ),
+    "two placements": (
+        ("form: whole,", "form: whole_inside, placement: whole,"),
+        r"effects\[0\].placement: effect payne.whole_inside: the form says the placement `inside`, which is not "
+        r"`whole`; write `form: whole` with the placement that is meant",
     ),
     "neither side": (
         (EFFECTS, "effects: [{name: one_sided, form: factor, parameters: {b: 0.1, side: 0.5}}]\n"),
@@ -315,8 +363,12 @@ def test_the_virtual_specimen_has_effects_that_its_campaign_does_not_name(tmp_pa
 def test_the_page_has_every_effect_with_its_parameters():
     text = (ROOT / "docs" / "reference" / "laws" / "effects.md").read_text(encoding="utf-8")
     rows = set(re.findall(r"^\| `([\w.]+)` \| `(\w+)` \| (\S+) \| .+ \|$", text, re.M))
-    beside = [kind for kind in AMENDMENTS.values() if not kind.inside]
-    assert rows == {(k.name, p.name, practical_unit(p) or "-") for k in beside for p in k.parameters}
-    for (name, form), kind in AMENDMENTS.items():
-        row = rf"^\| `{name}` \| .*`{form}`" if kind.inside else rf"^\| `{name}`, `{form}` \|"
-        assert re.search(row, text, re.M), (name, form)
+    assert rows == {(k.name, p.name, practical_unit(p) or "-") for k in AMENDMENTS.values() for p in k.parameters}
+    for name, form in AMENDMENTS:
+        assert re.search(rf"^\| `{name}`, `{form}` \|", text, re.M), (name, form)
+    placements = re.findall(
+        r"^\| `(\w+)` \| .* \| .* \|$", text.partition("## Placement")[2].partition("\n## ")[0], re.M
+    )
+    assert placements == list(PLACEMENTS)
+    for name, former in FORMER_FORMS:
+        assert re.search(rf"^\| `{name}` \| .*`{former}`", text, re.M), (name, former)
