@@ -49,8 +49,8 @@ void ed_damper_free(ed_damper *damper);
 /* Amendments: effects that a law has not, each an equation (factor or force) at a placement. F = phi F_law + parallel forces, phi the
  * product of the factors. Their drivers are those of the ends of steps, all zero at rest: envelope a1 = max(|u1|, a exp(-h/tau_a)),
  * largest deformation M, path s += |u1 - u0|, work E of F by the trapezoidal rule, heat q1 = q exp(-h/tau_h) + beta dE. E and q act from
- * the next step on; g = (a/a0)^m / (1 + (a/a0)^m). recovery: what a specimen regains from one test to the next, where tests are carried
- * on; within one it has no use. */
+ * the next step on; g = (a/a0)^m / (1 + (a/a0)^m). recovery: the share that a specimen regains from one test to the next
+ * (ed_damper_campaign); within one it has no use. */
 enum {
   ED_AMEND_CONSTANT = 0,                  /* factor: phi = factor */
   ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
@@ -158,8 +158,9 @@ typedef struct {
  * other; own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves NaN from there on and does not stop
  * the others.
  * carry: the tests are those of one specimen, in this order. Extremes that soften a law (ED_LAW_MGMM, ED_LAW_MODIFIED_BOUC_WEN) and the
- * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, heat and what relaxes fade,
- * and no way or work is counted. Everything else of the law begins anew. carry = 0: each test has a new specimen.
+ * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, network, heat and what relaxes
+ * fade, and no way or work is counted. With `recovery` exp(-s/s0) comes back to l + recovery (1 - l), l what was left of it, and M to (1 -
+ * recovery) M; friction that builds up over a way begins anew, as all else of the law does. carry = 0: each test has a new specimen.
  * ED_E_ARGUMENT, ED_E_NOT_FINITE: a test that is not allowed, and every `end` says which; ED_E_STOPPED. Calls for different dampers
  * may run in parallel. */
 int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, const ed_test *test, int method, double fineness,

@@ -74,8 +74,9 @@ def campaign_forces(
     """Return the forces of dampers in all tests: to the last bit those of `CoreDamper`, for any number of threads.
 
     With `carry` the tests are those of one specimen in this order. Extremes that soften the MGMM and the modified
-    Bouc-Wen law, and the states of amendments, go on from one test to the next: over its rest the envelope, heat and
-    what relaxes fade. Everything else of the law begins at rest, held at the first deformation.
+    Bouc-Wen law, and the states of amendments, go on from one test to the next: over its rest the envelope, network,
+    heat and what relaxes fade, and Mullins' forms regain their share `recovery`. Friction that builds up over a way, and
+    everything else of the law, begins at rest, held at the first deformation.
 
     Args:
         dampers: e.g. of one law with many sets of parameters; one that fails does not stop the others.

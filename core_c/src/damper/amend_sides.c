@@ -48,6 +48,18 @@ void ed_sides_jump(double *own, const double *after)
   own[SPRINGS_FORCE] = after[SPRINGS_FORCE];
 }
 
+void ed_sides_keep(const double *before, double *own)
+{
+  memcpy(own + RELAXED, before + RELAXED, 2 * ED_SIDES * sizeof *own);
+}
+
+void ed_sides_keep_law(const ed_damper *damper, const double *before, double *own)
+{
+  const ed_damper *springs = damper->springs;
+  if (springs->law->keep)
+    springs->law->keep(springs, before + OF_SPRINGS, own + OF_SPRINGS);
+}
+
 int ed_sides_act(const ed_damper *damper, const double *before, double law0, const ed_path *path, const ed_path direction[2],
                  const ed_amended factor[ED_SIDES], double *after, const ed_damper_force *law, ed_damper_force *out)
 {

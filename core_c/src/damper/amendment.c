@@ -154,10 +154,26 @@ void ed_amendments_start(const ed_damper *damper, double *state, int begun)
 void ed_amendments_keep(const ed_damper *damper, const double *before, double *state)
 {
   const int first = damper->n_ode + damper->n_memory;
-  if (damper->n_amendments == 0)
-    return;
-  memcpy(state + first + FIRST_STATE, before + first + FIRST_STATE, (size_t)(damper->n_amended - FIRST_STATE) * sizeof *state);
-  state[first + BEGUN] = 0.0;
+  const double *from = before + first;
+  double *own = state + first;
+  for (int i = 0; i < damper->n_amendments; i++) {
+    const ed_amendment *one = &damper->amendments[i];
+    if (one->kind->has_state)
+      own[one->state] = one->kind->rested ? one->kind->rested(one->parameter, from[one->state]) : from[one->state];
+    if (one->placement == ED_PLACE_INSIDE)
+      memcpy(own + one->relaxed, from + one->relaxed, 2 * sizeof *own);
+  }
+  if (damper->n_amendments > 0)
+    own[BEGUN] = 0.0;
+  if (damper->springs)
+    ed_sides_keep(from + damper->at_sides, own + damper->at_sides);
+}
+
+void ed_amendments_keep_law(const ed_damper *damper, const double *before, double *state)
+{
+  const int sides = damper->n_ode + damper->n_memory + damper->at_sides;
+  if (damper->springs)
+    ed_sides_keep_law(damper, before + sides, state + sides);
 }
 
 void ed_amendments_jump(const ed_damper *damper, double *state, const double *after)

@@ -73,6 +73,9 @@ int ed_sides_size(const ed_damper *damper); /* doubles of state */
 /* Of a state that is all zero; factor: of each side at rest. */
 void ed_sides_start(const ed_damper *damper, const double factor[ED_SIDES], double *own);
 void ed_sides_jump(double *own, const double *after); /* as ed_amendments_jump */
+/* Of a state at the end of a test, `before`, what relaxes goes on, as ed_amendments_keep says; and what the law of the springs keeps. */
+void ed_sides_keep(const double *before, double *own);
+void ed_sides_keep_law(const ed_damper *damper, const double *before, double *own);
 /* Adds to `out`, with its derivatives, what the factors change of the law's force. before, after: the state of the sides; law0: the law's
  * force at the beginning of the path; law: that at its end. */
 int ed_sides_act(const ed_damper *damper, const double *before, double law0, const ed_path *path, const ed_path direction[2],

@@ -133,6 +133,8 @@ int ed_damper_add_amendment(ed_damper *damper, int id, int placement, int n_para
 void ed_amendments_start(const ed_damper *damper, double *state, int begun);
 /* Gives a state that is held at rest the drivers of `before`, the state at the end of a test; the next step is no way and no work. */
 void ed_amendments_keep(const ed_damper *damper, const double *before, double *state);
+/* What `keep` of the law does, for what amendments have of that law themselves. */
+void ed_amendments_keep_law(const ed_damper *damper, const double *before, double *state);
 /* After a jump of the velocity from `state`, in no time, to `after`: the next step begins with the force there. */
 void ed_amendments_jump(const ed_damper *damper, double *state, const double *after);
 /* Turns the force of the law at the end of a path, and its derivatives, into those with the amendments; the law's part of `trial` is

@@ -58,6 +58,8 @@ void ed_test_run_begin(ed_test_run *run)
   ed_amendments_start(damper, run->state, 0);
   if (run->before && damper->law->keep)
     damper->law->keep(damper, run->before, run->state);
+  if (run->before)
+    ed_amendments_keep_law(damper, run->before, run->state);
 }
 
 int ed_check_samples(int n, const double *time, const double *u, const double *v, int *done)
