@@ -158,101 +158,6 @@ static void check_carry(const ed_rig *rig, double brace)
   ed_damper_free(damper);
 }
 
-/* The second of two tests by the formulas, from what the first has left and a rest has changed: of a spring alone, as factors and forces
- * go with k u of a Kelvin damper. s, M, a, x, q: at the end of the first. */
-static void check_rests(void)
-{
-  enum { PATH, ELASTIC, MAXIMUM, DAMAGE, ENVELOPE, NETWORK, HEAT, PRESLIDING, KINDS };
-  const double k = 8e6, kelvin[] = {k, 0.0}, rest = 12.0, r = 0.35;
-  static const struct {
-    int kind, n;
-    double p[4];
-  } one[KINDS] = {{ED_AMEND_MULLINS_PATH, 3, {0.3, 0.05, 0.35}},      {ED_AMEND_MULLINS_ELASTIC, 3, {2e6, 0.05, 0.35}},
-                  {ED_AMEND_MULLINS_MAXIMUM, 3, {0.3, 2e-3, 0.35}},   {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
-                  {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 2e-3, 1.0, 10.0}},  {ED_AMEND_PAYNE_NETWORK, 3, {0.3, 5e-3, 20.0}},
-                  {ED_AMEND_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_AMEND_FRICTION_PRESLIDING, 2, {5e3, 1e-3}}};
-  static double found[2 * N];
-  ed_test test[TESTS];
-  ed_campaign_end end;
-  tests(test);
-  for (int i = 0; i < 2; i++) {
-    test[i].n = N;
-    test[i].rest = rest;
-  }
-  for (int i = 0; i < KINDS; i++) {
-    const double *p = one[i].p;
-    int status;
-    char message[256];
-    ed_damper *damper = ed_damper_new(ED_LAW_KELVIN_VOIGT, 2, kelvin, 0.0, 0.0, &status, message, sizeof message);
-    CHECK_STATUS(ed_damper_amend(damper, one[i].kind, ED_PLACE_WHOLE, one[i].n, p, message, sizeof message), ED_OK);
-    const ed_damper *const given = damper;
-    CHECK_STATUS(ed_damper_campaign(1, &given, 2, test, ED_DAMPER_BEST, 1e-6, 1, found, NULL, &end), ED_OK);
-    double left = 1.0, largest = 0.0, envelope = 0.0, network = 0.0, heat = 0.0, before = 0.0;
-    for (int j = 0; j < 2; j++) {
-      if (j == 1) {
-        left += r * (1.0 - left);
-        largest *= 1.0 - r;
-        envelope *= exp(-rest / 10.0);
-        network *= exp(-rest / 20.0);
-        heat *= exp(-rest / 15.0);
-        before = 0.0;
-      }
-      for (int m = 1; m < N; m++) {
-        const double h = t[j][m] - t[j][m - 1], x = u[j][m], way = x - u[j][m - 1], spring_force = k * x;
-        left *= exp(-fabs(way) / 0.05);
-        largest = fmax(largest, fabs(x));
-        envelope = fmax(fabs(x), envelope * exp(-h / 10.0));
-        const double breaks = fabs(way) / (h * 5e-3), steady = breaks / (breaks + 1.0 / 20.0);
-        network = steady + (network - steady) * exp(-(breaks + 1.0 / 20.0) * h);
-        const double power = envelope / 2e-3, expected_force = i == PATH       ? (1.0 + 0.3 * left) * spring_force
-                                                               : i == ELASTIC  ? spring_force + 2e6 * left * x
-                                                               : i == MAXIMUM  ? (1.0 - 0.3 * erf((largest - fabs(x)) / 2e-3)) * spring_force
-                                                               : i == DAMAGE   ? (1.0 - 0.3 * (1.0 - exp(-pow(largest / 4e-3, 1.3)))) * spring_force
-                                                               : i == ENVELOPE ? (1.0 - 0.3 * power / (1.0 + power)) * spring_force
-                                                               : i == NETWORK  ? (1.0 - 0.3 * network) * spring_force
-                                                                               : exp(-heat) * spring_force;
-        heat = heat * exp(-h / 15.0) + 1e-3 * 0.5 * (before + expected_force) * way;
-        before = expected_force;
-        if (i != PRESLIDING)
-          CHECK_NEAR(found[j * N + m], expected_force, 1e-11 * k * 4e-3); /* rounding over 600 steps */
-      }
-    }
-    if (i == PRESLIDING) {
-      int done;
-      CHECK_STATUS(ed_damper_history(damper, ED_DAMPER_BEST, 1e-6, N, t[1], u[1], v[1], expected, &done), ED_OK);
-      CHECK_SAME(found + N, expected, N);
-    }
-    ed_damper_free(damper);
-  }
-}
-
-/* What stands for the springs of an MGMM keeps its extremes too: a factor of both sides is one inside. */
-static void check_sides_carried(void)
-{
-  static double sides[3 * N], inside[3 * N];
-  const double p[] = {0.3, 0.1, 0.4};
-  ed_test test[TESTS];
-  ed_campaign_end end;
-  int status;
-  char message[256];
-  tests(test);
-  ed_damper *both = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
-  ed_damper *all = ed_damper_new(ED_LAW_MGMM, 12, MGMM, 0.0, 0.0, &status, message, sizeof message);
-  CHECK_STATUS(ed_damper_amend(both, ED_AMEND_MULLINS_PATH, ED_PLACE_SPRINGS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_amend(both, ED_AMEND_MULLINS_PATH, ED_PLACE_DASHPOTS, 3, p, message, sizeof message), ED_OK);
-  CHECK_STATUS(ed_damper_amend(all, ED_AMEND_MULLINS_PATH, ED_PLACE_INSIDE, 3, p, message, sizeof message), ED_OK);
-  const ed_damper *const one = both, *const other = all;
-  for (int method = ED_DAMPER_BEST; method <= ED_DAMPER_ODE; method++) {
-    CHECK_STATUS(ed_damper_campaign(1, &one, 3, test, method, 1e-8, 1, sides, NULL, &end), ED_OK);
-    CHECK_STATUS(ed_damper_campaign(1, &other, 3, test, method, 1e-8, 1, inside, NULL, &end), ED_OK);
-    const int n = test[0].n + test[1].n + test[2].n;
-    for (int i = 0; i < n; i++)
-      CHECK_NEAR(sides[i], inside[i], 1e-12 * 100e3);
-  }
-  ed_damper_free(both);
-  ed_damper_free(all);
-}
-
 /* Extremes that soften go on; what relaxes or yields begins anew. */
 static void check_extremes(void)
 {
@@ -360,8 +265,6 @@ int main(void)
   check_carry(NULL, 0.0);
   check_carry(NULL, 60e6);
   check_carry(&(ed_rig){80e6, 0.7, 1e4, 1.0, 0.0, 0.0, 1e4}, 0.0); /* pins with play would not go back by themselves */
-  check_rests();
-  check_sides_carried();
   check_extremes();
   check_failures();
   return checks_end("campaigns of dampers");

@@ -1,4 +1,4 @@
-/* The table of amendments, and a law's force with them. */
+/* A law's force with its amendments. */
 #include "damper/amendment.h"
 
 #include <math.h>
@@ -12,100 +12,25 @@ enum { BEGUN, FORCE, LAW_FORCE, FIRST_STATE };
 /* With a brace jumps of the force rise over this deformation, in the caller's unit of length (a hundredth of a millimetre). */
 static const double JUMP = 1e-5;
 
-static const ed_amendment_kind *kind_of(int id)
-{
-  static const ed_amendment_kind *const kinds[] = {
-      [ED_AMEND_CONSTANT] = &ed_amend_constant,
-      [ED_AMEND_PAYNE_WHOLE] = &ed_amend_payne_whole,
-      [ED_AMEND_PAYNE_ELASTIC] = &ed_amend_payne_elastic,
-      [ED_AMEND_MULLINS_PATH] = &ed_amend_mullins_path,
-      [ED_AMEND_MULLINS_MAXIMUM] = &ed_amend_mullins_maximum,
-      [ED_AMEND_MULLINS_ELASTIC] = &ed_amend_mullins_elastic,
-      [ED_AMEND_DEGRADATION_ENERGY] = &ed_amend_degradation_energy,
-      [ED_AMEND_SELF_HEATING_RATE] = &ed_amend_self_heating_rate,
-      [ED_AMEND_HARDENING_POWER] = &ed_amend_hardening_power,
-      [ED_AMEND_HARDENING_THRESHOLD] = &ed_amend_hardening_threshold,
-      [ED_AMEND_ONE_SIDED_FACTOR] = &ed_amend_one_sided_factor,
-      [ED_AMEND_ONE_SIDED_SPRING] = &ed_amend_one_sided_spring,
-      [ED_AMEND_RELAXATION_BRANCH_MAXWELL] = &ed_amend_relaxation_branch_maxwell,
-      [ED_AMEND_VELOCITY_EXPONENT_DASHPOT] = &ed_amend_velocity_exponent_dashpot,
-      [ED_AMEND_PAYNE_NETWORK] = &ed_amend_payne_network,
-      [ED_AMEND_MULLINS_DAMAGE] = &ed_amend_mullins_damage,
-      [ED_AMEND_VELOCITY_EXPONENT_FLOW] = &ed_amend_velocity_exponent_flow,
-      [ED_AMEND_DEGRADATION_PATH] = &ed_amend_degradation_path,
-      [ED_AMEND_ONE_SIDED_CONTACT] = &ed_amend_one_sided_contact,
-      [ED_AMEND_ONE_SIDED_EVEN] = &ed_amend_one_sided_even,
-      [ED_AMEND_PAYNE_EXPONENTIAL] = &ed_amend_payne_exponential,
-      [ED_AMEND_HARDENING_EXPONENTIAL] = &ed_amend_hardening_exponential,
-      [ED_AMEND_FRICTION_COULOMB] = &ed_amend_friction_coulomb,
-      [ED_AMEND_FRICTION_PRESLIDING] = &ed_amend_friction_presliding,
-      [ED_AMEND_FRICTION_STRIBECK] = &ed_amend_friction_stribeck,
-  };
-  return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
-}
-
-/* Whether a placement is that of one side of the law. */
-static int of_side(int placement)
-{
-  return placement == ED_PLACE_SPRINGS || placement == ED_PLACE_DASHPOTS;
-}
-
-static int check_placement(const ed_damper *damper, const ed_amendment_kind *kind, int placement, char message[ED_DAMPER_MESSAGE])
-{
-  const char *law = damper->law->name;
-  if (placement == ED_PLACE_INSIDE && !damper->law->relaxation_time)
-    snprintf(message, ED_DAMPER_MESSAGE,
-             "amendment %s: it can stand inside a law that relaxes all of its forces, as mgmm does, but law %s does not", kind->name, law);
-  else if (of_side(placement) && !kind->is_factor)
-    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: it is a force of its own, and only factors act on springs or dashpots alone",
-             kind->name);
-  else if (of_side(placement) && !damper->law->without_dashpots)
-    snprintf(message, ED_DAMPER_MESSAGE,
-             "amendment %s: it can act on springs or dashpots alone of a law whose force is a sum of both, as that of kelvin_voigt or mgmm "
-             "is, but that of law %s is not", kind->name, law);
-  else
-    return ED_OK;
-  return ED_E_ARGUMENT;
-}
-
-static int check(const ed_damper *damper, const ed_amendment_kind *kind, int id, int placement, int n_parameters,
-                 const double *parameters, char message[ED_DAMPER_MESSAGE])
-{
-  const int placed = check_placement(damper, kind, placement, message);
-  if (placed != ED_OK)
-    return placed;
-  if (damper->brace > 0.0 && !ed_damper_is_braced(damper)) {
-    snprintf(message, ED_DAMPER_MESSAGE,
-             "amendment %s: law %s is integrated together with its brace, so that no amendment can stand between them; the brace "
-             "must be rigid", kind->name, damper->law->name);
-    return ED_E_ARGUMENT;
-  }
-  char why[ED_DAMPER_MESSAGE];
-  const int status = ed_check_parameters(&ed_amendment_parameters[id], n_parameters, parameters, why);
-  if (status != ED_OK)
-    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: %.*s", kind->name, ED_DAMPER_MESSAGE / 2, why);
-  return status;
-}
-
 int ed_damper_add_amendment(ed_damper *damper, int id, int placement, int n_parameters, const double *parameters,
                             char message[ED_DAMPER_MESSAGE])
 {
-  const ed_amendment_kind *kind = kind_of(id);
+  const ed_amendment_kind *kind = ed_amendment_kind_of(id);
   if (!kind) {
     snprintf(message, ED_DAMPER_MESSAGE, "there is no amendment %d", id);
     return ED_E_ID;
   }
-  if (placement != ED_PLACE_WHOLE && placement != ED_PLACE_INSIDE && !of_side(placement)) {
+  if (placement != ED_PLACE_WHOLE && placement != ED_PLACE_INSIDE && !ed_of_side(placement)) {
     snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: there is no placement %d", kind->name, placement);
     return ED_E_ID;
   }
-  int status = check(damper, kind, id, placement, n_parameters, parameters, message);
+  int status = ed_check_amendment(damper, kind, id, placement, n_parameters, parameters, message);
   if (status != ED_OK)
     return status;
   ed_amendment *grown = realloc(damper->amendments, ((size_t)damper->n_amendments + 1) * sizeof *grown);
   if (grown)
     damper->amendments = grown;
-  const int splits = of_side(placement) && !damper->springs;
+  const int splits = ed_of_side(placement) && !damper->springs;
   status = !grown ? ED_E_MEMORY : splits ? ed_sides_new(damper, message) : ED_OK;
   if (status == ED_E_MEMORY)
     snprintf(message, ED_DAMPER_MESSAGE, "out of memory");
@@ -240,7 +165,7 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
     one->kind->at_end(one->parameter, one->kind->has_state ? before[one->state] : 0.0, &ends, state, &found);
     if (one->placement == ED_PLACE_INSIDE)
       add_inside(one, &found, h, before[LAW_FORCE], out->force, before, after, &beside, &by_law);
-    else if (of_side(one->placement))
+    else if (ed_of_side(one->placement))
       multiply(&side[one->placement - ED_PLACE_SPRINGS], &found);
     else if (one->kind->is_factor)
       multiply(&factor, &found);

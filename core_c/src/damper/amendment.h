@@ -53,6 +53,18 @@ extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic,
 /* amend_friction.c */
 extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck;
 
+/* amendment_table.c: the kinds by their id in eddamper.h (ED_AMEND_*). NULL: no such amendment. */
+const ed_amendment_kind *ed_amendment_kind_of(int id);
+/* Whether a damper takes one of these parameters at a placement, of which there is one. */
+int ed_check_amendment(const ed_damper *damper, const ed_amendment_kind *kind, int id, int placement, int n_parameters,
+                       const double *parameters, char message[ED_DAMPER_MESSAGE]);
+
+/* Whether a placement is that of one side of the law. */
+static inline int ed_of_side(int placement)
+{
+  return placement == ED_PLACE_SPRINGS || placement == ED_PLACE_DASHPOTS;
+}
+
 static inline double ed_sign(double x)
 {
   return (double)((x > 0.0) - (x < 0.0));
