@@ -75,8 +75,8 @@ def campaign_forces(
 
     With `carry` the tests are those of one specimen in this order. Extremes that soften the MGMM and the modified
     Bouc-Wen law, and the states of amendments, go on from one test to the next: over its rest the envelope, network,
-    heat and what relaxes fade, and Mullins' forms regain their share `recovery`. Friction that builds up over a way, and
-    everything else of the law, begins at rest, held at the first deformation.
+    heat and what relaxes fade, and Mullins' forms regain their share `recovery`. Friction that builds up over a way
+    begins anew, and so does everything else of the law, at rest and held at the first deformation.
 
     Args:
         dampers: e.g. of one law with many sets of parameters; one that fails does not stop the others.
