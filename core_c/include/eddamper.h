@@ -76,7 +76,10 @@ enum {
   ED_AMEND_HARDENING_EXPONENTIAL = 21,    /* k u0: k u (exp((u/u0)^2) - 1) */
   ED_AMEND_FRICTION_COULOMB = 22,         /* F_c v0: F_c tanh(v/v0) */
   ED_AMEND_FRICTION_PRESLIDING = 23,      /* F_c x0: F_c z/x0, z' = v - |v| z/x0, exact over the way of the path (Dahl) */
-  ED_AMEND_FRICTION_STRIBECK = 24         /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
+  ED_AMEND_FRICTION_STRIBECK = 24,        /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
+  ED_AMEND_ONE_SIDED_VALVE = 25,          /* b v0 side(1, -1): phi = 1 + b max(tanh(side v/v0), 0) */
+  ED_AMEND_GAS_SPRING_POLYTROPIC = 26,    /* P c n: P (1 - c u)^-n; beyond c u = 0.95 straight */
+  ED_AMEND_ONE_SIDED_FORCE = 27           /* b side(1, -1): phi = 1 + b where side F_law > 0 */
 };
 /* Where an equation acts.
  * WHOLE: a factor on all of the law's force, a force beside it.
@@ -148,7 +151,10 @@ typedef struct {
   const double *factor, *added, *spring;
   const ed_rig *rig;
   double rest; /* s since the test before, > 0 where the specimen carries something over; not asked for of the first one */
+  const struct ed_damper *const *damper; /* n_sets of the same law and amendments, with other values, in place of the campaign's; or NULL */
 } ed_test;
+/* What ed_damper_campaign carries from test to test: nothing; all that it says; of that the states of amendments alone. */
+enum { ED_CARRY_NOTHING = 0, ED_CARRY_ALL = 1, ED_CARRY_AMENDMENTS = 2 };
 /* How a damper came through a campaign: ED_OK, or why it did not, in which test and at which sample, both from 0. */
 typedef struct {
   int status, test, sample;
@@ -165,6 +171,26 @@ typedef struct {
  * may run in parallel. */
 int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, const ed_test *test, int method, double fineness,
                        int carry, double *force, double *own, ed_campaign_end *end);
+
+/* One test of a linear structure with dampers as links: base motion in n >= 2 samples, h apart. Matrices by rows; from sample to sample
+ * x_(i+1) = a x_i + from_ground[0] g_i + from_ground[1] g_(i+1) + from_links[0] f_i + from_links[1] f_(i+1)
+ * with x the state (n_states), g the ground's motion and f the forces of the links, whose effect is linear between samples. */
+typedef struct {
+  int n;
+  double h;
+  const double *ground;         /* n */
+  const double *a;              /* n_states x n_states */
+  const double *from_ground[2]; /* n_states each */
+  const double *from_links[2];  /* n_states x n_links each */
+} ed_linked_test;
+/* Tests of one structure in their order, each from rest. damper: n_links; link k has the deformation seen[k] x and the velocity
+ * seen[n_links + k] x, rows of n_states. The forces at the end of a step are found by Newton's method; steps shall be so short that a
+ * link's tangent stiffness changes little of a step. carry, rest (s, > 0): as of ed_damper_campaign, of the links. state: [test][sample]
+ * [n_states], force: [test][sample][n_links]. method, fineness: as in ed_damper_step. *end: how it ended, also returned; ED_E_NOT_CONVERGED:
+ * no balance. What comes after that is not written. */
+int ed_linked_history(int n_states, int n_links, const ed_damper *const *damper, const double *seen, int n_tests,
+                      const ed_linked_test *test, int carry, double rest, int method, double fineness, double *state, double *force,
+                      ed_campaign_end *end);
 
 /* q_0 = before, q_i = decay_(i-1) q_(i-1) + made_(i-1). q: n >= 1; decay, made: n - 1. What is not finite is passed on to all that
  * follows, and ED_E_NOT_FINITE says that there is some. */

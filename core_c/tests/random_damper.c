@@ -63,6 +63,9 @@ static const struct {
     [ED_AMEND_DEGRADATION_PATH] = {3, {0.1, 0.5, 1.0}},
     [ED_AMEND_ONE_SIDED_CONTACT] = {5, {1e6, 5e-3, 1.5, 1.0, 1e-2}},
     [ED_AMEND_ONE_SIDED_EVEN] = {3, {1e6, 2.0, 1e-2}},
+    [ED_AMEND_ONE_SIDED_VALVE] = {3, {0.2, 1e-2, -1.0}},
+    [ED_AMEND_ONE_SIDED_FORCE] = {2, {0.2, 1.0}},
+    [ED_AMEND_GAS_SPRING_POLYTROPIC] = {3, {1e4, 5.0, 1.2}},
     [ED_AMEND_PAYNE_EXPONENTIAL] = {4, {0.3, 5e-3, 1.0, 50.0}},
     [ED_AMEND_HARDENING_EXPONENTIAL] = {2, {1e6, 2e-2}},
     [ED_AMEND_FRICTION_COULOMB] = {2, {1e4, 1e-3}},
@@ -168,9 +171,10 @@ static void call_histories(caller *c, const ed_damper *damper)
   status = expect_listed(c, ed_damper_history_in_series(damper, method, fineness, n, time, u, v, factor, added, spring, &rig, force, own, &done));
   expect_finite(status, force, n);
   expect_finite(status, own, n);
-  const ed_test test[2] = {{n, time, u, v, factor, added, spring, chance(c, 0.5) ? &rig : NULL, 0.0},
-                           {n, time, u, v, NULL, added, NULL, NULL, or_absurd(c, size_between(c, 1e-3, 1e5))}};
   const ed_damper *const both[2] = {damper, damper};
+  const ed_test test[2] = {{n, time, u, v, factor, added, spring, chance(c, 0.5) ? &rig : NULL, 0.0, NULL},
+                           {n, time, u, v, NULL, added, NULL, NULL, or_absurd(c, size_between(c, 1e-3, 1e5)),
+                            chance(c, 0.5) ? both : NULL}};
   double *all = room(4 * n), *deformations = chance(c, 0.5) ? room(4 * n) : NULL;
   ed_campaign_end end[2];
   status = expect_listed(c, ed_damper_campaign(2, both, 2, test, method, fineness, chance(c, 0.5), all, deformations, end));

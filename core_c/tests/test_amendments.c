@@ -38,6 +38,9 @@ static const amendment EACH[] = {
     {ED_AMEND_FRICTION_COULOMB, 2, {0.5, 0.5}},
     {ED_AMEND_FRICTION_PRESLIDING, 2, {0.4, 0.15}},
     {ED_AMEND_FRICTION_STRIBECK, 3, {0.3, 0.8, 4.0}},
+    {ED_AMEND_ONE_SIDED_VALVE, 3, {0.3, 0.5, -1.0}},
+    {ED_AMEND_GAS_SPRING_POLYTROPIC, 3, {0.6, -0.55, 1.3}},
+    {ED_AMEND_ONE_SIDED_FORCE, 2, {0.3, -1.0}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
 
@@ -154,6 +157,13 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
     case ED_AMEND_PAYNE_EXPONENTIAL: phi *= 1.0 - p[0] * (1.0 - exp(-broken(p, &m->envelope[i], h, u))); break;
     case ED_AMEND_HARDENING_EXPONENTIAL: beside += p[0] * u * (exp(u * u / (p[1] * p[1])) - 1.0); break;
+    case ED_AMEND_ONE_SIDED_VALVE: phi *= p[2] * v > 0.0 ? 1.0 + p[0] * (1.0 - 2.0 / (exp(2.0 * p[2] * v / p[1]) + 1.0)) : 1.0; break;
+    case ED_AMEND_ONE_SIDED_FORCE: phi *= p[1] * law > 0.0 ? 1.0 + p[0] : 1.0; break;
+    case ED_AMEND_GAS_SPRING_POLYTROPIC: { /* of P V^n = constant; straight from where a twentieth of the room is left */
+      const double room = 1.0 - p[1] * u;
+      beside += room > 0.05 ? p[0] / pow(room, p[2]) : p[0] / pow(0.05, p[2]) * (1.0 + p[2] * (0.05 - room) / 0.05);
+      break;
+    }
     case ED_AMEND_FRICTION_COULOMB: beside += p[0] * (1.0 - 2.0 / (exp(2.0 * v / p[1]) + 1.0)); break;
     case ED_AMEND_FRICTION_PRESLIDING:
       m->friction = dahl(m, h, u, v, p[1]);

@@ -257,6 +257,60 @@ static void check_failures(void)
     ed_damper_free(damper[s]);
 }
 
+/* Dampers of a test in place of the campaign's, with amendments alone carried; another law in their place. */
+static void check_dampers_of_tests(void)
+{
+  const double path[] = {0.3, 1.0, 2.0}; /* 1 - 0.3 s/2 */
+  ed_test test[TESTS];
+  ed_campaign_end end[SETS];
+  ed_damper *cold[SETS], *warm[SETS], *viscous;
+  int status, done;
+  char message[256];
+  double way = 0.0;
+  tests(test);
+  for (int s = 0; s < SETS; s++) {
+    cold[s] = make(0, 1.0 + 0.1 * s);
+    warm[s] = make(0, 0.8 + 0.1 * s);
+  }
+  test[1].damper = (const ed_damper *const *)warm;
+  CHECK_STATUS(ed_damper_campaign(SETS, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_AMENDMENTS,
+                                  &force[0][0][0], NULL, end), ED_OK);
+  for (int s = 0; s < SETS; s++) {
+    const double *all = &force[0][0][0] + (size_t)s * (size_t)(test[0].n + test[1].n);
+    CHECK_STATUS(end[s].status, ED_OK);
+    for (int k = 0; k < 2; k++) {
+      CHECK_STATUS(ed_damper_history(k ? warm[s] : cold[s], ED_DAMPER_BEST, 1e-6, test[k].n, t[k], u[k], v[k], expected, &done), ED_OK);
+      CHECK(memcmp(all + (k ? test[0].n : 0), expected, (size_t)test[k].n * sizeof *expected) == 0);
+    }
+    CHECK_STATUS(ed_damper_amend(cold[s], ED_AMEND_DEGRADATION_PATH, 0, 3, path, message, sizeof message), ED_OK);
+    CHECK_STATUS(ed_damper_amend(warm[s], ED_AMEND_DEGRADATION_PATH, 0, 3, path, message, sizeof message), ED_OK);
+  }
+  CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_AMENDMENTS,
+                                  &force[0][0][0], NULL, end), ED_OK);
+  for (int i = 1; i < test[0].n; i++)
+    way += fabs(u[0][i] - u[0][i - 1]);
+  ed_damper *plain = make(0, 0.8);
+  CHECK_STATUS(ed_damper_history(plain, ED_DAMPER_BEST, 1e-6, test[1].n, t[1], u[1], v[1], expected, &done), ED_OK);
+  for (int i = 0; i < test[1].n; i++) {
+    way += i ? fabs(u[1][i] - u[1][i - 1]) : 0.0;
+    /* sums in another order */
+    CHECK_NEAR(*(&force[0][0][0] + test[0].n + i), (1.0 - 0.3 * way / 2.0) * expected[i], 1e-9 * 1e5);
+  }
+  const double c = 1e5;
+  viscous = ed_damper_new(ED_LAW_VISCOUS, 1, &c, 0.0, 0.0, &status, message, sizeof message);
+  test[1].damper = (const ed_damper *const *)&viscous;
+  CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)cold, 2, test, ED_DAMPER_BEST, 1e-6, ED_CARRY_NOTHING, &force[0][0][0],
+                                  NULL, end), ED_OK);
+  CHECK_STATUS(end[0].status, ED_E_ARGUMENT);
+  CHECK(end[0].test == 1 && isnan((&force[0][0][0])[test[0].n]));
+  for (int s = 0; s < SETS; s++) {
+    ed_damper_free(cold[s]);
+    ed_damper_free(warm[s]);
+  }
+  ed_damper_free(plain);
+  ed_damper_free(viscous);
+}
+
 int main(void)
 {
   motions();
@@ -267,5 +321,6 @@ int main(void)
   check_carry(&(ed_rig){80e6, 0.7, 1e4, 1.0, 0.0, 0.0, 1e4}, 0.0); /* pins with play would not go back by themselves */
   check_extremes();
   check_failures();
+  check_dampers_of_tests();
   return checks_end("campaigns of dampers");
 }

@@ -27,6 +27,7 @@ static const amendment FACTORS[] = {
     {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
     {ED_AMEND_SELF_HEATING_RATE, 2, {0.03, 4.0}},
     {ED_AMEND_ONE_SIDED_FACTOR, 2, {0.2, -1.0}},
+    {ED_AMEND_ONE_SIDED_VALVE, 3, {0.3, 0.5, 1.0}},
 };
 enum { N_FACTORS = sizeof FACTORS / sizeof *FACTORS };
 
@@ -224,6 +225,8 @@ static void check_refusals(void)
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &PATH, -1, ED_E_ID, "there is no placement -1");
   refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &SPRING, ED_PLACE_DASHPOTS, ED_E_ARGUMENT,
           "amendment hardening.power: it is a force of its own, and only factors act on springs or dashpots alone");
+  refused(ED_LAW_KELVIN_VOIGT, 2, SUMS[0].parameter, &(amendment){ED_AMEND_ONE_SIDED_FORCE, 2, {0.3, 1.0}}, ED_PLACE_SPRINGS,
+          ED_E_ARGUMENT, "goes with the law's force");
   refused(ED_LAW_BOUC_WEN, 7, bouc_wen, &PATH, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "that of law bouc_wen is not");
   refused(ED_LAW_VISCOUS, 1, viscous, &PATH, ED_PLACE_DASHPOTS, ED_E_ARGUMENT, "that of law viscous is not");
   refused(ED_LAW_MGMM, 12, MGMM, &(amendment){ED_AMEND_CONSTANT, 1, {-1.0}}, ED_PLACE_SPRINGS, ED_E_ARGUMENT, "greater than 0");

@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,6 +16,9 @@ from edesign.core.damper import METHODS, TOLERANCE, CoreDamper, Method, fineness
 from edesign.core.errors import CoreError, status_name
 from edesign.core.rig import SeriesRig
 from edesign.core.stop import raise_if_stopped
+
+Carry = bool | Literal["amendments"]
+"""Whether what a specimen remembers goes on from test to test: all of it, or that of amendments alone."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +36,8 @@ class CampaignTest:
         added: (n,) N; None: 0.
         spring: (n,) N/m, at least 0; None: 0.
         rig: None: the damper alone.
+        dampers: those that make this test in place of the campaign's, as many and of the same law and amendments, with
+            other values: at another temperature, say; None: the campaign's.
         rest: s since the test before, above 0; of the first test, and without carrying over, it does not matter.
     """
 
@@ -44,6 +49,7 @@ class CampaignTest:
     spring: ArrayLike | None = None
     rig: SeriesRig | None = None
     rest: float = 0.0
+    dampers: Sequence[CoreDamper] | None = None
 
 
 @dataclass(frozen=True)
@@ -67,7 +73,7 @@ def campaign_forces(
     method: Method = "best",
     tolerance: float = TOLERANCE,
     length: float | None = None,
-    carry: bool = False,
+    carry: Carry = False,
     own: bool = False,
     threads: int | None = None,
 ) -> CampaignForces:
@@ -84,7 +90,7 @@ def campaign_forces(
         method: as in `CoreDamper.force`.
         tolerance: relative, of SUNDIALS; in series with a rig it has its own.
         length: of the method "fixed", m.
-        carry: whether one specimen went through all tests.
+        carry: whether one specimen went through all tests; "amendments": what amendments remember goes on alone.
         own: whether the damper's own deformations are wanted.
         threads: at most so many; None: as many as there are processors.
 
@@ -99,21 +105,26 @@ def campaign_forces(
         raise ValueError("a campaign without tests")
     fine = fineness(method, tolerance, length)
     kept: list[Any] = []
-    given = ffi.new("ed_test[]", [_for_core(i, test, kept) for i, test in enumerate(tests)])
-    offsets = np.cumsum([0, *(given[i].n for i in range(len(tests)))])
+    samples = [_for_core(i, test, kept) for i, test in enumerate(tests)]
+    for i, test in enumerate(tests):
+        if test.dampers is not None and len(test.dampers) != len(dampers):
+            raise ValueError(f"test {i + 1}: {len(test.dampers)} dampers in place of {len(dampers)}")
+    offsets = np.cumsum([0, *(one["n"] for one in samples)])
     force = np.empty((len(dampers), offsets[-1]))
     deformation = np.empty_like(force) if own else None
     ends = ffi.new("ed_campaign_end[]", max(len(dampers), 1))
 
     def run(first: int, last: int) -> None:
+        of_tests = [_handles(dampers if one.dampers is None else one.dampers, first, last) for one in tests]
+        given = ffi.new("ed_test[]", [{**one, "damper": of} for one, of in zip(samples, of_tests, strict=True)])
         status = lib.ed_damper_campaign(
             last - first,
-            [damper.handle for damper in dampers[first:last]],
+            _handles(dampers, first, last),
             len(tests),
             given,
             METHODS[method],
             fine,
-            carry,
+            lib.ED_CARRY_AMENDMENTS if carry == "amendments" else lib.ED_CARRY_ALL if carry else lib.ED_CARRY_NOTHING,
             ffi.from_buffer("double[]", force[first:last]),
             ffi.NULL if deformation is None else ffi.from_buffer("double[]", deformation[first:last]),
             ends + first,
@@ -144,6 +155,10 @@ def campaign_forces(
     )
 
 
+def _handles(dampers: Sequence[CoreDamper], first: int, last: int) -> Any:
+    return ffi.new("ed_damper *[]", [damper.handle for damper in dampers[first:last]])
+
+
 def _for_core(index: int, test: CampaignTest, kept: list[Any]) -> dict[str, Any]:
     """Return the fields of a test for the core; what they point to goes to `kept`."""
     found: dict[str, Any] = {"rest": test.rest}
@@ -170,7 +185,7 @@ def _for_core(index: int, test: CampaignTest, kept: list[Any]) -> dict[str, Any]
     return {**found, "n": size, "rig": kept[-1]}
 
 
-def _where(status: int, end: Any, tests: Sequence[CampaignTest], carry: bool) -> str:
+def _where(status: int, end: Any, tests: Sequence[CampaignTest], carry: Carry) -> str:
     test = tests[end.test]
     if carry and end.test > 0 and not (test.rest > 0.0 and np.isfinite(test.rest)):
         return f"test {end.test + 1}: rest = {test.rest:g} s is not allowed: finite and above 0"

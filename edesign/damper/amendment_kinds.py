@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from edesign.core.damper import PLACEMENTS, Placement
@@ -39,8 +39,8 @@ class AmendmentKind(Law):
 
     @property
     def placements(self) -> tuple[Placement, ...]:
-        """Where it may act: springs or dashpots of a law alone only as a factor."""
-        return PLACEMENTS if self.is_factor else ("whole", "inside")
+        """Where it may act: springs or dashpots alone only as a factor that does not go with the law's force."""
+        return PLACEMENTS if self.is_factor and "F_law" not in self.equation else ("whole", "inside")
 
 
 def _positive(name: str, meaning: str, unit: str) -> Parameter:
@@ -79,6 +79,8 @@ _SIDE = Parameter(
     fitted=False,
     choices=(1.0, -1.0),
 )
+_SIDE_OF_MOTION = replace(_SIDE, meaning="1: where the velocity is positive; -1: where it is negative")
+_SIDE_OF_FORCE = replace(_SIDE, meaning="1: where the force of the law is positive; -1: where it is negative")
 _T0 = Parameter("T0", "temperature at which phi is 1", "degC", _ANY, fitted=False)
 
 
@@ -264,12 +266,13 @@ def _kinds() -> tuple[AmendmentKind, ...]:
         kind(
             "ageing.logarithmic",
             "change from test to test that slows down",
-            "phi = 1 + rate ln(1 + n)",
+            "phi = 1 + rate ln(1 + n/n0)",
             "Struik (1978), Physical Aging in Amorphous Polymers and Other Materials",
             (),
             more=(
                 _any("rate", "change of the force over e times as many tests", ""),
                 Parameter("n", "tests before: the state that is used", "", lower_allowed=True, fitted=False),
+                Parameter("n0", "tests after which it slows down", "", default=1.0),
             ),
             constant=True,
         ),
@@ -312,6 +315,25 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE),
         ),
         kind(
+            "one_sided.valve",
+            "stronger in motion to one side",
+            "phi = 1 + b max(tanh(side u'/v0), 0)",
+            "valves of rebound and compression: Dixon (2007), The Shock Absorber Handbook, Wiley, chapter 7",
+            (
+                Parameter("b", "share by which it is stronger", "", lower=-1.0),
+                _positive("v0", "velocity over which that rises", "m/s"),
+                _SIDE_OF_MOTION,
+            ),
+            True,
+        ),
+        kind(
+            "one_sided.force",
+            "stronger where it pulls, or pushes",
+            "phi = 1 + b where side F_law > 0",
+            "factors of tension and compression",
+            (Parameter("b", "share by which it is stronger", "", lower=-1.0), _SIDE_OF_FORCE),
+        ),
+        kind(
             "one_sided.spring",
             "spring to one side",
             "k max(side u - u0, 0) side",
@@ -344,6 +366,17 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _any("k", "secant stiffness at r; negative: softer where the deformation is positive", "N/m"),
                 Parameter("n", "exponent", "", lower=1.0, lower_allowed=True),
                 Parameter("r", "deformation at which the secant stiffness is k", "m", fitted=False),
+            ),
+        ),
+        kind(
+            "gas_spring.polytropic",
+            "gas that is compressed",
+            "P (1 - c u)^-n",
+            "polytropic change of a gas: Dixon (2007), The Shock Absorber Handbook, Wiley, section 5.11",
+            (
+                _any("P", "force of the gas at u = 0", "N"),
+                _any("c", "1 over the deformation at which no room is left; negative: on the other side", "1/m"),
+                Parameter("n", "exponent: 1 isothermal, 1.4 adiabatic", "", fitted=False),
             ),
         ),
         kind(
@@ -416,7 +449,7 @@ _ONCE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent
 FORMER_FORMS: dict[tuple[str, str], tuple[str, Placement]] = {
     (name, form + _INSIDE): (form, "inside")
     for name, form in AMENDMENTS
-    if name in _ONCE_INSIDE and form != "exponential"  # came with placements
+    if name in _ONCE_INSIDE and form not in ("exponential", "valve", "force")  # these came with placements
 }
 """Forms that law files had before they said placements, by effect and form: the form today, and its placement."""
 

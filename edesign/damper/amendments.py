@@ -72,7 +72,9 @@ class Amendment:
         if self.name == "temperature_law":
             return self._of_temperature(self.values["T0"] if temperature_C is None else temperature_C)
         n = self.values["n"]
-        age, text = (math.log1p(n), "ln(1 + n)") if self.form == "logarithmic" else (n, "n")
+        age, text = (n, "n")
+        if self.form == "logarithmic":
+            age, text = math.log1p(n / self.values["n0"]), "ln(1 + n/n0)"
         factor = 1.0 + self.values["rate"] * age
         if not factor > 0.0:
             raise InputError(f"effect {self.kind.name}: 1 + rate {text} = {factor:g} must be greater than 0")
@@ -115,10 +117,12 @@ def placement_of(name: str, form: str, placement: Placement | None) -> Placement
             f"effect {kind.name}: there is no placement `{placement}`{hint} (there are: {listed(PLACEMENTS)})"
         )
     if placement not in kind.placements:
-        raise InputError(
-            f"effect {kind.name}: it is a force of its own, and only factors act on {placement} alone "
-            f"(allowed: {listed(kind.placements)})"
+        why = (
+            "it goes with the law's force, and does not act"
+            if kind.is_factor
+            else "it is a force of its own, and only factors act"
         )
+        raise InputError(f"effect {kind.name}: {why} on {placement} alone (allowed: {listed(kind.placements)})")
     if today != form and placement != said:
         raise InputError(
             f"effect {name}.{form}: the form says the placement `{said}`, which is not `{placement}`; write "

@@ -28,6 +28,8 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("hardening", "power"): {"k": 1.2e6, "p": 3.5, "r": 6e-3},
     ("hardening", "threshold"): {"k": 3e6, "u0": 3.3e-3},
     ("one_sided", "factor"): {"b": 0.15, "side": -1.0},
+    ("one_sided", "force"): {"b": 0.2, "side": 1.0},
+    ("one_sided", "valve"): {"b": 0.2, "v0": 3e-3, "side": -1.0},
     ("one_sided", "spring"): {"k": 2e6, "u0": 1.7e-3, "side": -1.0},
     ("one_sided", "contact"): {"k": 4e6, "u0": 1.2e-3, "n": 1.6, "side": 1.0, "r": 3e-3},
     ("one_sided", "even"): {"k": 8e5, "n": 2.1, "r": 5e-3},
@@ -37,9 +39,10 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("mullins", "damage"): {"m": 0.25, "r": 4e-3, "p": 1.4, "recovery": 0.2},
     ("velocity_exponent", "flow"): {"f": 1.5e3, "v0": 4e-3},
     ("degradation", "path"): {"d": 0.2, "p": 1.3, "S": 0.1},
-    ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0},
+    ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0, "n0": 0.4},
     ("payne", "exponential"): {"d": 0.25, "a0": 4e-3, "m": 1.3, "tau_a": 2.0},
     ("hardening", "exponential"): {"k": 1e6, "u0": 7e-3},
+    ("gas_spring", "polytropic"): {"P": 4e3, "c": -40.0, "n": 1.2},
     ("friction", "coulomb"): {"F_c": 1.2e3, "v0": 2e-3},
     ("friction", "presliding"): {"F_c": 1.5e3, "x0": 8e-4},
     ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
@@ -101,6 +104,8 @@ def amended(
         for k, one in enumerate(amendments):
             values = given[k]
             value = _counted(one, count[k]) if values is None else float(values[i])
+            if one.kind.name == "one_sided.force":
+                value = 1.0 + one.values["b"] * (one.values["side"] * law_force[i] > 0.0)
             if one.placement == "inside" and one.kind.is_factor:
                 inside[k] = _relaxed(inside[k], value - 1.0, law_force[i], h, tau)
                 beside += inside[k].q
@@ -201,7 +206,7 @@ def _values(
         case "ageing.linear":
             return ones * (1.0 + p["rate"] * p["n"])
         case "ageing.logarithmic":
-            return ones * (1.0 + p["rate"] * log(1.0 + p["n"]))
+            return ones * (1.0 + p["rate"] * log(1.0 + p["n"] / p["n0"]))
         case "degradation.path":
             return 1.0 - p["d"] * (path / p["S"]) ** p["p"]
         case "hardening.power":
@@ -212,6 +217,10 @@ def _values(
             return p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u)
         case "one_sided.factor":
             return np.where(p["side"] * u > 0.0, 1.0 + p["b"], 1.0)
+        case "one_sided.force":
+            return ones
+        case "one_sided.valve":
+            return 1.0 + p["b"] * np.maximum(np.tanh(p["side"] * v / p["v0"]), 0.0)
         case "one_sided.spring":
             return p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"]
         case "one_sided.contact":
@@ -219,6 +228,10 @@ def _values(
             return p["side"] * p["k"] * x * (x / p["r"]) ** (p["n"] - 1.0)
         case "one_sided.even":
             return p["k"] * p["r"] * (np.abs(u) / p["r"]) ** p["n"]
+        case "gas_spring.polytropic":
+            room = 1.0 - p["c"] * u
+            least = np.maximum(room, 0.05)
+            return p["P"] * least ** -p["n"] * (1.0 + p["n"] * (least - room) / least)
         case "relaxation_branch.maxwell":
             return _branch(p, h, v)
         case "velocity_exponent.dashpot":

@@ -188,3 +188,27 @@ static void one_sided_factor(const double *p, double before, const ed_ends *ends
 }
 
 const ed_amendment_kind ed_amend_one_sided_factor = {.name = "one_sided.factor", .is_factor = 1, .at_end = one_sided_factor};
+
+/* Valves of the two directions: over v0 the factor rises from rest, so that laws that carry a force there have no jump. */
+static void one_sided_valve(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_ONE_SIDED_VALVE_PARAMETERS };
+  (void)before, (void)after;
+  const double x = p[SIDE] * ends->v1 / p[V0], near = 1.0 / cosh(x);
+  out->value = 1.0 + (x > 0.0 ? p[B] * tanh(x) : 0.0);
+  out->by_v1 = x > 0.0 ? p[B] * p[SIDE] / p[V0] * near * near : 0.0;
+}
+
+const ed_amendment_kind ed_amend_one_sided_valve = {
+    .name = "one_sided.valve", .is_factor = 1, .on_speed = 1, .at_end = one_sided_valve};
+
+/* The force with its factor has no jump, as the law's force is zero where the factor changes. */
+static void one_sided_force(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_ONE_SIDED_FORCE_PARAMETERS };
+  (void)before, (void)after;
+  out->value = 1.0 + (p[SIDE] * ends->law > 0.0 ? p[B] : 0.0);
+}
+
+const ed_amendment_kind ed_amend_one_sided_force = {
+    .name = "one_sided.force", .is_factor = 1, .by_force = 1, .at_end = one_sided_force};

@@ -29,6 +29,7 @@ void ed_amend_relaxed_factor(double tau, const ed_amended *found, double h, doub
   after[LAST] = now;
   beside->value += now * law1 + after[RELAXING];
   beside->by_u1 += found->by_u1 * left;
+  beside->by_v1 += found->by_v1 * left;
   *by_law += now - change * of.last;
 }
 

@@ -140,3 +140,16 @@ static void flow(const double *p, double before, const ed_ends *ends, double *af
 }
 
 const ed_amendment_kind ed_amend_velocity_exponent_flow = {.name = "velocity_exponent.flow", .on_speed = 1, .at_end = flow};
+
+/* A gas that is compressed where c u is positive. Its room ends at c u = 1: from LAST on the force goes on straight. */
+static void gas_spring_polytropic(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_GAS_SPRING_POLYTROPIC_PARAMETERS };
+  static const double LAST = 0.95;
+  (void)before, (void)after;
+  const double x = p[C] * ends->u1, room = 1.0 - fmin(x, LAST), pressure = p[P] * pow(room, -p[N]), slope = p[N] * pressure / room;
+  out->value = pressure + slope * fmax(x - LAST, 0.0);
+  out->by_u1 = slope * p[C];
+}
+
+const ed_amendment_kind ed_amend_gas_spring_polytropic = {.name = "gas_spring.polytropic", .at_end = gas_spring_polytropic};

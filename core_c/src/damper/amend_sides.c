@@ -79,7 +79,7 @@ int ed_sides_act(const ed_damper *damper, const double *before, double law0, con
   for (int i = 0; i < ED_SIDES; i++) {
     const double less = factor[i].value - 1.0, force = side[i].force;
     const int own = RELAXED + 2 * i;
-    ed_amended made = {.value = less * force, .by_u1 = factor[i].by_u1 * force};
+    ed_amended made = {.value = less * force, .by_u1 = factor[i].by_u1 * force, .by_v1 = factor[i].by_v1 * force};
     double by_side = less;
     if (tau > 0.0) {
       made = (ed_amended){0};
@@ -88,7 +88,7 @@ int ed_sides_act(const ed_damper *damper, const double *before, double law0, con
     }
     out->force += made.value;
     for (int j = 0; j < 2; j++) {
-      out->slope[j] += by_side * side[i].slope[j] + made.by_u1 * ed_path_u(&direction[j], h);
+      out->slope[j] += by_side * side[i].slope[j] + made.by_u1 * ed_path_u(&direction[j], h) + made.by_v1 * ed_path_v(&direction[j], h);
       out->chord[j] += by_side * side[i].chord[j];
     }
   }

@@ -120,6 +120,7 @@ void ed_amendments_jump(const ed_damper *damper, double *state, const double *af
 static void multiply(ed_amended *product, const ed_amended *factor)
 {
   product->by_u1 = product->by_u1 * factor->value + product->value * factor->by_u1;
+  product->by_v1 = product->by_v1 * factor->value + product->value * factor->by_v1;
   product->value *= factor->value;
 }
 
@@ -145,7 +146,7 @@ static void add_inside(const ed_amendment *one, const ed_amended *found, double 
     ed_amend_relaxed_force(one->tau, found, h, before + at, after + at, beside);
 }
 
-/* Factors depend on the deformation alone, parallel forces on the velocities too. All of the force works. */
+/* Factors depend on the deformation and the velocity of the end, parallel forces on that of the beginning too. All of the force works. */
 int ed_amend(const ed_damper *damper, const double *committed, const ed_path *path, const ed_path direction[2], double *trial,
              ed_damper_force *out)
 {
@@ -153,7 +154,7 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
   const double *before = committed + first, h = path->h, u1 = ed_path_u(path, h);
   double *after = trial + first;
   const int counts = before[BEGUN] != 0.0;
-  const ed_ends ends = {.h = h, .du = counts ? u1 - path->c[0] : 0.0, .u1 = u1, .v0 = path->c[1], .v1 = ed_path_v(path, h),
+  const ed_ends ends = {.h = h, .du = counts ? u1 - path->c[0] : 0.0, .u1 = u1, .v0 = path->c[1], .v1 = ed_path_v(path, h), .law = out->force,
                         .jump = damper->brace + damper->joint > 0.0 ? JUMP : 0.0, .path = counts ? path : NULL, .direction = direction};
   ed_amended factor = {.value = 1.0}, side[ED_SIDES] = {{.value = 1.0}, {.value = 1.0}}, beside = {0};
   ed_damper_force sides = {0};
@@ -189,8 +190,8 @@ int ed_amend(const ed_damper *damper, const double *committed, const ed_path *pa
   const double of_law = factor.value + by_law;
   for (int j = 0; j < 2; j++) {
     const double u = ed_path_u(&direction[j], h), v0 = direction[j].c[1], v1 = ed_path_v(&direction[j], h);
-    out->slope[j] = of_law * out->slope[j] + factor.value * sides.slope[j] + law * factor.by_u1 * u + beside.by_u1 * u +
-                    beside.by_v0 * v0 + beside.by_v1 * v1 + beside.by_path[j];
+    out->slope[j] = of_law * out->slope[j] + factor.value * sides.slope[j] + law * (factor.by_u1 * u + factor.by_v1 * v1) +
+                    beside.by_u1 * u + beside.by_v0 * v0 + beside.by_v1 * v1 + beside.by_path[j];
     out->chord[j] = of_law * out->chord[j] + factor.value * sides.chord[j] + beside.chord * v1;
   }
   out->force = force;

@@ -7,10 +7,10 @@
 #include "damper/amendment_parameters.h"
 #include "damper/law.h"
 
-/* A step by its two ends; du: from the one to the other, as far as it counts. jump: deformation over which a force that jumps rises,
+/* A step by its two ends; du: from the one to the other, as far as it counts. law: the law's force at the end. jump: deformation over which a force that jumps rises,
  * 0 unless a brace must find its balance inside the jump. path, direction: the way between them, or NULL where it does not count. */
 typedef struct {
-  double h, du, u1, v0, v1, jump;
+  double h, du, u1, v0, v1, law, jump;
   const ed_path *path, *direction;
 } ed_ends;
 
@@ -25,6 +25,7 @@ typedef struct {
   int is_factor;  /* of the law's force; else a force beside it */
   int has_state;  /* one double */
   int on_speed;   /* depends on time or velocity */
+  int by_force;   /* goes with the law's force, so that none of springs or dashpots has it without a jump */
   /* The value at the end of a step from the state before it; writes the state after it. `out` holds zeros. */
   void (*at_end)(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out);
   /* The state after a step in which the law, with all factors, has done this work. NULL: none is counted. */
@@ -45,11 +46,11 @@ struct ed_amendment {
 /* amend_factor.c */
 extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend_mullins_path, ed_amend_mullins_maximum,
     ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor, ed_amend_payne_network, ed_amend_mullins_damage,
-    ed_amend_degradation_path, ed_amend_payne_exponential;
+    ed_amend_degradation_path, ed_amend_payne_exponential, ed_amend_one_sided_valve, ed_amend_one_sided_force;
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
     ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
-    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential;
+    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential, ed_amend_gas_spring_polytropic;
 /* amend_friction.c */
 extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck;
 

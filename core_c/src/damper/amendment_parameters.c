@@ -85,6 +85,15 @@ const ed_parameters ed_amendment_parameters[] = {
         {.n = 2,
          .parameter = (const ed_parameter[]){{"b", -1.0, INFINITY, 0, 1, 0, NULL},
                                              {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}}}},
+    [ED_AMEND_ONE_SIDED_VALVE] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"b", -1.0, INFINITY, 0, 1, 0, NULL},
+                                             {"v0", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}}}},
+    [ED_AMEND_ONE_SIDED_FORCE] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"b", -1.0, INFINITY, 0, 1, 0, NULL},
+                                             {"side", -1.0, 1.0, 1, 1, 2, (const double[]){1.0, -1.0}}}},
     [ED_AMEND_ONE_SIDED_SPRING] =
         {.n = 3,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
@@ -102,6 +111,11 @@ const ed_parameters ed_amendment_parameters[] = {
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"n", 1.0, INFINITY, 1, 1, 0, NULL},
                                              {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_GAS_SPRING_POLYTROPIC] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"P", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"c", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"n", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_RELAXATION_BRANCH_MAXWELL] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},

@@ -31,6 +31,9 @@ const ed_amendment_kind *ed_amendment_kind_of(int id)
       [ED_AMEND_FRICTION_COULOMB] = &ed_amend_friction_coulomb,
       [ED_AMEND_FRICTION_PRESLIDING] = &ed_amend_friction_presliding,
       [ED_AMEND_FRICTION_STRIBECK] = &ed_amend_friction_stribeck,
+      [ED_AMEND_ONE_SIDED_VALVE] = &ed_amend_one_sided_valve,
+      [ED_AMEND_GAS_SPRING_POLYTROPIC] = &ed_amend_gas_spring_polytropic,
+      [ED_AMEND_ONE_SIDED_FORCE] = &ed_amend_one_sided_force,
   };
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
 }
@@ -43,6 +46,9 @@ static int check_placement(const ed_damper *damper, const ed_amendment_kind *kin
              "amendment %s: it can stand inside a law that relaxes all of its forces, as mgmm does, but law %s does not", kind->name, law);
   else if (ed_of_side(placement) && !kind->is_factor)
     snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: it is a force of its own, and only factors act on springs or dashpots alone",
+             kind->name);
+  else if (ed_of_side(placement) && kind->by_force)
+    snprintf(message, ED_DAMPER_MESSAGE, "amendment %s: it goes with the law's force, and does not act on springs or dashpots alone",
              kind->name);
   else if (ed_of_side(placement) && !damper->law->without_dashpots)
     snprintf(message, ED_DAMPER_MESSAGE,

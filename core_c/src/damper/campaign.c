@@ -43,18 +43,22 @@ static int one_test(const campaign *of, ed_test_run *run, const ed_test *test, d
   return status;
 }
 
-/* All tests of one damper. */
-static ed_campaign_end one_set(campaign *of, const ed_damper *damper, double *force, double *own)
+/* All tests of one set. */
+static ed_campaign_end one_set(campaign *of, int set, const ed_damper *damper, double *force, double *own)
 {
   ed_campaign_end end = {.status = ED_OK};
   ed_test_run run;
   size_t at = 0;
   end.status = ed_test_run_open(&run, damper, of->method, of->fineness, &of->watch);
+  run.keeps_law = of->carry == ED_CARRY_ALL;
   for (int i = 0; end.status == ED_OK && i < of->n_tests; i++) {
     if (of->carry && i > 0)
       ed_test_run_carry(&run, of->test[i].rest);
     end.test = i;
     end.sample = 0;
+    end.status = ed_test_run_exchange(&run, of->test[i].damper ? of->test[i].damper[set] : damper);
+    if (end.status != ED_OK)
+      break;
     end.status = one_test(of, &run, &of->test[i], force + at, own ? own + at : NULL, &end.sample);
     at += (size_t)(end.status == ED_OK ? of->test[i].n : end.sample);
   }
@@ -105,7 +109,7 @@ int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, 
     return ED_E_MEMORY;
   for (int i = 0; i < n_sets; i++) {
     const size_t first = (size_t)i * of.samples;
-    end[i] = one_set(&of, damper[i], force + first, own ? own + first : NULL);
+    end[i] = one_set(&of, i, damper[i], force + first, own ? own + first : NULL);
     if (end[i].status == ED_E_STOPPED) {
       free(of.own);
       return ED_E_STOPPED;

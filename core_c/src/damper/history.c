@@ -179,8 +179,7 @@ static int integrated(ed_test_run *in, int n, const double *time, const double *
   return status;
 }
 
-/* Held at the first deformation, then the jump to the first velocity: a step of no deformation. */
-static int held(ed_test_run *in, int n, const double *time, const double *u, const double *v, double slowly, double *force)
+int ed_test_run_hold(ed_test_run *in, int n, const double *time, const double *u, const double *v, double slowly, double *force)
 {
   const ed_damper *damper = in->stepper.damper;
   const size_t size = (size_t)ed_damper_state_size(damper) * sizeof *in->state;
@@ -216,7 +215,7 @@ int ed_test_run_history(ed_test_run *in, int n, const double *time, const double
   *done = 1;
   if (in->stepper.system)
     return integrated(in, n, time, u, v, slowly, force, done);
-  const int status = held(in, n, time, u, v, slowly, force);
+  const int status = ed_test_run_hold(in, n, time, u, v, slowly, force);
   return status == ED_OK ? step_by_step(in, n, time, u, v, force, done) : status;
 }
 

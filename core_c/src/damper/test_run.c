@@ -12,7 +12,7 @@ enum { STATES = 3 }; /* of a history */
 int ed_test_run_open(ed_test_run *run, const ed_damper *damper, int method, double fineness, ed_watch *watch)
 {
   const size_t size = (size_t)ed_damper_state_size(damper);
-  *run = (ed_test_run){.method = method, .fineness = fineness, .watch = watch};
+  *run = (ed_test_run){.method = method, .fineness = fineness, .watch = watch, .keeps_law = 1};
   const int status = ed_stepper_open(&run->stepper, damper, method, fineness, watch);
   if (status != ED_OK)
     return status;
@@ -32,6 +32,17 @@ int ed_test_run_tune(ed_test_run *run, double fineness)
   run->fineness = fineness;
   ed_stepper_close(&run->stepper);
   return ed_stepper_open(&run->stepper, damper, run->method, fineness, run->watch);
+}
+
+int ed_test_run_exchange(ed_test_run *run, const ed_damper *damper)
+{
+  const ed_damper *old = run->stepper.damper;
+  if (damper == old)
+    return ED_OK;
+  if (damper->law != old->law || ed_damper_state_size(damper) != ed_damper_state_size(old))
+    return ED_E_ARGUMENT;
+  ed_stepper_close(&run->stepper);
+  return ed_stepper_open(&run->stepper, damper, run->method, run->fineness, run->watch);
 }
 
 void ed_test_run_close(ed_test_run *run)
@@ -56,7 +67,7 @@ void ed_test_run_begin(ed_test_run *run)
   memset(run->trial, 0, (size_t)size * sizeof *run->trial);
   ed_damper_start(damper, run->state);
   ed_amendments_start(damper, run->state, 0);
-  if (run->before && damper->law->keep)
+  if (run->before && run->keeps_law && damper->law->keep)
     damper->law->keep(damper, run->before, run->state);
   if (run->before)
     ed_amendments_keep_law(damper, run->before, run->state);

@@ -13,6 +13,7 @@ typedef struct {
   ed_watch *watch;
   double *room;            /* of all states; owned */
   double *state, *trial;   /* `state` is that at the last sample when a history ends */
+  int keeps_law;           /* whether a law keeps extremes of the test before */
   double *before;          /* the state at the end of the test before, or NULL: a new specimen */
   double rest;             /* s between that and the first sample */
 } ed_test_run;
@@ -21,11 +22,17 @@ typedef struct {
 int ed_test_run_open(ed_test_run *run, const ed_damper *damper, int method, double fineness, ed_watch *watch);
 /* Another fineness from here on. */
 int ed_test_run_tune(ed_test_run *run, double fineness);
+/* Another damper of the same law and amendments from here on; ED_E_ARGUMENT if it is none. */
+int ed_test_run_exchange(ed_test_run *run, const ed_damper *damper);
 void ed_test_run_close(ed_test_run *run);
 /* The test is over, and the next one of the same specimen is to begin after a rest (s). */
 void ed_test_run_carry(ed_test_run *run, double rest);
 /* `state` at rest, with what the law keeps of `before`. */
 void ed_test_run_begin(ed_test_run *run);
+
+/* From the state at rest: held at the first deformation, to which it comes in a time `slowly`, then the jump to the first velocity: a step
+ * of no deformation. force: one, before the first step. Of dampers with an exact step. */
+int ed_test_run_hold(ed_test_run *run, int n, const double *time, const double *u, const double *v, double slowly, double *force);
 
 /* `trial` becomes the state. */
 static inline void ed_test_run_accept(ed_test_run *run)

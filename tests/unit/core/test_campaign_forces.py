@@ -117,3 +117,34 @@ def test_tests_that_are_not_allowed_are_named():
         campaign_forces(sets, [TESTS[0], TESTS[0]], carry=True)
     with pytest.raises(CoreError, match="stiffness = -1 is not allowed"):
         SeriesRig(-1.0)
+
+
+def test_dampers_of_each_test_are_those_of_single_campaigns():
+    warm = [CoreDamper("mgmm", (MGMM[0] * (0.8 + 0.01 * i), *MGMM[1:])) for i in range(3)]
+    exchanged = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=warm)]
+    found = campaign_forces(dampers(3), exchanged, threads=2)
+    assert found.failed == {}
+    for i, (cold, other) in enumerate(zip(dampers(3), warm, strict=True)):
+        assert np.array_equal(found.force[0][i], cold.force(*MOTIONS[0]))
+        assert np.array_equal(found.force[1][i], other.force(*MOTIONS[2]))
+
+
+def test_amendments_alone_go_on_where_that_is_asked():
+    """The path goes on in 1 - d s/S, whatever the parameters of each test; extremes of the MGMM do not."""
+    d, whole = 0.3, 1.0
+    worn = AmendmentValues("degradation.path", (d, 1.0, whole))
+    before, own = (np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u))))) for _, u, _ in (MOTIONS[0], MOTIONS[2]))
+    warmer = (0.8 * MGMM[0], *MGMM[1:])
+    tests = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=[CoreDamper("mgmm", warmer, amendments=[worn])])]
+    found = campaign_forces([CoreDamper("mgmm", MGMM, amendments=[worn])], tests, carry="amendments")
+    expected = (1.0 - d * (before[-1] + own) / whole) * CoreDamper("mgmm", warmer).force(*MOTIONS[2])
+    # sums in another order
+    assert np.max(np.abs(found.force[1][0] - expected)) < 1e-12 * np.max(np.abs(expected))
+
+
+def test_dampers_of_a_test_are_of_the_same_law_and_as_many():
+    other = [CoreDamper("viscous", (1e5,))]
+    found = campaign_forces(dampers(1), [TESTS[0], CampaignTest(*MOTIONS[2], dampers=other)])
+    assert "test 2" in found.failed[0]
+    with pytest.raises(ValueError, match="test 1: 1 dampers in place of 2"):
+        campaign_forces(dampers(2), [CampaignTest(*MOTIONS[2], dampers=other)])
