@@ -2,22 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Literal
 
 import numpy as np
 
-from edesign.damper.fitting.doubts import doubts_of, start_doubts
+from edesign.damper.fitting.doubts import LOOSE, doubts_of, start_doubts
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.identifiable import LIMITED_BY
 from edesign.damper.fitting.setup import Setup
 from edesign.damper.fitting.solve import Outcome
-from edesign.damper.fitting.uncertainty import uncertainty
+from edesign.estimation.uncertainty import uncertainty
 
 
 def assemble(
     setup: Setup,
     outcome: Outcome,
-    groups: tuple[np.ndarray, np.ndarray],
+    blocks: Sequence[int] | None,
     errors: dict[str, float],
     overall: float,
     rms_error: dict[str, float],
@@ -32,7 +33,7 @@ def assemble(
     Args:
         setup: unknowns of the fit.
         outcome: of the search.
-        groups: test and block of every residual.
+        blocks: of each test, whose errors hang together; None: tests are the blocks.
         errors: NRMS by test.
         overall: see `Fit`.
         rms_error: see `Fit`.
@@ -42,19 +43,28 @@ def assemble(
         independent: number of independent errors.
         against: "forces" or "properties" that were fitted.
     """
-    coordinates, law = setup.coordinates, setup.law
-    values, x, free = coordinates.values(outcome.x), outcome.x, outcome.free
-    names = [coordinates.names[i] for i in free]
-    index = list(free)
+    coordinates, law, fitted = setup.coordinates, setup.law, outcome.fitted
+    values, free = coordinates.values(outcome.x), np.flatnonzero(fitted.free)
+    names, samples = [coordinates.names[i] for i in free], sum(error.size for error in outcome.errors)
     # parameters at a bound count as known: the others' errors do not answer for them
-    slopes = coordinates.slopes(x)[np.ix_(index, index)]
-    found = uncertainty(outcome.jacobian, outcome.residual, *groups, slopes, outcome.loss_weight)
-    white = dict(zip(names, found.white.tolist(), strict=True))
-    robust = dict(zip(names, found.robust.tolist(), strict=True))
-    enough = bool(np.all(np.isfinite(found.robust)))
-    fewer = float(np.sqrt(max(outcome.residual.size / max(independent, 1.0), 1.0)))
+    found = uncertainty(fitted, blocks=blocks)
+    slopes = coordinates.slopes(outcome.x)[free]
+    count = len(found.pulls)
+    few = (count - 1.0) / max(count - len(names), 1)  # parameters bend to the errors of blocks
+    scatter = [slopes @ covariance @ slopes.T for covariance in (found.within, few * found.between)]
+    white, robust = (dict(zip(names, np.sqrt(np.diag(one)).tolist(), strict=True)) for one in scatter)
+    enough = count > 2 * len(names)
+    chosen = scatter[1] if enough else scatter[0]
+    errors_of = np.sqrt(np.maximum(np.diag(chosen), 1e-300))
+    correlation = np.clip(chosen / np.outer(errors_of, errors_of), -1.0, 1.0)
+    np.fill_diagonal(correlation, 1.0)
+    if not enough:
+        robust = dict.fromkeys(names, float("nan"))
+    fewer = float(np.sqrt(max(samples / max(independent, 1.0), 1.0)))
+    loose = [coordinates.names[i] for i in free if found.loose[i] > LOOSE]  # what no block tells does not scatter
+    robust |= {name: max(robust[name], white[name]) for name in loose if enough}
     printed = robust if enough else {name: error * fewer for name, error in white.items()}
-    at_bound = {name: values[name] for i, name in enumerate(coordinates.names) if i not in free}
+    at_bound = {name: values[name] for name in coordinates.names if name not in names}
     doubts = [
         f"{name} ended at its bound {value:g}"
         if coordinates.is_bound(name, value)
@@ -66,11 +76,11 @@ def assemble(
         for name, other in LIMITED_BY.get(law.name, {}).items()
         if name in at_bound and other in setup.held and values[other] > 0.0
     ]
-    doubts += doubts_of(names, values, printed, found)
+    doubts += doubts_of(names, values, printed, correlation, loose, found.condition)
     if setup.thermal.kind is None and len(setup.thermal.temperatures) > 1:
         low, high = setup.thermal.temperatures[0], setup.thermal.temperatures[-1]
         doubts.append(f"tests at {low:g} to {high:g} degC were fitted with one set of parameters")
-    doubts += start_doubts(outcome.costs, outcome.same, outcome.converged)
+    doubts += start_doubts(outcome.costs, outcome.same, fitted.converged)
     own = {parameter.name for parameter in setup.thermal.parameters}
     return Fit(
         law=law,
@@ -84,7 +94,7 @@ def assemble(
         standard_error_white=white,
         standard_error_robust=robust,
         error_kind="robust" if enough else "correlation time",
-        correlation=found.correlation,
+        correlation=correlation,
         nrms=errors,
         nrms_overall=overall,
         rms_error=rms_error,
@@ -97,8 +107,8 @@ def assemble(
         same_minimum=outcome.same,
         iterations=outcome.iterations,
         evaluations=outcome.evaluations,
-        converged=outcome.converged,
-        samples=int(outcome.residual.size),
+        converged=fitted.converged,
+        samples=samples,
         tested=tested,
         independent=independent,
         against=against,

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+import numpy as np
+
 from edesign.damper.fitting.fit import FOLLOWS
 from edesign.damper.fitting.loading import Loading
-from edesign.damper.fitting.uncertainty import Uncertainty
 from edesign.damper.history import sign_doubtful
 
 CORRELATED = 0.98
-_SHARE = 0.5  # of a parameter's variance in loose combinations, for it to be named
+LOOSE = 0.5
+"""Share of a parameter's variance in combinations that data do not tell, for it to be named."""
 _TOLD = 0.05  # standard error / value, up to which correlation does no harm
 _UNSURE = 0.5  # standard error / value
 
@@ -19,26 +21,28 @@ def doubts_of(
     names: Sequence[str],
     values: Mapping[str, float],
     errors: Mapping[str, float],
-    found: Uncertainty,
+    correlation: np.ndarray,
+    loose: Sequence[str],
+    condition: float,
 ) -> list[str]:
     """List doubts about what the data can tell.
 
     Args:
-        names: of the fitted parameters, in the order of `found`.
+        names: of the fitted parameters.
         values: SI.
         errors: standard errors, SI.
-        found: of the same parameters.
+        correlation: (n, n) of them.
+        loose: names of those that data tell in combinations only.
+        condition: of the derivatives, with columns of unit length.
     """
     said = []
-    loose = [name for name, share in zip(names, found.loose, strict=True) if share > _SHARE]
     if len(loose) > 1:
         said.append(
-            f"{_and(loose)}: the data tell only combinations of them "
-            f"(condition {found.condition:.1e}); hold one or more"
+            f"{_and(loose)}: the data tell only combinations of them (condition {condition:.1e}); hold one or more"
         )
     for i, first in enumerate(names):
         for j in range(i):
-            rho = float(found.correlation[i, j])
+            rho = float(correlation[i, j])
             unsure = max(errors[name] / max(abs(values[name]), 1e-300) for name in (first, names[j]))
             together = first in loose and names[j] in loose
             if abs(rho) > CORRELATED and unsure > _TOLD and not together:

@@ -15,14 +15,12 @@ from edesign.damper.fitting.coordinates import Bounds
 from edesign.damper.fitting.doubts import misfit_doubts, reversed_doubts
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.loading import Loading, Predict, prepare, scales_of
-from edesign.damper.fitting.minimise import Loss, Residual
 from edesign.damper.fitting.observed import observe
 from edesign.damper.fitting.setup import Setup, set_up
-from edesign.damper.fitting.solve import FAILED, Progress, solve
+from edesign.damper.fitting.solve import ErrorModel, Loss, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.starts import ValuesAt, same_starts, start_doubts, with_starts
 from edesign.damper.fitting.thermal import ThermalKind
-from edesign.damper.fitting.uncertainty import blocks_of
 from edesign.damper.law import Law
 from edesign.damper.testing.independence import independent_errors
 from edesign.damper.testing.nrms import determination, error_of_peak, nrms
@@ -34,6 +32,7 @@ if TYPE_CHECKING:
 
 STARTS, SCREENED = 6, 8
 """Descents; candidates that are screened for each."""
+_BLOCKS = 10  # of a test at most
 _PASSES = 5  # of a fit and of what it says about how tests start
 
 
@@ -118,20 +117,19 @@ def fit_forces(
     loadings = with_starts(loadings, tests, law, at(first), force) if start else loadings
     for _ in range(_PASSES):
         slim = tuple(loading.for_search() for loading in loadings)
-        coarse, full = _residual(setup, slim, force), _residual(setup, loadings, force)
-        outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
+        coarse, full = _model(setup, slim, force, "linear", 1), _model(setup, loadings, force, loss, workers)
+        outcome = solve(coarse, full, candidates, starts, workers, progress, setup.canonical)
         before, loadings = loadings, with_starts(loadings, tests, law, at(outcome.x), force)
         if same_starts(before, loadings, at(outcome.x), force):
             break
         candidates, starts = [outcome.x], 1
     loadings = before  # to which was fitted
-    tests_of, blocks = blocks_of(loadings)
     best = coordinates.values(outcome.x)
     predicted = [force(setup.thermal.at(law, best, a.temperature_C), a)[a.first :] for a in loadings]
     found = assemble(
         setup,
         outcome,
-        (tests_of, blocks),
+        [_blocks(loading) for loading in loadings],
         errors={a.name: nrms(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
         peak_error={a.name: error_of_peak(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
         determined={a.name: determination(p, a.judged_force) for p, a in zip(predicted, loadings, strict=True)},
@@ -162,27 +160,33 @@ def core_predict(law: Law) -> Predict:
     return predict
 
 
-def _residual(setup: Setup, loadings: Sequence[Loading], predict: Predict) -> Residual:
-    """Return the function of errors relative to the tests' forces.
+def _model(setup: Setup, loadings: Sequence[Loading], predict: Predict, loss: Loss, workers: int) -> ErrorModel:
+    """Return the model of errors relative to the tests' forces.
 
     Half the sum of their squares is half the mean over tests. Samples that are not judged have no errors.
     """
-    factors = [np.sqrt(a.weight / ((a.time.size - a.first) * len(loadings))) for a in loadings]
+    factors = [np.sqrt(a.weight / ((a.time.size - a.first) * len(loadings))) / a.rms for a in loadings]
 
-    def residual(x: np.ndarray) -> np.ndarray:
+    def errors(x: np.ndarray) -> list[np.ndarray]:
         values = setup.coordinates.values(x)
-        parts = []
+        found = []
         for loading, factor in zip(loadings, factors, strict=True):
-            try:
-                own = setup.thermal.at(setup.law, values, loading.temperature_C)
-                error = (predict(own, loading) - loading.force) / loading.rms
-            except (AnalysisError, InputError):
-                error = np.full(loading.time.size, FAILED)
+            own = setup.thermal.at(setup.law, values, loading.temperature_C)
+            error = factor * (np.asarray(predict(own, loading)) - loading.force)
             error[: loading.first] = 0.0
-            parts.append(factor * np.where(np.isfinite(error), error, FAILED))
-        return np.concatenate(parts)
+            found.append(error)
+        return found
 
-    return residual
+    return ErrorModel(setup.coordinates, errors, tuple(a.time.size for a in loadings), loss, workers=workers)
+
+
+def _blocks(loading: Loading) -> int:
+    """Return the number of blocks of a test, at most ten of one cycle or more.
+
+    Errors of a law repeat with the cycles of the test, so shorter blocks would take them for independent.
+    """
+    cycles = loading.frequency * float(loading.time[-1] - loading.time[0])
+    return min(_BLOCKS, max(1, int(cycles)), loading.time.size)
 
 
 def _tested(loadings: Sequence[Loading], specimen: Specimen | None) -> Tested:

@@ -14,18 +14,17 @@ from edesign.damper.fitting.assemble import assemble
 from edesign.damper.fitting.coordinates import Bounds
 from edesign.damper.fitting.fit import Fit, Tested
 from edesign.damper.fitting.forces import SCREENED, STARTS
-from edesign.damper.fitting.minimise import Loss, Residual
 from edesign.damper.fitting.observed import Observed
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.fitting.setup import Setup, set_up
-from edesign.damper.fitting.solve import FAILED, Progress, solve
+from edesign.damper.fitting.solve import ErrorModel, Loss, Progress, solve
 from edesign.damper.fitting.start import linear_start, spread
 from edesign.damper.fitting.thermal import ThermalKind
 from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C
 from edesign.damper.testing.nrms import determination, error_of_peak, nrms
 from edesign.damper.testing.steady_state import CYCLES, SAMPLES, predict
-from edesign.errors import AnalysisError, InputError
+from edesign.errors import InputError
 from edesign.project.reading.problems import did_you_mean
 
 if TYPE_CHECKING:
@@ -132,18 +131,16 @@ def fit_properties(
             f"{measured.size} measured properties cannot carry {len(coordinates.names)} parameters; "
             "give more rows, or hold some"
         )
-    full = _residual(setup, table, specimen, quantities, measured, cycles, samples)
-    coarse = _residual(setup, table, specimen, quantities, measured, _QUICK_CYCLES, _QUICK_SAMPLES)
+    full = replace(_model(setup, table, specimen, quantities, measured, cycles, samples), loss=loss, workers=workers)
+    coarse = _model(setup, table, specimen, quantities, measured, _QUICK_CYCLES, _QUICK_SAMPLES)
     first = coordinates.at(coordinates.start)
     candidates = [first, *linear_start(law, coordinates, observed, seed), *spread(coordinates, SCREENED * starts, seed)]
-    outcome = solve(coordinates, coarse, full, candidates, starts, loss, workers, progress, setup.canonical)
-    rows = measured.shape[1]
-    groups = np.repeat(np.arange(len(quantities)), rows), np.tile(np.arange(rows), len(quantities))
-    predicted = measured * (1.0 + outcome.residual.reshape(measured.shape) * np.sqrt(measured.size))
+    outcome = solve(coarse, full, candidates, starts, workers, progress, setup.canonical)
+    predicted = measured * (1.0 + np.column_stack(outcome.errors) * np.sqrt(measured.size))
     found = assemble(
         setup,
         outcome,
-        groups,
+        None,
         errors={name: nrms(predicted[i], measured[i]) for i, name in enumerate(quantities)},
         peak_error={name: error_of_peak(predicted[i], measured[i]) for i, name in enumerate(quantities)},
         determined={name: determination(predicted[i], measured[i]) for i, name in enumerate(quantities)},
@@ -186,7 +183,7 @@ def _observed(table: PropertyColumns, specimen: Specimen) -> Observed:
     return Observed(omega, stiffness, scales, float(force.max()))
 
 
-def _residual(
+def _model(
     setup: Setup,
     table: PropertyColumns,
     specimen: Specimen,
@@ -194,35 +191,24 @@ def _residual(
     measured: np.ndarray,
     cycles: tuple[int, int],
     samples: int,
-) -> Residual:
-    """Relative errors; half the sum of their squares is half their mean square."""
+) -> ErrorModel:
+    """Relative errors, each row as a test; half the sum of their squares is half their mean square."""
     temperature = np.asarray(table.temperature_C, dtype=float)
     one_set = setup.thermal.kind is None
     groups = [np.full(temperature.size, True)] if one_set else [temperature == t for t in np.unique(temperature)]
     factor = 1.0 / np.sqrt(measured.size)
 
-    def residual(x: np.ndarray) -> np.ndarray:
+    def errors(x: np.ndarray) -> list[np.ndarray]:
         values = setup.coordinates.values(x)
-        errors = np.empty_like(measured)
+        found = np.empty_like(measured)
         for rows in groups:
-            try:
-                own = setup.thermal.at(setup.law, values, float(temperature[rows][0]))
-                found = predict(
-                    Damper(setup.law, own),
-                    specimen,
-                    table.strain[rows],
-                    table.frequency[rows],
-                    REFERENCE_C,
-                    None,
-                    cycles,
-                    samples,
-                )
-                errors[:, rows] = [getattr(found, name) for name in quantities] / measured[:, rows] - 1.0
-            except (AnalysisError, InputError):
-                errors[:, rows] = FAILED
-        return factor * np.where(np.isfinite(errors), np.clip(errors, -1e6, 1e6), FAILED).ravel()
+            own = setup.thermal.at(setup.law, values, float(temperature[rows][0]))
+            damper, motion = Damper(setup.law, own), (table.strain[rows], table.frequency[rows])
+            there = predict(damper, specimen, *motion, REFERENCE_C, None, cycles, samples)
+            found[:, rows] = [getattr(there, name) for name in quantities] / measured[:, rows] - 1.0
+        return list(factor * found.T)
 
-    return residual
+    return ErrorModel(setup.coordinates, errors, (len(quantities),) * temperature.size)
 
 
 def _range(values: np.ndarray) -> tuple[float, float]:

@@ -11,8 +11,8 @@ import numpy as np
 
 from edesign.damper.fitting.coordinates import ABOVE, Bounds, Coordinates
 from edesign.damper.fitting.identifiable import HELD, default_holds, why_held
-from edesign.damper.fitting.minimise import Loss
 from edesign.damper.fitting.observed import Observed
+from edesign.damper.fitting.solve import Loss
 from edesign.damper.fitting.start import branches_of, start_values
 from edesign.damper.fitting.thermal import Thermal, ThermalKind, thermal
 from edesign.damper.law import Law, Parameter

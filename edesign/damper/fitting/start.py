@@ -7,11 +7,12 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from edesign.damper.fitting.coordinates import Axis, Coordinates
-from edesign.damper.fitting.minimise import Problem, descend
 from edesign.damper.fitting.moduli import LINEAR_LAWS, complex_stiffness
 from edesign.damper.fitting.observed import Observed
+from edesign.damper.fitting.solve import ErrorModel
 from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
+from edesign.estimation.least_squares import Settings, fit
 
 # In the sizes of the tests (scales.py): 1 for a stiffness is the rms force over the rms deformation, and so on.
 _RELATIVE: dict[str, dict[str, float]] = {
@@ -67,6 +68,7 @@ _RELATIVE: dict[str, dict[str, float]] = {
 }
 _SPREAD = 8.0  # of positive parameters about the start, up and down
 _LARGEST_EXPONENT = 2.0
+_CLOSED_FORM = Settings(steps=100, enough=1e-30, relative=1e-8)
 
 
 def start_values(
@@ -149,15 +151,15 @@ def linear_start(law: Law, coordinates: Coordinates, observed: Observed, seed: i
     size = np.maximum(np.abs(observed.complex_stiffness), 1e-300)
     own = {parameter.name for parameter in law.all_parameters(coordinates.start)}
 
-    def residual(x: np.ndarray) -> np.ndarray:
+    def errors(x: np.ndarray) -> list[np.ndarray]:
         values = {name: value for name, value in coordinates.values(x).items() if name in own}
         error = (complex_stiffness(law.name, values, observed.omega) - observed.complex_stiffness) / size
-        return np.concatenate((error.real, error.imag))
+        return [np.concatenate((error.real, error.imag))]
 
-    problem = Problem(residual, coordinates.lower, coordinates.upper, coordinates.steps)
+    model = ErrorModel(coordinates, errors, (2 * observed.omega.size,))
     points = [coordinates.at(coordinates.start), *spread(coordinates, 8, seed)]
-    found = sorted((descend(problem, x, most=100) for x in points), key=lambda descent: descent.cost)
-    return [descent.x for descent in found[:3]]
+    found = [fit(model, model.noise, x, settings=_CLOSED_FORM).z for x in points if np.isfinite(model.cost(x))]
+    return sorted(found, key=model.cost)[:3]
 
 
 def spread(coordinates: Coordinates, count: int, seed: int) -> list[np.ndarray]:

@@ -1,0 +1,211 @@
+"""The score of a model: log predictive density of each test, left out of the fit.
+
+With H = sum J_i' J_i + P the normal matrix of the fit (P: precision of the prior, 1 of each coordinate that has one), g
+its gradient and H_-i = H - J_i' J_i, one Gauss-Newton step leads to the parameters by the other tests, and gives the
+residual of test i and its covariance:
+
+    s = -H_-i^-1 (g - J_i' r_i)        r_i|-i = r_i + J_i s        V_i = I + J_i H_-i^-1 J_i'
+
+The scale s^2 of all residuals is not known: it has an inverse gamma prior about 1, and the other tests; the noise is a
+floor of it. The predictive density is Student's t; its quadratic form and determinant need p x p matrices only.
+
+Source: Gelman, Carlin, Stern, Dunson, Vehtari and Rubin (2013), Bayesian Data Analysis, 14.2 and 14.6; Vehtari,
+Gelman and Gabry (2017), Statistics and Computing 27, 1413-1432.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.estimation.least_squares import Fit, Settings, fit, weighted
+from edesign.estimation.model import PredictionError
+from edesign.estimation.noise import Noise
+from edesign.estimation.parameters import priors_of
+
+PRIOR_FREEDOM = 10.0
+"""Degrees of freedom of the prior of the scale: the noise of a channel is known to a quarter or so."""
+_NEAR = 1.0  # change of a coordinate, in prior standard deviations, up to which one Gauss-Newton step is near enough
+_REFIT_STEPS = 3
+_ROUGH = Settings(rough=True)
+_SINGULAR = 1e-13  # pivot of a normal matrix with ones on its diagonal
+
+
+@dataclass(frozen=True)
+class Score:
+    """Log densities of tests, up to a constant that all models of the same tests and noise share.
+
+    Attributes:
+        left_out: (tests,) log predictive density of each test, left out; -inf where the others do not tell all flat
+            parameters.
+        within: (tests,) that of each test, in the fit.
+        moved: largest change of a coordinate when a test is left out, in prior standard deviations.
+        evaluations: sets of parameters for which tests were predicted.
+    """
+
+    left_out: np.ndarray
+    within: np.ndarray
+    moved: float
+    evaluations: int = 0
+
+    @property
+    def total(self) -> float:
+        """Sum over the tests left out."""
+        return float(self.left_out.sum())
+
+
+def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, refits: bool = False) -> Score:
+    """Return the score of a fit under a noise that all models compared share.
+
+    Parameters at a bound count as known.
+
+    Args:
+        fitted: model with its parameters.
+        noise: of the tests.
+        wrong: columns (n_i, k) of each test by which the equations of the model may be wrong: their shares, the same in
+            all tests, have the prior N(0, 1). None: there are none.
+        refits: whether the model is fitted again without a test that moves it far.
+    """
+    here = _Linear.of(fitted, noise, wrong)
+    freedom = np.array([noise.independent(i, f.size) for i, f in enumerate(fitted.predicted)])
+    whole = here.step(None)
+    left_out, within, moved, evaluations = [], [], 0.0, 0
+    for i, n in enumerate(freedom):
+        others = PRIOR_FREEDOM + float(np.delete(freedom, i).sum())
+        step = here.step(i)
+        if step is None or whole is None:
+            left_out.append(-math.inf)
+            within.append(-math.inf)
+            moved = math.inf
+            continue
+        power = here.power(whole)
+        within.append(_student(power[i], _scale(power, i, others), others, n) - 0.5 * here.own[i])
+        change, at = float(np.max(np.abs(step - whole), initial=0.0)), here
+        moved = max(moved, change)
+        if refits and change > _NEAR:
+            try:
+                again = fit(fitted.model, noise.without(i), fitted, _REFIT_STEPS, _ROUGH)
+                evaluations += again.evaluations
+                there = _Linear.of(again, noise, wrong)
+                at, step = (here, step) if (found := there.step(i)) is None else (there, found)
+            except PredictionError:
+                pass
+        quadratic, determinant = at.predicted(i, step)
+        density = _student(quadratic, _scale(at.power(step), i, others), others, n)
+        left_out.append(density - 0.5 * (at.own[i] + determinant))
+    return Score(np.array(left_out), np.array(within), moved, evaluations)
+
+
+def _scale(power: np.ndarray, test: int, others: float) -> float:
+    """Return the scale that the other tests show, of which the noise is a floor."""
+    return max((PRIOR_FREEDOM + float(np.delete(power, test).sum())) / others, 1.0)
+
+
+@dataclass(frozen=True)
+class _Linear:
+    """A model about its fit, linear in its q free parameters and in what its equations may be wrong by.
+
+    Attributes:
+        start: (q,) coordinates of the fit, and nothing of what may be wrong.
+        prior: (q,) precision.
+        squares: (tests,) of residuals in units of the noise.
+        pulls: (tests, q) J_i' r_i.
+        normals: (tests, q, q) J_i' J_i.
+        own: of each test, the log determinant that its own shares add.
+    """
+
+    start: np.ndarray
+    prior: np.ndarray
+    squares: np.ndarray
+    pulls: np.ndarray
+    normals: np.ndarray
+    own: tuple[float, ...]
+
+    @staticmethod
+    def of(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None) -> _Linear:
+        beside = wrong or [np.zeros((f.size, 0)) for f in fitted.predicted]
+        slopes = [np.hstack((j[:, fitted.free], c)) for j, c in zip(fitted.slopes, beside, strict=True)]
+        here, k = weighted(fitted.model, noise, fitted.values, fitted.predicted, slopes), beside[0].shape[1]
+        return _Linear(
+            np.append(fitted.z[fitted.free], np.zeros(k)),
+            np.append(priors_of(fitted.model.parameters)[fitted.free], np.ones(k)),
+            np.array([float(r @ r) for r in here.residuals]),
+            np.array([j.T @ r for j, r in zip(here.slopes, here.residuals, strict=True)]),
+            np.array([j.T @ j for j in here.slopes]),
+            here.own,
+        )
+
+    def step(self, without: int | None) -> np.ndarray | None:
+        """Return the step (q,) to the best of all tests but one; None if they do not tell it."""
+        root, _ = self._root(without)
+        rest = np.arange(len(self.pulls)) != without
+        return None if root is None else -root.T @ (root @ (self.prior * self.start + self.pulls[rest].sum(axis=0)))
+
+    def power(self, step: np.ndarray) -> np.ndarray:
+        """Return the squares (tests,) of residuals after a step."""
+        return np.maximum(self.squares + self.pulls @ step * 2.0 + self.normals @ step @ step, 0.0)
+
+    def predicted(self, test: int, step: np.ndarray) -> tuple[float, float]:
+        """Return quadratic form and log determinant of the prediction of a test after the step by the others."""
+        (root, whole), (_, others) = self._root(None), self._root(test)
+        along = root @ (self.pulls[test] + self.normals[test] @ step) if root is not None else step
+        return max(float(self.power(step)[test] - along @ along), 0.0), whole - others
+
+    def _root(self, without: int | None) -> tuple[np.ndarray | None, float]:
+        """Return S, S'S the inverse of the normal matrix of all tests but one, or None, and its log determinant."""
+        rest = np.arange(len(self.pulls)) != without
+        matrix = np.diag(self.prior) + self.normals[rest].sum(axis=0)
+        length = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
+        try:
+            root = np.linalg.cholesky(matrix / np.outer(length, length))
+        except np.linalg.LinAlgError:
+            return None, -math.inf
+        if np.any(np.diag(root) ** 2 < _SINGULAR):
+            return None, -math.inf
+        return np.linalg.inv(root) / length, 2.0 * float(np.sum(np.log(np.diag(root) * length)))
+
+
+def _student(quadratic: float, scale: float, nu: float, n: float) -> float:
+    """Return the log of Student's t density of n values, but for what does not depend on the model."""
+    shape = math.lgamma(0.5 * (nu + n)) - math.lgamma(0.5 * nu)
+    return shape - 0.5 * n * math.log(0.5 * nu * scale) - 0.5 * (nu + n) * math.log1p(quadratic / (nu * scale))
+
+
+@dataclass(frozen=True)
+class Difference:
+    """By how much one model predicts tests better than another.
+
+    Attributes:
+        total: difference of their scores.
+        error: its standard error: how far the tests left out are from what the fit promises of each.
+    """
+
+    total: float
+    error: float
+    over_tests: float = 0.0
+
+    @property
+    def sure(self) -> bool:
+        """Whether the first is better beyond doubt."""
+        return self.total > max(LEAST, 2.0 * self.error)
+
+
+LEAST = 4.0
+"""Difference of log densities below which it is small whatever its error (Sivula, Magnusson and Vehtari 2020)."""
+
+
+def difference(better: Score, worse: Score) -> Difference:
+    """Return by how much one model predicts better than another.
+
+    Args:
+        better: score of the one.
+        worse: score of the other.
+    """
+    each = better.left_out - worse.left_out
+    promised = better.within - worse.within
+    t = each.size
+    over = math.sqrt(t * float(np.var(each, ddof=1))) if t > 1 else math.inf
+    return Difference(float(each.sum()), float(np.sqrt(np.sum((each - promised) ** 2))), over)

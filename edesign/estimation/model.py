@@ -1,0 +1,39 @@
+"""What is estimated: a model that predicts tests for many sets of parameters at once."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol
+
+import numpy as np
+
+from edesign.estimation.parameters import Parameter
+
+
+class PredictionError(Exception):
+    """A model cannot predict with a set of parameters; a search goes elsewhere."""
+
+
+class Model(Protocol):
+    """A model of tests with measured values."""
+
+    @property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Parameters (p,)."""
+
+    @property
+    def measured(self) -> tuple[np.ndarray, ...]:
+        """Measured values (n_i,) of each test."""
+
+    def predict(self, values: np.ndarray) -> Sequence[Sequence[np.ndarray] | PredictionError]:
+        """Return the predicted values (n_i,) of each test for each set of parameters (m, p), or why there are none."""
+
+    def own(self, values: np.ndarray) -> Sequence[np.ndarray | None]:
+        """Return columns (n_i, k) of each test whose shares are that test's own, as the phase of hum is; None: none.
+
+        A share has the prior N(0, 1): a column is as large as one standard deviation of what it stands for. A parameter
+        may act through columns alone, as the frequency of hum does.
+
+        Args:
+            values: (p,) SI.
+        """

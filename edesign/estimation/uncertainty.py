@@ -1,0 +1,146 @@
+"""How sure estimated parameters are: by the scatter within tests and that from test to test; what is not told."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.estimation.least_squares import Fit, triangle
+from edesign.estimation.noise import Noise
+from edesign.estimation.parameters import Parameter, priors_of, ranges_of
+
+LOOSE = 1e3
+"""Ratio of singular values of slopes of unit length, beyond which a direction is not told: 1e6 in the normal matrix."""
+_LEVEL = 0.95  # of intervals
+_PARTS = 4  # blocks of a single test
+_DECADE = 0.5 * math.log(10.0)
+_SMALLEST = 1e-9  # singular value, of the largest: what is below comes from errors of differences
+_PART = 0.1  # of a direction, from which a parameter has a part in it
+
+
+@dataclass(frozen=True, eq=False)
+class Uncertainty:
+    """Uncertainty of the coordinates of a fitted model; those at a bound count as known.
+
+    Two scatters tell it. Within tests, residuals are noise. From test to test, the estimate moves by what each test
+    pulls at it, which also holds what the model lacks in some tests. The larger one counts.
+
+    Attributes:
+        parameters: (p,) of the model.
+        z: (p,) coordinates.
+        within: (p, p) covariance by the scatter within tests, each with its own variance.
+        freedom: degrees of freedom of that scatter.
+        pulls: (clusters, p) by how much each test, or block, moves the coordinates, about their mean.
+        loose: (p,) share of each coordinate's variance that lies in directions which the tests do not tell.
+        together: indices of the parameters of each such direction: only other combinations of them are known.
+        condition: ratio of the singular values of the slopes, with columns of unit length.
+
+    Sources: Liang and Zeger (1986), Biometrika 73, 13-22 (covariance A^-1 (sum g_i g_i') A^-1 by clusters); Bester,
+    Conley and Hansen (2011), J. Econometrics 165, 137-151 (with the factor T/(T - 1), Student's t with T - 1 degrees of
+    freedom holds for few clusters too).
+    """
+
+    parameters: tuple[Parameter, ...]
+    z: np.ndarray
+    within: np.ndarray
+    freedom: float
+    pulls: np.ndarray
+    loose: np.ndarray
+    together: tuple[tuple[int, ...], ...]
+    condition: float
+
+    @property
+    def between(self) -> np.ndarray:
+        """Covariance (p, p) by the scatter from test to test."""
+        return self.pulls.T @ self.pulls * len(self.pulls) / max(len(self.pulls) - 1, 1)
+
+    def standard_error(self, weights: np.ndarray) -> float:
+        """Return the standard error of the sum of the coordinates times weights (p,)."""
+        return math.sqrt(max(0.0, *(float(weights @ c @ weights) for c in (self.within, self.between))))
+
+    def half_width(self, weights: np.ndarray, joint: int = 1) -> float:
+        """Return half the width of the 95 % interval of that sum.
+
+        Args:
+            weights: (p,).
+            joint: how many coordinates the weights were chosen for, so that the sum is the one told best (Scheffe).
+        """
+        from scipy.special import fdtri  # scipy takes time at the start of every command
+
+        of = (self.within, self.freedom), (self.between, max(len(self.pulls) - 1.0, 1.0))
+        return math.sqrt(joint * max(0.0, *(float(weights @ c @ weights * fdtri(joint, nu, _LEVEL)) for c, nu in of)))
+
+    def interval(self, index: int) -> tuple[float, float]:
+        """Return the 95 % interval of a parameter, SI, inside its bounds; one at a bound has that alone."""
+        width, one = self.half_width(np.eye(self.z.size)[index]), self.parameters[index]
+        return one.value(self.z[index] - width), one.value(self.z[index] + width)
+
+    def determined(self, index: int) -> bool:
+        """Return whether the tests tell a parameter: it is not loose, and a logarithm is known to a decade."""
+        one, width = self.parameters[index], self.half_width(np.eye(self.z.size)[index])
+        return bool(self.loose[index] < 0.5 and not (one.logarithmic and width * one.spread > _DECADE))
+
+
+def uncertainty(
+    fitted: Fit, noise: Noise | None = None, blocks: Sequence[int] | None = None, free: int | None = None
+) -> Uncertainty:
+    """Return the uncertainty of a fit.
+
+    Args:
+        fitted: model with its parameters.
+        noise: of the tests; None: that of the fit.
+        blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of a single one
+            its quarters.
+        free: index of a parameter that is not taken as known where it stands at a bound.
+    """
+    noise = noise or fitted.noise
+    here, p = fitted.weighted(noise), fitted.z.size
+    index = np.flatnonzero(fitted.free | (np.arange(p) == free))
+    slopes = [j[:, index] for j in here.slopes]
+    root = np.sqrt(priors_of(fitted.model.parameters)[index])
+    data = triangle(*slopes, np.zeros((index.size, index.size)))
+    whole = triangle(*slopes, np.diag(root))
+    spread, _, _ = _inverse(whole)
+    told, ratios, directions = _inverse(data)
+    samples = np.array([noise.independent(i, r.size) for i, r in enumerate(here.residuals)])
+    freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
+    sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(here.residuals, samples, strict=True)]
+    parts = blocks or ([1] * len(slopes) if len(slopes) > 1 else [_PARTS])
+    cut = [
+        part_j.T @ part_r
+        for r, j, n in zip(here.residuals, slopes, parts, strict=True)
+        for part_r, part_j in zip(np.array_split(r, n), np.array_split(j, n), strict=True)
+    ]
+    pulls, within, loose, lost = np.zeros((len(cut), p)), np.zeros((p, p)), np.zeros(p), ratios * LOOSE < 1.0
+    moved = np.array(cut) @ spread @ spread.T
+    pulls[:, index] = moved - moved.mean(axis=0)
+    scatter = triangle(*(size * j for size, j in zip(sizes, slopes, strict=True)), np.diag(root)) @ spread
+    untold = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
+    within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + untold) @ spread.T
+    loose[index] = np.sum(told[:, lost] ** 2, axis=1) / np.maximum(np.sum(told**2, axis=1), 1e-300)
+    together = tuple(tuple(index[np.abs(v) > _PART].tolist()) for v in directions[lost])
+    condition = 1.0 / max(float(ratios.min(initial=1.0)), 1e-300)
+    return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, together, condition)
+
+
+def at_bounds(fitted: Fit) -> tuple[str, ...]:
+    """Return "lower", "upper" or "" of each parameter: the bound at which it stands."""
+    low, high = ranges_of(fitted.model.parameters)
+    nearer = fitted.z - low < high - fitted.z
+    return tuple("" if free else "lower" if one else "upper" for free, one in zip(fitted.free, nearer, strict=True))
+
+
+def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return S (p, p) with (R'R)^-1 = S S', and singular values and directions of R with columns of unit length.
+
+    Directions that R does not tell have a large variance instead of none.
+    """
+    length = np.linalg.norm(root, axis=0)
+    length[length == 0.0] = 1.0
+    _, singular, vectors = np.linalg.svd(root / length, full_matrices=False)
+    largest = max(float(singular.max(initial=0.0)), 1e-150)
+    spread = vectors.T / length[:, np.newaxis] / np.maximum(singular, _SMALLEST * largest)
+    return spread, singular / largest, vectors
