@@ -1,0 +1,39 @@
+"""The forms of effects that damper tests may show, one table a subject."""
+
+from __future__ import annotations
+
+from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effects import (
+    alignment,
+    amplitude,
+    friction,
+    gain,
+    gas_spring,
+    hardening,
+    hysteresis,
+    lag,
+    mullins,
+    one_sided,
+    rig,
+    temperature_law,
+    viscous,
+    wear,
+    zero,
+)
+from edesign.calibration.dampers.sizes import Sizes
+
+TABLES = (
+    *(amplitude, mullins, hardening, one_sided, viscous, hysteresis, gas_spring, temperature_law, wear),
+    *(friction, rig, alignment, lag, gain, zero),
+)
+"""Modules, each with its FORMS."""
+
+
+def forms(sizes: Sizes) -> tuple[EffectForm, ...]:
+    """Return all forms that a campaign can show, of whatever law.
+
+    Args:
+        sizes: of the campaign.
+    """
+    every = (*(form for table in TABLES for form in table.FORMS), *gain.from_test(sizes))
+    return tuple(form for form in every if form.shown(sizes))

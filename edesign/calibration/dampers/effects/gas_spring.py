@@ -1,0 +1,29 @@
+"""Gas in a fluid damper: it is compressed by the rod that comes in, and pushes it out."""
+
+from __future__ import annotations
+
+from edesign.calibration.dampers.acts import Amendment
+from edesign.calibration.dampers.effect import EffectForm, size
+
+_BETWEEN = 1.2  # exponent between that of slow motions, 1, and of fast ones, 1.4: their forces differ by a tenth
+
+_FLUID = ("viscous", "viscous_power", "asymmetric_viscous", "bilinear_oil", "maxwell", "maxwell_power")
+
+_POLYTROPIC = EffectForm(
+    "gas_spring",
+    "polytropic",
+    "damper",
+    "gas that is compressed by the rod",
+    "a constant force, a stiffness, and more of both to one side: all the same at all rates",
+    "polytropic change of a gas: Dixon (2007), The Shock Absorber Handbook, Wiley, section 5.11",
+    (Amendment("gas_spring.polytropic"),),
+    lambda s: (
+        size("P", "N", 0.1 * s.force, -s.force, s.force),
+        size("c", "1/m", 0.3 / s.displacement, -0.9 / s.displacement, 0.9 / s.displacement),
+    ),
+    lambda s: tuple((0.05 * s.force, at / s.displacement) for at in (-0.6, -0.2, 0.2, 0.6)),
+    lambda s: {"n": _BETWEEN},
+    laws=_FLUID,
+)
+
+FORMS = (_POLYTROPIC,)

@@ -1,0 +1,66 @@
+"""Hardening at large strain: the chains of the rubber come to their length."""
+
+from __future__ import annotations
+
+import math
+
+from edesign.calibration.dampers.acts import Amendment, Placement, Values
+from edesign.calibration.dampers.effect import EffectForm, placed, shape, size
+from edesign.calibration.dampers.sizes import Sizes
+from edesign.estimation.parameters import Parameter
+
+_SIGNATURE = "too little force at the tips of large loops alone, odd in the deformation, the same at all frequencies"
+
+
+def _at_zero(p: Values) -> Values:
+    """Return k of an exponential spring that is told by its secant stiffness at r."""
+    return {"k": p["k_r"] / math.expm1((p["r"] / p["u0"]) ** 2)}
+
+
+def _spring(s: Sizes) -> Parameter:
+    return size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness)
+
+
+_POWER = EffectForm(
+    "hardening",
+    "power",
+    "damper",
+    "elastic hardening at large strain",
+    _SIGNATURE,
+    "odd power of the simple shear of Yeoh (1990), Rubber Chem. Technol. 63, 792-805, with a free exponent",
+    (Amendment("hardening.power"),),
+    lambda s: (_spring(s), shape("p", "", 3.0, 1.5, 15.0, spread=0.7)),
+    lambda s: tuple((0.1 * s.stiffness, p) for p in (2.0, 3.0, 5.0, 9.0)),
+    lambda s: {"r": s.displacement},
+)
+_THRESHOLD = EffectForm(
+    "hardening",
+    "threshold",
+    "damper",
+    "a second stiffness beyond a deformation",
+    _SIGNATURE,
+    "bilinear hardening of high damping rubber: Grant, Fenves & Whittaker (2004), J. Struct. Eng. 130, 1683-1693",
+    (Amendment("hardening.threshold"),),
+    lambda s: (
+        size("k", "N/m", s.stiffness, -5.0 * s.stiffness, 20.0 * s.stiffness),
+        Parameter("u0", "m", 0.0, 0.98 * s.displacement, 0.5 * s.displacement, 0.3 * s.displacement),
+    ),
+    lambda s: tuple((0.1 * s.stiffness / (1.0 - at), at * s.displacement) for at in (0.3, 0.6, 0.8)),
+)
+_EXPONENTIAL = EffectForm(
+    "hardening",
+    "exponential",
+    "damper",
+    "exponential hardening at large strain",
+    _SIGNATURE,
+    "Fung (1993), Biomechanics: Mechanical Properties of Living Tissues, section 7.5",
+    (Amendment("hardening.exponential", more=_at_zero),),
+    lambda s: (
+        size("k_r", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness),
+        shape("u0", "m", s.displacement, 0.3 * s.displacement, 5.0 * s.displacement, spread=0.7),
+    ),
+    lambda s: tuple((0.1 * s.stiffness, at * s.displacement) for at in (0.5, 1.0)),
+    lambda s: {"r": s.displacement},
+)
+
+FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL)

@@ -1,0 +1,76 @@
+"""Forces of the velocity that the law lacks: relaxation times, and dashpots with a power of the velocity."""
+
+from __future__ import annotations
+
+import math
+
+from edesign.calibration.dampers.acts import Amendment, Placement, Values
+from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
+from edesign.calibration.dampers.sizes import Sizes
+
+_LEAST, _MOST = 0.1, 3.0  # exponents: below is friction; above there is no damper
+_IN_PHASE = (
+    "in phase with the velocity, largest where the deformation passes zero, with a power of amplitude times "
+    "frequency; nothing at the tips"
+)
+
+
+def _branch_starts(s: Sizes) -> Rows:
+    omega = 2.0 * math.pi / s.period
+    times = (*(part * s.period for part in (0.01, 0.05, 0.2, 1.0, 5.0)), 0.3 * s.duration)
+    # a force of a twentieth in the slowest motion; of less where the branch is fast
+    return tuple((0.05 * s.stiffness * min(1.0 + 1.0 / (omega * t), 10.0), t) for t in times)
+
+
+def _coefficient(p: Values) -> Values:
+    """Return c of a dashpot that is told by its force at a velocity V: c alone has a unit that goes with alpha."""
+    return {"c": p["F_V"] / p["V"] ** p["alpha"]}
+
+
+_MAXWELL = EffectForm(
+    "relaxation_branch",
+    "maxwell",
+    "damper",
+    "a relaxation time that the law lacks",
+    "linear in the amplitude; stiffness and damping off by what changes with frequency, and a residual that fades "
+    "after a change of the mean",
+    "Christensen (1982), Theory of Viscoelasticity, section 1.6; thesis Eq. 4.4",
+    (Amendment("relaxation_branch.maxwell"),),
+    lambda s: (
+        size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 50.0 * s.stiffness),
+        shape("tau", "s", 0.2 * s.period, 1e-3 * s.period, 10.0 * max(s.duration, s.period)),  # beyond: a spring
+    ),
+    _branch_starts,
+)
+_DASHPOT = EffectForm(
+    "velocity_exponent",
+    "dashpot",
+    "damper",
+    "viscous force with a power of the velocity that the law lacks",
+    _IN_PHASE,
+    "Constantinou & Symans (1993), Struct. Des. Tall Build. 2, 93-132; thesis Eq. 2.24",
+    (Amendment("velocity_exponent.dashpot", more=_coefficient),),
+    lambda s: (
+        size("F_V", "N", 0.3 * s.force, -2.0 * s.force, 2.0 * s.force),
+        shape("alpha", "", 0.7, _LEAST, _MOST, 0.7),
+    ),
+    lambda s: tuple((0.08 * s.force, alpha) for alpha in (0.2, 0.5, 1.0, 2.0)),
+    lambda s: {"V": s.velocity},
+    refined=4,  # its force may jump where the velocity changes its sign
+)
+_FLOW = EffectForm(
+    "velocity_exponent",
+    "flow",
+    "damper",
+    "viscous force that saturates with the velocity",
+    _IN_PHASE,
+    "Eyring (1936), J. Chem. Phys. 4, 283-291",
+    (Amendment("velocity_exponent.flow"),),
+    lambda s: (
+        size("f", "N", 0.1 * s.force, -s.force, s.force),
+        shape("v0", "m/s", 0.1 * s.velocity, 1e-4 * s.velocity, s.velocity),
+    ),
+    lambda s: tuple((0.06 * s.force / math.asinh(1.0 / x), x * s.velocity) for x in (0.01, 0.1, 0.5)),
+)
+
+FORMS = (_MAXWELL, *placed(_DASHPOT, Placement.WHOLE, Placement.INSIDE), _FLOW)

@@ -1,0 +1,131 @@
+"""A test of a campaign as a fit sees it: motion freed of noise, force, temperature, noise, place among the tests."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibration.dampers.motion import Motion
+from edesign.damper.history import NONE, Extremes
+from edesign.damper.testing.measured_histories import Use
+from edesign.damper.testing.start import Start
+
+_RATE = 40.0  # samples per second that a fit needs at least, if there are as many
+_PER_CYCLE = 25  # and in a cycle of the fastest motion
+_ROUNDED = 0.1  # parts of a step
+_OF_CORNERS = 2.0  # steps over those that a fit needs where the motion turns at its samples: cubics without overshoot
+
+
+@dataclass(frozen=True, eq=False)
+class Experiment:
+    """A test at one sampling.
+
+    Attributes:
+        name: of the test.
+        use: whether it is fitted to, or compared with only.
+        order: number of tests made before.
+        elapsed: duration of all tests made before, s.
+        motion: measured, freed of noise.
+        force: measured (n,) N.
+        temperature: mean, degC.
+        displacement_noise: standard deviation of white noise as strong next to the motion as that of the channel, m.
+        channel_noise: standard deviation of the noise of the force channel, N.
+        motion_noise: standard deviation of the force that noise of the displacement makes through the law, N.
+        weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
+        start: how its record starts away from rest; None: at rest.
+        full: the test at full rate, if this is not.
+    """
+
+    name: str
+    use: Use
+    order: int
+    elapsed: float
+    motion: Motion
+    force: np.ndarray
+    temperature: float
+    displacement_noise: float = 0.0
+    channel_noise: float = 0.0
+    motion_noise: float = 0.0
+    weight: np.ndarray | None = None
+    start: Start | None = None
+    full: Experiment | None = None
+    _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
+
+    @property
+    def noise(self) -> float:
+        """Standard deviation of what cannot be predicted, N: noise of the force, and of the motion by the law."""
+        return math.hypot(self.channel_noise, self.motion_noise)
+
+    @property
+    def from_rest(self) -> bool:
+        """Whether the specimen was at rest before the record."""
+        return self.start is None
+
+    @property
+    def been(self) -> Extremes:
+        """Extremes that the specimen went through before the test, of which its record does not tell."""
+        return NONE if self.start is None else self.start.been
+
+    @property
+    def been_unknown(self) -> bool:
+        """Whether nothing but its force tells what the specimen went through before the test."""
+        return self.start is not None and not self.start.known
+
+    @cached_property
+    def judged_from(self) -> int:
+        """First sample that is judged: what is before depends on how the test started."""
+        return self.start.first(self.motion.time) if self.start else 0
+
+    @cached_property
+    def weights(self) -> np.ndarray:
+        """Factors (n,) of the residuals: 0 before the first sample that is judged, for which the others stand."""
+        size = self.motion.time.size
+        found = np.ones(size) if self.weight is None else self.weight.copy()
+        found[: self.judged_from] = 0.0
+        return found * math.sqrt(size / max(size - self.judged_from, 1))
+
+    @cached_property
+    def work(self) -> float:
+        """Work done on the specimen, J."""
+        return float(np.sum(0.5 * (self.force[1:] + self.force[:-1]) * self.motion.increments))
+
+    @cached_property
+    def _coarseness(self) -> float:
+        """Steps over those that a fit needs."""
+        if self.motion.cornered:
+            return _OF_CORNERS
+        step = float(np.median(self.motion.steps))
+        return max(min(_RATE * step, 1.0), _PER_CYCLE * self.motion.frequency * step)
+
+    def thinned(self) -> Experiment:
+        """Return the test with no more samples than a fit needs."""
+        stride = max(1, int(1.0 / self._coarseness))
+        return replace(
+            self,
+            motion=self.motion.thinned(stride),
+            force=np.ascontiguousarray(self.force[::stride]),
+            weight=None if self.weight is None else np.ascontiguousarray(self.weight[::stride]),
+            full=self,
+        )
+
+    def parts(self, refined: float) -> int:
+        """Return into how many parts each step is cut, for so many times the samples that a fit needs.
+
+        Args:
+            refined: times the samples.
+        """
+        return max(1, math.ceil(refined * self._coarseness - _ROUNDED))
+
+    def finer(self, parts: int) -> Motion:
+        """Return the motion with every step cut into parts; it is kept, as models ask for it again and again.
+
+        Args:
+            parts: of a step.
+        """
+        if parts not in self._finer:
+            known = self.motion if self.full is None else self.full.motion
+            self._finer[parts] = self.motion.finer(parts, known)
+        return self._finer[parts]

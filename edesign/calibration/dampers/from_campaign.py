@@ -1,0 +1,244 @@
+"""From a campaign of damper tests to the problem: tests freed of noise, how they start, what looks wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+from scipy.interpolate import PchipInterpolator
+from scipy.ndimage import uniform_filter1d
+
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.dampers.tones import common_tones
+from edesign.calibration.signals.corners import cornered
+from edesign.calibration.signals.noise import least_noise, smooth, white_noise
+from edesign.core import CoreError
+from edesign.core.damper import CoreDamper
+from edesign.damper.history import Extremes
+from edesign.damper.laws import law as law_of
+from edesign.damper.parameters import read_parameters
+from edesign.damper.temperature import GammaT, at
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
+from edesign.errors import InputError
+from edesign.estimation.model import PredictionError
+
+_AGAIN = 6  # times that noise is added
+_EVENED = 0.1  # s, over which its effect is evened out
+_MOST_TIMES = 4.0  # its power over that by a model
+_ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
+_OPPOSITE = -0.3
+"""Correlation of measured and predicted force below which the sign is wrong, if the damper did work too: a mass that
+moves with the load cell may turn the force around, but it dissipates nothing.
+"""
+
+
+def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProblem:
+    """Return the problem of a campaign, at the sampling of a fit; `full_rate` of it has all samples.
+
+    Args:
+        campaign: with the law thought of.
+        threads: of predictions, at most so many; None: as many as there are processors.
+
+    Raises:
+        InputError: there is no law, or too few tests, or the tests cannot be those of this law.
+    """
+    if campaign.law is None or campaign.law.parameters is None:
+        raise InputError(
+            f"{campaign.path}: law: the law thought of is needed, with its parameters, for example "
+            "`law: {type: mgmm, parameters: thesis_table_4_2}`"
+        )
+    _check_tests(campaign)
+    law = law_of(campaign.law.type)
+    declared = law.complete(read_parameters(law, campaign.law.parameters))
+    experiments = _experiments(campaign.tests)
+    problem = DamperProblem(
+        law,
+        declared,
+        experiments,
+        Sizes.of(experiments),
+        campaign.law.refit,
+        campaign.law.extremes == "lasting",
+        campaign.law.gamma_T_of or "parameters",
+        threads,
+    )
+    predicted = _declared_forces(problem, campaign)
+    _check_forces(problem, campaign, predicted)
+    noisy = problem.with_experiments(_with_noise(problem, predicted))
+    thin = noisy.with_experiments([one.thinned() for one in noisy.experiments])
+    starts = [_start(thin, i, test) for i, test in enumerate(campaign.tests)]
+    started = [
+        replace(one, start=start, full=None if one.full is None else replace(one.full, start=start))
+        for one, start in zip(thin.experiments, starts, strict=True)
+    ]
+    fitted = [problem.experiments[i] for i in problem.fitted]
+    of_law = [predicted[i] for i in problem.fitted]
+    tones = common_tones([one.motion for one in fitted], [one.force for one in fitted], of_law)
+    return replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones))
+
+
+def _check_tests(campaign: Campaign) -> None:
+    fitted, validating = campaign.used_for("fit"), campaign.used_for("validate")
+    if len(fitted) < 2:
+        raise InputError(
+            f"{campaign.path}: tests: {len(fitted)} with `use: fit`; an effect is adopted when it lowers the error on "
+            "tests it was not fitted to, so that two are the least (six or more are better)"
+        )
+    if not validating:
+        raise InputError(
+            f"{campaign.path}: tests: none has `use: validate`; the error before and after is reported on tests that "
+            "nothing was fitted to, so that one is the least"
+        )
+    for test in campaign.tests:
+        test.varying_force()
+
+
+def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
+    found, elapsed = [], 0.0
+    for order, test in enumerate(tests):
+        motion, noise = _motion(test.time, test.displacement)
+        history = test.temperature_history
+        degrees = test.temperature_C if history is None else float(np.mean(history))
+        found.append(Experiment(test.name, test.use, order, elapsed, motion, test.measured_force(), degrees, noise))
+        elapsed += float(motion.since[-1])
+    return tuple(found)
+
+
+def _motion(time: np.ndarray, displacement: np.ndarray) -> tuple[Motion, float]:
+    """Return a motion freed of noise, and the standard deviation of this noise, m."""
+    found, velocity, acceleration, noise = smooth(time, displacement)
+    if not cornered(time, displacement, noise):
+        return Motion(time, found, velocity, acceleration), noise
+    cubics = PchipInterpolator(time, displacement)
+    velocity = cubics(time, 1)
+    return Motion(time, displacement, velocity, np.gradient(velocity, time), cornered=True), noise
+
+
+def _forces(problem: DamperProblem, experiments: Sequence[Experiment]) -> list[np.ndarray]:
+    """Return the forces (n_i,) N of the declared law in tests.
+
+    Raises:
+        PredictionError: there is none.
+    """
+    other = problem.with_experiments(experiments)
+    (found,) = other.prediction.predict([(problem.declared, ())], range(len(experiments)))
+    if isinstance(found, PredictionError):
+        raise found
+    return found
+
+
+def _declared_forces(problem: DamperProblem, campaign: Campaign) -> list[np.ndarray]:
+    """Return the forces (n_i,) N of the declared law, or refuse tests of which it has none."""
+    found = []
+    for i, test in enumerate(campaign.tests):
+        (one,) = problem.prediction.predict([(problem.declared, ())], (i,))
+        if isinstance(one, PredictionError):
+            raise InputError(f"{campaign.path}: {test.name}: the declared law cannot predict it: {one}") from one
+        found += one
+    return found
+
+
+def _with_noise(problem: DamperProblem, predicted: Sequence[np.ndarray]) -> list[Experiment]:
+    """Return tests with their noise.
+
+    The force channel's is estimated above the motion, in what the law leaves of the force too. Noise of the
+    displacement makes force through the law: such noise is added and taken off again. That is most where the damper is
+    slow and its force steep over the velocity.
+    """
+    random = np.random.default_rng(len(problem.experiments))
+    power = [np.zeros_like(force) for force in predicted]
+    for _ in range(_AGAIN if any(one.displacement_noise for one in problem.experiments) else 0):
+        again = []
+        for one in problem.experiments:
+            motion = one.motion
+            if one.displacement_noise > 0.0:
+                noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
+                motion, _ = _motion(motion.time, noisy)
+            again.append(replace(one, motion=motion))
+        for own, force, moved in zip(power, predicted, _forces(problem, again), strict=True):
+            own += (moved - force) ** 2 / _AGAIN
+    return [_noisy(*each) for each in zip(problem.experiments, predicted, power, strict=True)]
+
+
+def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray) -> Experiment:
+    """Return a test with its noise; that of the motion makes power (n,) N^2 of the predicted force (n,) N."""
+    time, force = test.motion.time, test.force
+    channel = min(white_noise(force, time), white_noise(force - predicted, time))
+    channel = max(channel, least_noise(force))
+    if not np.any(power):
+        return replace(test, channel_noise=channel)
+    wide = min(max(int(_EVENED / float(np.median(test.motion.steps))), 1), time.size)
+    # as many times larger as the force is than the law's
+    times = float(force @ force) / max(float(predicted @ predicted), 1e-300)
+    power = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES) * uniform_filter1d(power, wide, mode="nearest")
+    all_of_it = power + channel**2
+    weight = np.sqrt(np.mean(all_of_it) / all_of_it)
+    return replace(test, channel_noise=channel, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
+
+
+def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None:
+    """Return how a test starts, declared or found from its force beside the declared law; None: at rest."""
+    one = problem.experiments[index]
+    motion = one.motion
+    record = Recorded(motion.time, motion.displacement, motion.velocity, one.force, one.displacement_noise, one.noise)
+    gamma = GammaT(of=problem.gamma_of)
+    model = gamma if problem.law.name in gamma.laws else None
+    values = tuple(at(problem.law, problem.declared, one.temperature, model)[0].values())
+
+    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, been: Extremes) -> np.ndarray:
+        return CoreDamper(problem.law.name, values, been=been).force(time, displacement, velocity)
+
+    try:
+        start = find_start(record, test.start, test.ramp, force_of)
+        if start is None or start.known or problem.law.name not in SOFTENED:
+            return start
+        weight = np.ones(motion.time.size) if one.weight is None else one.weight
+        first, known = start.first(motion.time), (motion.time, motion.displacement, motion.velocity)
+        been = extremes_before(record, first, weight, lambda been: force_of(*known, been))
+    except CoreError:  # a test that the law cannot predict from another beginning keeps the usual one
+        return None
+    return replace(start, been=been)
+
+
+def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequence[np.ndarray]) -> None:
+    """Refuse forces of the wrong sign or unit, which no effect is to absorb."""
+    flipped, scales = [], []
+    for one, test, force in zip(problem.experiments, campaign.tests, predicted, strict=True):
+        size = float(np.sqrt((force @ force) * (one.force @ one.force)))
+        if size and float(force @ one.force) / size < _OPPOSITE and one.work < 0.0:
+            flipped.append(test)
+        scales.append(float(np.sqrt((one.force @ one.force) / max(force @ force, 1e-300))))
+    if flipped:
+        text = (
+            "the force is negative where the damper is stretched; a positive force must go with a positive "
+            "displacement: say `reversed: [force]`, or change the sign of one of the channels"
+        )
+        raise InputError(_of_tests(flipped, campaign, text))
+    wrong = [test for test, scale in zip(campaign.tests, scales, strict=True) if not 1 / _ABSURD < scale < _ABSURD]
+    if wrong:
+        middle = float(np.median([s for s in scales if not 1 / _ABSURD < s < _ABSURD]))
+        raise InputError(_of_tests(wrong, campaign, _scale_text(middle)))
+
+
+def _scale_text(scale: float) -> str:
+    thousand = next((f for f in (1e-6, 1e-3, 1e3, 1e6) if 1 / 5.0 < scale / f < 5.0), None)
+    text = f"the force is {scale:.3g} times what the declared law gives"
+    if thousand == 1e3:
+        return f"{text}, a scale of 1000: is it in N, and declared as kN?"
+    if thousand == 1e-3:
+        cause = "is it in kN or MN and declared as N or kN, or the displacement in m declared as mm?"
+        return f"{text}, a scale of 1/1000: {cause}"
+    if thousand is not None:
+        return f"{text}, a scale of {thousand:g}: are the units of the columns right?"
+    return f"{text}: are the units of the columns and the parameters of the law right?"
+
+
+def _of_tests(tests: Sequence[DamperTest], campaign: Campaign, what: str) -> str:
+    if len(tests) == len(campaign.tests):
+        return f"{campaign.path}: all {len(tests)} tests: {what}"
+    return f"{campaign.path}: {', '.join(test.where for test in tests)}: {what}"

@@ -1,0 +1,180 @@
+"""The motion of a test, and what is derived from it alone: finer samples, turning points, extremes, amplitude."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from scipy.interpolate import CubicHermiteSpline
+
+from edesign.calibration.signals.spline import Spline
+from edesign.damper.history import Extremes
+
+_NEAR = 1e-3
+"""Of a step, between samples before and after an onset: what it is late by is a thousandth of what a step tells."""
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A motion at samples.
+
+    Attributes:
+        time: (n,) s, ascending.
+        displacement: (n,) m.
+        velocity: (n,) m/s.
+        acceleration: (n,) m/s2.
+        onset: time s and velocity m/s with which the motion sets out from rest between two samples; None: it does not.
+            No cubic between these follows a jump of the velocity.
+        cornered: whether samples are too few for a spline: cubics with the velocities at the samples stand between.
+    """
+
+    time: np.ndarray
+    displacement: np.ndarray
+    velocity: np.ndarray
+    acceleration: np.ndarray
+    onset: tuple[float, float] | None = field(default=None, kw_only=True)
+    cornered: bool = field(default=False, kw_only=True)
+
+    @property
+    def samples(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        """Time, displacement, velocity, acceleration."""
+        return self.time, self.displacement, self.velocity, self.acceleration
+
+    def each(self, change: Callable[[np.ndarray], np.ndarray]) -> Motion:
+        """Return the motion with displacement, velocity and acceleration changed in the same way.
+
+        Args:
+            change: linear function of a history (n,).
+        """
+        return Motion(self.time, *(change(values) for values in self.samples[1:]))
+
+    def scaled(self, factor: float) -> Motion:
+        """Return the motion, so many times as large.
+
+        Args:
+            factor: without unit.
+        """
+        onset = None if self.onset is None else (self.onset[0], factor * self.onset[1])
+        return replace(self.each(lambda values: factor * values), onset=onset)
+
+    def thinned(self, stride: int) -> Motion:
+        """Return the motion at every so many samples.
+
+        Args:
+            stride: at least 1.
+        """
+        samples = (np.ascontiguousarray(values[::stride]) for values in self.samples)
+        return Motion(*samples, cornered=self.cornered)
+
+    def finer(self, parts: int, known: Motion) -> Motion:
+        """Return the motion with every step cut into parts, along cubics through all that is known of it.
+
+        Args:
+            parts: of a step, at least 1.
+            known: the same motion at more samples, or itself.
+        """
+        if parts == 1:
+            return self
+        n = self.time.size
+        time = np.interp(np.arange((n - 1) * parts + 1) / parts, np.arange(n), self.time)
+        if known.cornered:
+            cubics = CubicHermiteSpline(known.time, known.displacement, known.velocity)
+            return Motion(time, cubics(time), cubics(time, 1), cubics(time, 2), cornered=True)
+        return Motion(time, *(known.spline.at(values, time) for values in known.samples[1:]))
+
+    @cached_property
+    def steps(self) -> np.ndarray:
+        """Durations (n - 1,) between samples, s."""
+        return np.diff(self.time)
+
+    @cached_property
+    def increments(self) -> np.ndarray:
+        """Changes (n - 1,) of the displacement between samples, m."""
+        return np.diff(self.displacement)
+
+    @cached_property
+    def since(self) -> np.ndarray:
+        """Time (n,) since the first sample, s."""
+        return self.time - self.time[0]
+
+    @cached_property
+    def path(self) -> float:
+        """Path length, m."""
+        return float(np.sum(np.abs(self.increments)))
+
+    @cached_property
+    def frequency(self) -> float:
+        """Frequency of a sine with the root mean squares of velocity and acceleration, Hz."""
+        ratio = np.mean(self.acceleration**2) / max(np.mean(self.velocity**2), 1e-300)
+        return float(np.sqrt(ratio) / (2.0 * np.pi))
+
+    @cached_property
+    def spline(self) -> Spline:
+        """Spline through histories on its samples."""
+        return Spline(self.time)
+
+    @cached_property
+    def with_onset(self) -> tuple[Motion, np.ndarray] | None:
+        """The motion with samples just before and after the onset, and where (n,) its own stand; None: there is none.
+
+        A sample of its own that is as near is the one after. The one before is half as far from the onset as the one
+        after, so that the velocity of the cubic between them rises all the way, and not beyond its end.
+        """
+        if self.onset is None:
+            return None
+        time, velocity = self.onset
+        near = _NEAR * float(np.min(self.steps))
+        at = int(np.searchsorted(self.time, time - near))
+        on_sample = int(self.time[at] <= time + near)
+        if on_sample:
+            time = self.time[at] - near
+        if at == 0 or time - 0.5 * near <= self.time[at - 1]:
+            return None
+        u = self.displacement[at - 1]
+        added = np.array(((time - 0.5 * near, time + near), (u, u + near * velocity), (0.0, velocity), (0.0, 0.0)))
+        samples = np.array(self.samples)
+        whole = np.hstack((samples[:, :at], added, samples[:, at + on_sample :]))
+        own = np.arange(self.time.size)
+        own[at:] += 2 - on_sample
+        return Motion(*np.ascontiguousarray(whole)), own
+
+    @cached_property
+    def turning_points(self) -> tuple[np.ndarray, np.ndarray]:
+        """Displacements (m,) m, monotone from one to the next, and the index (n,) of each sample among them.
+
+        They are the samples, and the extremes of the cubics between them: at 30 samples in a cycle the largest sample
+        may be 0.5 % short of the extreme, which matters beside a play of 1 %.
+        """
+        u, v, h = self.displacement, self.velocity, self.steps
+        turned = np.flatnonzero(v[:-1] * v[1:] < 0.0)
+        index = np.arange(u.size)
+        if not turned.size:
+            return u, index
+        u0, u1, step = u[turned], u[turned + 1], h[turned]
+        v0, v1 = v[turned] * step, v[turned + 1] * step
+        # velocity of the cubic over s = 0..1: v0 + 2 b s + 3 c s^2; its one root there, by the form that never cancels
+        b, c = 3.0 * (u1 - u0) - 2.0 * v0 - v1, 2.0 * (u0 - u1) + v0 + v1
+        root = np.sqrt(np.maximum(b**2 - 3.0 * c * v0, 0.0))
+        s = np.clip(-v0 / (b - np.sign(v0) * root), 0.0, 1.0)
+        points = np.insert(u, turned + 1, u0 + s * (v0 + s * (b + s * c)))
+        index[1:] += np.cumsum(v[:-1] * v[1:] < 0.0)
+        return points, index
+
+    @cached_property
+    def extremes(self) -> Extremes:
+        """Extremes of a specimen after the motion, along the cubics between its samples; it begins at zero."""
+        deformations, _ = self.turning_points
+        v, h = self.velocity, self.steps
+        rate = self.increments / h
+        # over s = 0..1 the velocity is v0 + 2 b s + 3 c s^2 (cubic through displacement and velocity at both ends)
+        b, c = 3.0 * rate - 2.0 * v[:-1] - v[1:], v[:-1] + v[1:] - 2.0 * rate
+        inside = (np.abs(b) < np.abs(3.0 * c)) & (b * c < 0.0)
+        velocities = np.concatenate((v, v[:-1][inside] - b[inside] ** 2 / (3.0 * c[inside])))
+        return (
+            max(0.0, float(deformations.max())),
+            min(0.0, float(deformations.min())) + 0.0,
+            max(0.0, float(velocities.max())),
+            min(0.0, float(velocities.min())) + 0.0,
+        )

@@ -1,0 +1,310 @@
+"""A campaign of damper tests as a problem of the search."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibration.dampers.acts import LastingExtremes, OwnShares, Values
+from edesign.calibration.dampers.doubts import Doubt, doubts
+from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
+from edesign.calibration.dampers.effects import forms
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.law_forces import accepted, length_of
+from edesign.calibration.dampers.prediction import Kept, Prediction
+from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.search.problem import Effect
+from edesign.damper.fitting.identifiable import HELD, LIMITED_BY
+from edesign.damper.fitting.scales import Scales
+from edesign.damper.law import Law
+from edesign.damper.law import Parameter as LawParameter
+from edesign.damper.temperature import GammaOf, GammaT
+from edesign.damper.testing.measured_histories import Use
+from edesign.estimation.model import PredictionError
+from edesign.estimation.parameters import Parameter
+
+_DECLARED = 0.3  # standard deviation of the logarithm of a declared parameter, or of a zero one in its size
+_DOUBTS = 64  # sets of parameters whose doubts are kept
+_FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
+_INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
+
+
+@dataclass(frozen=True, eq=False)
+class DamperProblem:
+    """Tests of one specimen in the order in which they were made, and the law thought to describe it.
+
+    Attributes:
+        law: declared.
+        declared: its parameters, all of them in the order of the core, SI.
+        experiments: all tests, at one sampling.
+        typical: sizes in the campaign.
+        refit: whether the declared parameters are only a first guess.
+        lasting: whether extremes of one test soften the law in the next; otherwise each test has a fresh specimen.
+        gamma_of: what gamma_T of an MGMM multiplies.
+        threads: at most so many; None: as many as there are processors.
+    """
+
+    law: Law
+    declared: Mapping[str, float]
+    experiments: tuple[Experiment, ...]
+    typical: Sizes
+    refit: bool = True
+    lasting: bool = False
+    gamma_of: GammaOf = "parameters"
+    threads: int | None = None
+
+    @cached_property
+    def fitted(self) -> tuple[int, ...]:
+        """Indices of the tests that are fitted."""
+        return self.used_for("fit")
+
+    def used_for(self, *uses: Use) -> tuple[int, ...]:
+        """Return the indices of tests of some uses.
+
+        Args:
+            uses: fit, validate.
+        """
+        return tuple(i for i, one in enumerate(self.experiments) if one.use in uses)
+
+    @cached_property
+    def deviations(self) -> tuple[float, ...]:
+        """Standard deviation of the noise of each test that is fitted, N."""
+        return tuple(self.experiments[i].noise for i in self.fitted)
+
+    @cached_property
+    def sizes(self) -> tuple[float, ...]:
+        """Root mean square of the weighted force of each test that is fitted, N."""
+        return tuple(float(np.sqrt(np.mean(y**2))) for y in self.model(()).measured)
+
+    @cached_property
+    def base(self) -> tuple[Parameter, ...]:
+        """Parameters of the law with priors about what is declared; those that others make needless are held."""
+        if not self.refit:
+            return ()
+        scales = Scales(self.typical.force, self.typical.displacement, self.typical.velocity)
+        limiting = LIMITED_BY.get(self.law.name, {}).values()
+        held = {name for name in HELD.get(self.law.name, {}) if name not in limiting or not self.declared[name]}
+        return tuple(
+            _about_declared(one, self.declared, scales)
+            for one in self.law.all_parameters(self.declared)
+            if one.fitted and one.name not in held
+        )
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """Effects that the campaign can show and the core takes with this law."""
+        return tuple(_effect(form, self.typical) for form in forms(self.typical) if self._suits(form))
+
+    def _suits(self, form: EffectForm) -> bool:
+        if form.laws and self.law.name not in form.laws:
+            return False
+        if self.lasting and any(isinstance(act, LastingExtremes) for act in form.acts):
+            return False
+        if not form.amendments:
+            return True
+        p = _in_campaign(form, self.typical).values(form.starts(self.typical)[0])
+        try:
+            amendments = [act.in_test(p, self.experiments[0]) for act in form.amendments]
+        except PredictionError:
+            return False
+        return accepted(self.law, self.declared, amendments)
+
+    @cached_property
+    def prediction(self) -> Prediction:
+        """Predicts the tests."""
+        gamma = GammaT(of=self.gamma_of)
+        own = gamma if self.law.name in gamma.laws else None
+        threads = self.threads or os.cpu_count() or 1
+        length = length_of(self.law, self.declared, self.typical.force, self.typical.displacement)
+        return Prediction(self.law, self.experiments, own, self.lasting, threads, length)
+
+    @cached_property
+    def doubts(self) -> tuple[tuple[Doubt, DamperProblem], ...]:
+        """What is not known of the tests, each with the problem as it would be otherwise."""
+        every = doubts(self.experiments, self.law.name, self.prediction.depends_on_temperature)
+        return tuple((one, self.with_experiments(one.experiments)) for one in every)
+
+    @cached_property
+    def doubted(self) -> Kept[list[np.ndarray] | None]:
+        """What doubts change (n_i,) N, by tests and effects through which they act."""
+        return Kept(_DOUBTS)
+
+    def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> DamperModel:
+        """Return the law with effects; its parameters are those of the law, and of the effects in their order.
+
+        Args:
+            effects: of the list.
+            uses: of the tests that it is a model of.
+        """
+        return DamperModel(self, tuple(effects), self.used_for(*uses))
+
+    def with_experiments(self, experiments: Sequence[Experiment]) -> DamperProblem:
+        """Return the problem with the same tests at another sampling, or otherwise known.
+
+        Args:
+            experiments: all tests in their order.
+        """
+        return replace(self, experiments=tuple(experiments))
+
+    @cached_property
+    def full_rate(self) -> DamperProblem:
+        """The problem with tests at full rate."""
+        return self.with_experiments([one if one.full is None else one.full for one in self.experiments])
+
+
+@dataclass(frozen=True, eq=False)
+class DamperModel:
+    """A law with effects, of some tests.
+
+    Attributes:
+        problem: of the tests.
+        effects: beside or on the law.
+        tests: indices of the tests.
+    """
+
+    problem: DamperProblem
+    effects: tuple[Effect, ...]
+    tests: tuple[int, ...]
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Those of the law, and of the effects in their order."""
+        return (*self.problem.base, *(one for effect in self.effects for one in effect.parameters))
+
+    @cached_property
+    def weights(self) -> tuple[np.ndarray, ...]:
+        """Factors (n_i,) of the residuals of each test that make its noise as strong at all times."""
+        return tuple(self.problem.experiments[i].weights for i in self.tests)
+
+    @cached_property
+    def measured(self) -> tuple[np.ndarray, ...]:
+        """Weighted force (n_i,) N of each test."""
+        return tuple(w * self.problem.experiments[i].force for i, w in zip(self.tests, self.weights, strict=True))
+
+    def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+        """Return the weighted force (n_i,) N of each test for each set of parameters, or why there is none.
+
+        Args:
+            values: (m, p) SI.
+        """
+        found = self.forces(values)
+        return [
+            of_set
+            if isinstance(of_set, PredictionError)
+            else [w * f for w, f in zip(self.weights, of_set, strict=True)]
+            for of_set in found
+        ]
+
+    def forces(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+        """Return the force (n_i,) N of each test for each set of parameters, or why there is none.
+
+        Args:
+            values: (m, p) SI.
+        """
+        return self.problem.prediction.predict([self._of(one) for one in np.atleast_2d(values)], self.tests)
+
+    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return weighted columns (n_i, k) N of each test whose shares, N(0, 1), are its own; None: there are none.
+
+        They are those of the effects, and what doubts about the tests make of the force of the declared law.
+
+        Args:
+            values: (p,) SI.
+        """
+        doubts, shares = self.doubts(values), self.shares(values)
+        found: list[np.ndarray | None] = []
+        for k, weight in enumerate(self.weights):
+            columns = [each for each in (shares[k], doubts[k]) if each is not None]
+            found.append(weight[:, np.newaxis] * np.hstack(columns) if columns else None)
+        return found
+
+    def shares(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return columns (n_i, k) N of each test by which effects add shares of its own, as hum; None: there are none.
+
+        Args:
+            values: (p,) SI.
+        """
+        acts = [(act, p) for of, p in self._of(values)[1] for act in of.form.acts if isinstance(act, OwnShares)]
+        if not acts:
+            return [None] * len(self.tests)
+        return [np.hstack([act.columns(p, self.problem.experiments[i]) for act, p in acts]) for i in self.tests]
+
+    def doubts(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return columns (n_i, k) N of each test that doubts about it change of the force; None: there are none.
+
+        Args:
+            values: (p,) SI.
+        """
+        found = [one for number in range(len(self.problem.doubts)) if (one := self._doubt(number, values)) is not None]
+        return [np.column_stack(of_test) for of_test in zip(*found, strict=True)] or [None] * len(self.tests)
+
+    def _doubt(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
+        """Return what a doubt changes (n_i,) N in each test; None: nothing.
+
+        The law is as declared, with the effects through which it acts alone, so that few sets of parameters are asked
+        for.
+        """
+        doubt, other = self.problem.doubts[number]
+        through = [(of, p) for of, p in self._of(values)[1] if of.form.name in doubt.effects]
+        if not (through or doubt.through_law):
+            return None
+
+        def change() -> list[np.ndarray] | None:
+            asked = [(self.problem.declared, through)]
+            (there,), (here,) = (one.prediction.predict(asked, self.tests) for one in (other, self.problem))
+            if isinstance(there, PredictionError) or isinstance(here, PredictionError):
+                return None
+            return [a - b for a, b in zip(there, here, strict=True)]
+
+        key = (number, self.tests, *((of.form.label, *p.values()) for of, p in through))
+        return self.problem.doubted.of(key, change)
+
+    def _of(self, values: np.ndarray) -> tuple[dict[str, float], list[tuple[FormInCampaign, Values]]]:
+        """Return the law's parameters, and the effects with theirs."""
+        at = len(self.problem.base)
+        law = {
+            **self.problem.declared,
+            **{one.name: float(v) for one, v in zip(self.problem.base, values, strict=False)},
+        }
+        found = []
+        for effect in self.effects:
+            found.append((effect.data, effect.data.values(values[at : at + len(effect.parameters)])))
+            at += len(effect.parameters)
+        return law, found
+
+
+def _in_campaign(form: EffectForm, sizes: Sizes) -> FormInCampaign:
+    return FormInCampaign(form, form.constants(sizes), tuple(one.name for one in form.parameters(sizes)))
+
+
+def _effect(form: EffectForm, sizes: Sizes) -> Effect:
+    parameters = form.parameters(sizes)
+    first = parameters[0] if parameters else None
+    linear = form.proportional and first is not None and not first.logarithmic and first.lower <= 0.0 <= first.upper
+    return Effect(
+        form.name,
+        form.form,
+        form.kind,
+        parameters,
+        form.starts(sizes),
+        linear,
+        form.own,
+        _in_campaign(form, sizes),
+    )
+
+
+def _about_declared(one: LawParameter, declared: Mapping[str, float], scales: Scales) -> Parameter:
+    """Return a parameter of a law with its prior: of a positive one of the logarithm, else of the value."""
+    value = declared[one.name]
+    size = abs(value) if value else scales.of(one.unit, declared)
+    lower = one.lower + (0.0 if one.lower_allowed or math.isinf(one.lower) else _INSIDE * size)
+    upper = one.upper - (0.0 if one.upper_allowed or math.isinf(one.upper) else _INSIDE * size)
+    if value > 0.0 and lower >= 0.0:
+        bounds = max(lower, value / _FARTHEST), min(upper, value * _FARTHEST)
+        return Parameter(one.name, one.unit, *bounds, value, _DECLARED, True)
+    return Parameter(one.name, one.unit, lower, upper, value, _DECLARED * size)

@@ -1,0 +1,95 @@
+"""Narrow peaks that the spectra of tests have in common above their motion, such as hum of the mains."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.ndimage import median_filter
+
+from edesign.calibration.dampers.motion import Motion
+
+_ABOVE_MOTION = 7.5  # the first seven harmonics of a motion are below that times its frequency: they are the specimen's
+_LOWEST = 5.0  # Hz
+_MOST = 3
+_FINENESS = 4  # frequencies within 1 / duration
+_NEIGHBOURS = 20  # of the background, in 1 / duration to each side
+_ONE_TEST = 30.0  # most that one test counts, so that a peak of its own is none of all
+_STANDS_OUT = 12.0  # times the background, on average over the tests: of noise alone one in 1e5
+_OF_THE_LAW = 10.0  # times its background: a peak of the predicted force is none of the channel
+_WIDTH = 4.0  # of the main lobe of the window, in 1 / duration
+_COEFFICIENTS = (0.35875, 0.48829, 0.14128, 0.01168)
+
+
+def common_tones(
+    motions: Sequence[Motion], forces: Sequence[np.ndarray], predicted: Sequence[np.ndarray]
+) -> tuple[float, ...]:
+    """Return the frequencies of narrow peaks above the noise, Hz, the strongest first.
+
+    Only frequencies above the seventh harmonic of the fastest motion count, up to half the rate of the slowest
+    sampling. A peak must stand out in the mean of power over background, over tests whose law has no peak there.
+
+    Args:
+        motions: of the tests, at full rate.
+        forces: (n_i,) N, measured in each.
+        predicted: (n_i,) N, by a law.
+    """
+    if not motions:
+        return ()
+    longest = max(float(one.since[-1]) for one in motions)
+    shortest = min(float(one.since[-1]) for one in motions)
+    lowest = max(_LOWEST, _ABOVE_MOTION * max(one.frequency for one in motions))
+    highest = 0.45 / max(float(np.median(one.steps)) for one in motions)
+    if highest <= lowest:
+        return ()
+    grid = np.arange(lowest, highest, 1.0 / (_FINENESS * longest))
+    residuals = [force - of_law for force, of_law in zip(forces, predicted, strict=True)]
+    heights = np.array([_over_background(m, r, grid) for m, r in zip(motions, residuals, strict=True)])
+    of_law = np.array([_over_background(m, f, grid) for m, f in zip(motions, predicted, strict=True)])
+    counts = of_law < _OF_THE_LAW
+    common = np.sum(np.where(counts, np.minimum(heights, _ONE_TEST), 0.0), axis=0) / np.maximum(counts.sum(axis=0), 1)
+    common[counts.sum(axis=0) < 0.5 * len(motions)] = 0.0
+    strength = np.mean(heights, axis=0)
+    found: list[float] = []
+    while len(found) < _MOST and np.any(common > _STANDS_OUT):
+        top = int(np.argmax(np.where(common > _STANDS_OUT, strength, 0.0)))
+        found.append(_finer(motions, residuals, float(grid[top]), 1.0 / longest))
+        common[np.abs(grid - grid[top]) < _WIDTH / shortest] = 0.0
+    return tuple(found)
+
+
+def _windowed(residual: np.ndarray) -> np.ndarray:
+    """Return a residual (n,) under the window of Blackman and Harris (1978, four terms, -92 dB)."""
+    turn = 2.0 * np.pi * np.arange(residual.size) / (residual.size - 1)
+    window = sum((-1) ** k * a * np.cos(k * turn) for k, a in enumerate(_COEFFICIENTS))
+    return np.asarray((residual - residual.mean()) * window)
+
+
+def _over_background(motion: Motion, residual: np.ndarray, grid: np.ndarray) -> np.ndarray:
+    """Return the power of a residual (n,) over that about it, 1 on average, at frequencies (m,) Hz."""
+    n, step = residual.size, float(np.median(motion.steps))
+    size = _FINENESS * n
+    power = np.abs(np.fft.rfft(_windowed(residual), size)) ** 2
+    coarse = power[::_FINENESS]
+    background = median_filter(coarse, 2 * _NEIGHBOURS + 1, mode="nearest") / np.log(2.0)
+    frequencies = np.arange(power.size) / (size * step)
+    least = 1e-12 * float(power.max()) + 1e-300
+    level = np.interp(grid, frequencies[::_FINENESS], np.maximum(background, least))
+    return np.interp(grid, frequencies, power) / level
+
+
+def _finer(motions: Sequence[Motion], residuals: Sequence[np.ndarray], frequency: float, width: float) -> float:
+    """Return the frequency near one, Hz, with the largest power in all tests."""
+    windowed = [_windowed(one) for one in residuals]
+
+    def power(f: float) -> float:
+        return sum(
+            abs(np.exp(-2j * np.pi * f * m.since) @ r) ** 2 / float(r @ r)
+            for m, r in zip(motions, windowed, strict=True)
+        )
+
+    for _ in range(6):
+        near = frequency + width * np.array((-1.0, -0.5, 0.0, 0.5, 1.0))
+        frequency = float(max(near, key=power))
+        width *= 0.5
+    return frequency

@@ -1,0 +1,159 @@
+"""The shape of a residual in one or two plain sentences."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.calibration.residual.drivers import DRIVERS
+from edesign.calibration.residual.pool import Pool
+from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.tones import Tone
+from edesign.calibration.residual.whiteness import Whiteness
+
+WORTH_TELLING = 0.1
+"""Share of the squared residual."""
+
+_RARE = 1e-3  # probability by chance
+_NOISE = 0.05  # structured share below which only noise is left
+_MOST = 3  # things told
+_NEARLY, _ALIKE = 0.85, 0.98  # of the share of the best
+_MONOTONE, _PARITY = 0.75, 0.8  # rank correlation; share of one parity
+_STATES = ("displacement", "velocity", "sign of velocity")
+_BOTH = ("time", "test order", "temperature")  # offsets change with them as well as factors
+_SCALES = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s")}
+
+
+@dataclass(frozen=True)
+class _Thing:
+    """Something a residual is like: its share beyond chance, what it takes away, and words."""
+
+    share: float
+    fitted: np.ndarray
+    words: str
+    driver: str = ""
+
+
+def describe(
+    tests: Sequence[Residual], whiteness: Sequence[Whiteness], pool: Pool, tones: Sequence[Sequence[Tone]]
+) -> str:
+    """What is left, how much of it is structure, and what that goes with.
+
+    Things are taken one after another, each the one that explains most of what those before have left; at most three,
+    of at least 10 % of the squared residual.
+    """
+    total = float(pool.error @ pool.error)
+    if total == 0.0:
+        return "Nothing is left."
+    weights = np.array([float(np.sum(test.residual**2)) / test.rms_force**2 for test in tests])
+    structured = float(weights @ [one.structured for one in whiteness]) / total
+    left = f"{100.0 * total / pool.error.size:.2g} % of the squared force is left"
+    hum = _tones(tones)
+    if structured < _NOISE:
+        return f"{left}, all of it noise{' but ' + hum if hum else ''}."
+    rest = pool.error
+    told: list[str] = []
+    while len(told) < _MOST:
+        best = _best(rest, pool)
+        share = best.share * float(rest @ rest) / total if best else 0.0
+        if best is None or share < WORTH_TELLING:
+            break
+        told.append(f"{best.words} ({100.0 * share:.0f} %)")
+        rest = rest - best.fitted
+    first = f"{left}, {100.0 * structured:.0f} % of it structure in the band of the motion"
+    like = f" It is like {', then '.join(told)}." if told else " It goes with nothing looked at."
+    return f"{first}{', beside ' + hum if hum else ''}.{like}"
+
+
+def _best(error: np.ndarray, pool: Pool) -> _Thing | None:
+    """What explains most; something simple if it explains nearly as much as the best of the others."""
+    simple = max(_simple(error, pool), key=lambda thing: thing.share, default=None)
+    every = sorted(_binned(error, pool), key=lambda thing: -thing.share)
+    if not every:
+        return simple
+    binned = every[0]
+    others = [thing.driver for thing in every[1:] if thing.share > _ALIKE * binned.share]
+    others = [driver for driver in dict.fromkeys(others) if driver != binned.driver]
+    if others:
+        binned = replace(binned, words=f"{binned.words}, or as well with the {' or the '.join(others)}")
+    if simple is None:
+        return binned
+    return simple if simple.share > _NEARLY * binned.share else binned
+
+
+def _simple(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
+    """Things with one coefficient."""
+    for regressor, words in (
+        (np.ones_like(error), lambda c: f"a constant force, {_signed(c)} of the rms force"),
+        (pool.predicted, lambda c: f"a factor on the whole force, {_signed(c)}"),
+        (pool.late, lambda c: f"a force {1e3 * abs(c * pool.lag):.3g} ms {'late' if c * pool.lag > 0.0 else 'early'}"),
+    ):
+        power = float(regressor @ regressor)
+        coefficient = float(error @ regressor) / power if power > 0.0 else 0.0
+        share = coefficient**2 * power / max(float(error @ error), np.finfo(float).tiny)
+        if pool.p_value(share, 2) < _RARE:
+            yield _Thing(share - 1.0 / pool.independent, coefficient * regressor, words(coefficient))
+
+
+def _binned(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
+    """Things with a coefficient in each bin of a driver: states of a cycle as a force, slow ones as a factor."""
+    for driver, number in pool.number.items():
+        count = np.bincount(number)
+        centre = np.bincount(number, pool.values[driver]) / count
+        for way, regressor in (("force", np.ones_like(error)), ("factor", pool.predicted)):
+            if way != ("force" if driver in _STATES else "factor") and driver not in _BOTH:
+                continue
+            part = pool.explained(error, regressor, number)
+            if pool.p_value(part.share, count.size) < _RARE:
+                state = driver in _STATES
+                text = (
+                    _state(driver, centre, part.coefficient) if state else _slow(driver, way, centre, part.coefficient)
+                )
+                yield _Thing(part.whole - pool.chance(count.size + 1), part.fitted, text, driver)
+
+
+def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
+    """Words for a force that goes with the displacement or velocity: even or odd."""
+    if driver == "sign of velocity":
+        return f"a force with the sign of the velocity, {_signed(0.5 * (mean[-1] - mean[0]))} of the rms force"
+    reach = min(float(centre[-1]), -float(centre[0]))
+    if reach <= 0.0:
+        return f"a force that goes with the {driver}, on one side"
+    at = np.linspace(0.1, 1.0, 10) * reach
+    right, left = (np.interp(side * at, centre, mean) for side in (1.0, -1.0))
+    even, odd = (float(np.sum((right + sign * left) ** 2)) for sign in (1.0, -1.0))
+    if even > _PARITY * (even + odd):
+        return f"a force even in the {driver}"
+    return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that goes with the {driver}"
+
+
+def _slow(driver: str, way: str, centre: np.ndarray, mean: np.ndarray) -> str:
+    """Words for a force or factor that changes slowly: up, down, or where it is largest."""
+    from scipy.stats import spearmanr  # takes a second; most calibrations have no need of it
+
+    low, high = float(mean[0]), float(mean[-1])
+    rank = float(spearmanr(centre, mean).statistic) if centre.size > 2 else float(np.sign(high - low))
+    if abs(rank) >= _MONOTONE:
+        verb = "rises" if rank > 0.0 else "falls"
+        return f"a {way} that {verb} with the {driver} from {_signed(low)} to {_signed(high)}"
+    at = int(np.argmax(np.abs(mean)))
+    scale, unit = _SCALES.get(DRIVERS[driver][0], (1.0, DRIVERS[driver][0]))
+    place = f"{scale * centre[at]:.3g} {unit}".strip()
+    return f"a {way} that depends on the {driver}, {_signed(mean[at])} at {place}"
+
+
+def _signed(share: float) -> str:
+    return f"{100.0 * share:+.2g} %"
+
+
+def _tones(tones: Sequence[Sequence[Tone]]) -> str:
+    """The strongest tone and in how many tests it is."""
+    every = [tone for one in tones for tone in one]
+    if not every:
+        return ""
+    strongest = max(every, key=lambda tone: tone.amplitude)
+    alike = sum(any(abs(tone.frequency / strongest.frequency - 1.0) < 0.01 for tone in one) for one in tones)
+    size = f"{1e-3 * strongest.amplitude:.3g} kN, in {alike} of {len(tones)} tests"
+    return f"a tone of {strongest.frequency:.4g} Hz ({size})"

@@ -1,0 +1,339 @@
+"""Models that a search has fitted: a base model with effects, and what it says of its own errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibration.search.problem import Columns, Effect, Problem
+from edesign.calibration.search.settings import SearchSettings
+from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
+from edesign.estimation.left_out import PRIOR_FREEDOM, Score, score
+from edesign.estimation.model import Model, PredictionError
+from edesign.estimation.noise import Noise, correlation_length
+from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
+
+_SETTLED = 0.2  # fall of the logarithm of the noise, below which a fit under the noise that it leaves has settled
+_FITS = 4  # most of them
+_STEPS = 15
+_ROUGH = Settings(rough=True)
+_NEGLIGIBLE = 0.03  # singular value, of the largest, of differences between equations
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """A form of an effect at one start of its grid.
+
+    Attributes:
+        effect: the form.
+        values: (p,) SI, with the size that the tests ask for.
+    """
+
+    effect: Effect
+    values: np.ndarray
+
+
+class EffortSpentError(Exception):
+    """The search has made as many predictions as it may."""
+
+
+class Effort:
+    """Weighted predictions that a search has made; the same on every machine.
+
+    Args:
+        most: after which it ends.
+    """
+
+    def __init__(self, most: float) -> None:
+        self.most, self.spent = most, 0.0
+
+    def spend(self, predictions: int, effects: Sequence[Effect]) -> None:
+        """Count predictions of a model with effects.
+
+        Raises:
+            EffortSpentError: there have been too many.
+        """
+        self.spent += predictions * max((effect.cost for effect in effects), default=1.0)
+        if self.spent > self.most:
+            raise EffortSpentError
+
+
+@dataclass(frozen=True, eq=False)
+class FittedModel:
+    """A base model with effects, fitted.
+
+    Attributes:
+        problem: of the tests.
+        effects: in the order of adoption.
+        fit: parameters of the base, and of the effects in their order.
+    """
+
+    problem: Problem
+    effects: tuple[Effect, ...]
+    fit: Fit
+
+    @property
+    def label(self) -> str:
+        """Labels of its effects."""
+        return " + ".join(effect.label for effect in self.effects) or "none"
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Names of its effects."""
+        return frozenset(effect.name for effect in self.effects)
+
+    @cached_property
+    def left(self) -> tuple[np.ndarray, ...]:
+        """Residuals (n_i,) of each test, freed of what is that test's own."""
+        own = self.fit.model.own(self.fit.values)
+        shares = self.fit.weighted().shares
+        both = zip(self.fit.left, own, shares, strict=True)
+        return tuple(r if columns is None else r - columns @ share for r, columns, share in both)
+
+    @cached_property
+    def noise(self) -> Noise:
+        """What it leaves of the tests, at least the noise of the channels."""
+        return Noise.left_by(self.left, self.problem.deviations, self.problem.sizes)
+
+    @cached_property
+    def nrms(self) -> float:
+        """Root mean square of what it leaves, of that of what was measured."""
+        left, measured = (np.concatenate(each) for each in (self.left, self.fit.model.measured))
+        return float(np.sqrt(left @ left / (measured @ measured)))
+
+    @cached_property
+    def at_floor(self) -> bool:
+        """Whether it leaves no more than noise, as well as the size of the noise is known."""
+        left = np.array([float(r @ r) / r.size for r in self.left]) / np.array(self.problem.deviations) ** 2
+        return bool(np.mean(left) <= 1.0 + math.sqrt(2.0 / PRIOR_FREEDOM))
+
+    def places(self, index: int) -> range:
+        """Indices of the parameters of an effect."""
+        first = self.fit.z.size - sum(len(effect.parameters) for effect in self.effects[index:])
+        return range(first, first + len(self.effects[index].parameters))
+
+    def without(self, index: int) -> tuple[tuple[Effect, ...], np.ndarray]:
+        """Return the other effects, and the values of all other parameters, SI."""
+        others = tuple(effect for i, effect in enumerate(self.effects) if i != index)
+        return others, np.delete(self.fit.values, self.places(index))
+
+    def size(self, index: int) -> float:
+        """Root mean square of what an effect does, of that of what was measured."""
+        change, measured = (np.concatenate(each) for each in (self.contribution(index), self.fit.model.measured))
+        return float(np.sqrt(change @ change / (measured @ measured)))
+
+    def contribution(self, index: int) -> list[np.ndarray]:
+        """What an effect changes (n_i,) of each test; nothing where the others cannot predict alone."""
+        return self._contributions[index]
+
+    @cached_property
+    def _contributions(self) -> list[list[np.ndarray]]:
+        found = []
+        for index in range(len(self.effects)):
+            others, values = self.without(index)
+            (plain,) = self.problem.model(others).predict(values[np.newaxis])
+            if isinstance(plain, PredictionError):
+                plain = self.fit.predicted
+            found.append([f - g for f, g in zip(self.fit.predicted, plain, strict=True)])
+        return found
+
+
+class Fitting:
+    """Fits models of a problem and scores them, counting the effort; what was fitted is kept.
+
+    Args:
+        problem: of the tests.
+        settings: numbers of the search.
+    """
+
+    def __init__(self, problem: Problem, settings: SearchSettings) -> None:
+        self.problem, self.settings = problem, settings
+        self.effort = Effort(settings.effort)
+        self.fitted = 0
+        self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
+        self._wrong: dict[int, tuple[FittedModel, Columns | None]] = {}
+
+    def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
+        """Return predictions (n_i,) of each test for each row of values, SI."""
+        self.effort.spend(len(values), effects)
+        return list(self.problem.model(tuple(effects)).predict(values))
+
+    def fit(
+        self, effects: Sequence[Effect], start: np.ndarray | Fit, noise: Noise, steps: int = _STEPS
+    ) -> FittedModel | None:
+        """Fit a model from values, SI, or from a fit of it; None: it cannot predict there."""
+        model = self.problem.model(tuple(effects))
+        z = start if isinstance(start, Fit) else coordinates_of(model.parameters, start)
+        return self._fit(model, tuple(effects), noise, z, steps, SETTINGS, None)
+
+    def rough(self, grown: FittedModel, noise: Noise) -> FittedModel:
+        """Fit a model that has grown by a few steps, by which models are put in order."""
+        model = grown.fit.model
+        found = self._fit(model, grown.effects, noise, grown.fit, self.settings.rough_steps, _ROUGH, None)
+        return grown if found is None else found
+
+    def _fit(
+        self,
+        model: Model,
+        effects: tuple[Effect, ...],
+        noise: Noise,
+        start: np.ndarray | Fit,
+        steps: int,
+        settings: Settings,
+        slopes: Columns | None,
+    ) -> FittedModel | None:
+        try:
+            found = fit(model, noise, start, steps, settings, slopes)
+        except PredictionError:
+            self.effort.spend(1, effects)
+            return None
+        self.fitted += 1
+        self.effort.spend(found.evaluations, effects)
+        return FittedModel(self.problem, effects, found)
+
+    def grown(self, model: FittedModel, starts: Sequence[Start], noise: Noise) -> FittedModel | None:
+        """Return a model with more effects at their starts, with its slopes, and those of their parameters; not fitted.
+
+        None: it cannot predict there.
+        """
+        effects = (*model.effects, *(start.effect for start in starts))
+        return self.placed(effects, [model.fit.values, *(start.values for start in starts)], model.fit.slopes, noise)
+
+    def placed(
+        self, effects: tuple[Effect, ...], values: Sequence[np.ndarray], slopes: Columns, noise: Noise
+    ) -> FittedModel | None:
+        """Return a model at values (p,) SI; its slopes to the first parameters are known, those to others are found."""
+        with_them = self.problem.model(effects)
+        z = coordinates_of(with_them.parameters, np.concatenate(values))
+        known = slopes[0].shape[1]
+        low, high = ranges_of(with_them.parameters)
+        steps = np.where(z + SETTINGS.difference <= high, 1.0, -1.0) * SETTINGS.difference
+        moved = [z, *(z + steps * (np.arange(z.size) == k) for k in range(known, z.size))]
+        here, *there = self.predict(effects, np.array([values_of(with_them.parameters, one) for one in moved]))
+        if isinstance(here, PredictionError):
+            return None
+        rates = [j for j in slopes]
+        for k, of in enumerate(there, known):
+            if isinstance(of, PredictionError):
+                return None
+            rates = [np.column_stack((j, (a - b) / steps[k])) for j, a, b in zip(rates, of, here, strict=True)]
+        found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0)
+        return FittedModel(self.problem, effects, found)
+
+    def settled(self, model: FittedModel) -> FittedModel:
+        """Fit again under the noise that the fit leaves, until that noise is known."""
+        start, slopes = model.fit.z, model.fit.slopes
+        of = model.fit.model
+        found = self._fit(of, model.effects, model.noise, start, _STEPS, SETTINGS, slopes) or model
+        for _ in range(_FITS):
+            before, model = model, found
+            fall = float(np.mean(np.log(before.noise.long_run)) - np.mean(np.log(model.noise.long_run)))
+            if fall < _SETTLED:
+                break
+            found = self.fit(model.effects, model.fit, model.noise) or model
+        return found
+
+    def score(self, model: FittedModel, noise: Noise, beside: FittedModel | None = None, sure: bool = True) -> Score:
+        """Return the score of a model.
+
+        Args:
+            model: fitted.
+            noise: that all models compared share.
+            beside: a model whose equations may be wrong, which is allowed for; None: none.
+            sure: whether the model is fitted again without a test that moves it far.
+        """
+        wrong = None if beside is None else self.wrong(beside)
+        key = id(model), noise, id(wrong), sure
+        if key not in self._scores:
+            found = score(model.fit, noise, wrong, refits=sure)
+            self.effort.spend(found.evaluations, model.effects)
+            self._scores[key] = model, wrong, found
+        return self._scores[key][2]
+
+    def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
+        """Return the noise by which models are compared: what the leader leaves.
+
+        It is at least that of the channels with what the equations of known effects may be wrong by.
+
+        Args:
+            leader: the best one of the models.
+            known: model of the effects that are known.
+        """
+        left = leader.noise
+        wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
+        for index in range(len(known.effects)):
+            for i, change in enumerate(known.contribution(index)):
+                power = self.settings.unlike**2 * float(change @ change) / change.size
+                wrong[:, i] += power, power * correlation_length(change)
+        variance = np.maximum(left.variance, wrong[0])
+        long_run = np.maximum(np.maximum(left.long_run, wrong[1]), variance)
+        return Noise(tuple(variance.tolist()), tuple(long_run.tolist()))
+
+    def wrong(self, model: FittedModel) -> Columns | None:
+        """Return columns by which the equations of a model's effects may be wrong: what other equations of them do.
+
+        Their shares have the prior N(0, 1); all of them together are `alike` of what the effect does.
+        """
+        if id(model) not in self._wrong:
+            found = [self._unlike(model, index) for index in range(len(model.effects))]
+            every = np.hstack(found) if found else np.zeros((0, 0))
+            ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
+            self._wrong[id(model)] = model, np.split(every, ends) if every.shape[1] else None
+        return self._wrong[id(model)][1]
+
+    def _unlike(self, model: FittedModel, index: int) -> np.ndarray:
+        """Return what other equations of an effect do in its place (n, k), as principal components of size `alike`."""
+        change = np.concatenate(model.contribution(index))
+        found = [one / np.linalg.norm(one) for _, _, one in self.in_place(model, index, np.ones(len(model.left)))]
+        size = self.settings.alike * float(np.linalg.norm(change))
+        if not found or not size:
+            return np.zeros((change.size, 0))
+        u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
+        keep = s > _NEGLIGIBLE * s[0]
+        return np.asarray(size * u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2))))
+
+    def in_place(
+        self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray
+    ) -> list[tuple[Effect, np.ndarray, np.ndarray]]:
+        """Return what other equations of an effect do in its place, at each of their starts.
+
+        Args:
+            model: fitted.
+            index: of the effect.
+            weights: (tests,) by which changes are multiplied.
+
+        Returns:
+            Form, start (p,) SI, and weighted change (n,) of all tests.
+        """
+        effect = model.effects[index]
+        others, values = model.without(index)
+        plain = [f - c for f, c in zip(model.fit.predicted, model.contribution(index), strict=True)]
+        found = []
+        for form in self.problem.effects:
+            if form.name != effect.name or form.label == effect.label or form.own or not form.parameters:
+                continue
+            starts = np.array([[*values, *start] for start in form.starts])
+            for start, there in zip(form.starts, self.predict((*others, form), starts), strict=True):
+                if isinstance(there, PredictionError):
+                    continue
+                change = np.concatenate([w * (a - b) for w, a, b in zip(weights, there, plain, strict=True)])
+                if np.isfinite(change).all() and change.any():
+                    found.append((form, np.array(start), change))
+        return found
+
+    def in_order(self, model: FittedModel, order: Sequence[int]) -> FittedModel:
+        """Return a model with its effects in another order."""
+        base = model.fit.z.size - sum(len(effect.parameters) for effect in model.effects)
+        index = [*range(base), *(i for k in order for i in model.places(k))]
+        effects = tuple(model.effects[k] for k in order)
+        moved = replace(
+            model.fit,
+            model=self.problem.model(effects),
+            z=model.fit.z[index],
+            slopes=tuple(j[:, index] for j in model.fit.slopes),
+        )
+        return FittedModel(self.problem, effects, moved)

@@ -1,0 +1,79 @@
+"""What a search works on: tests, a base model of them, and effects that it may lack."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Literal, Protocol
+
+import numpy as np
+
+from edesign.estimation.model import Model
+from edesign.estimation.parameters import Parameter
+
+Kind = Literal["damper", "rig", "instrument", "structure"]
+
+
+@dataclass(frozen=True)
+class Effect:
+    """One form of an effect that a model may lack.
+
+    Attributes:
+        name: of the effect.
+        form: how it acts; an effect may have several forms.
+        kind: what it belongs to.
+        parameters: its own; the first is its size.
+        starts: (k, p) values, SI, to start from: a grid over what acts non-linearly, at a typical size.
+        linear: whether what it does is proportional to its size, about no effect at zero.
+        own: whether it adds shares that are each test's own.
+        data: what the problem needs to predict with it.
+        cost: of a prediction, in those of the base model.
+    """
+
+    name: str
+    form: str
+    kind: Kind
+    parameters: tuple[Parameter, ...]
+    starts: tuple[tuple[float, ...], ...]
+    linear: bool
+    own: bool = False
+    data: Any = None
+    cost: float = 1.0
+
+    @property
+    def label(self) -> str:
+        """Name and form."""
+        return f"{self.name}.{self.form}"
+
+
+class Problem(Protocol):
+    """What a search works on.
+
+    Attributes:
+        deviations: (tests,) standard deviation of the noise of each test that is fitted.
+        sizes: (tests,) root mean square of what was measured in each.
+        effects: that the model may lack.
+    """
+
+    @property
+    def deviations(self) -> tuple[float, ...]:
+        """Standard deviation of the noise of each test that is fitted."""
+
+    @property
+    def sizes(self) -> tuple[float, ...]:
+        """Root mean square of what was measured in each."""
+
+    @property
+    def effects(self) -> tuple[Effect, ...]:
+        """Effects that the model may lack."""
+
+    def model(self, effects: Sequence[Effect]) -> Model:
+        """Return the base model with effects; its parameters are those of the base, and of the effects in their order.
+
+        Args:
+            effects: of the list.
+        """
+
+
+Columns = Sequence[np.ndarray]
+"""(n_i, k) of each test."""

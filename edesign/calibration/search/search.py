@@ -1,0 +1,281 @@
+"""The search of the effects that a model lacks: screening, a beam of models, one rule of adoption."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitting, Start
+from edesign.calibration.search.problem import Problem
+from edesign.calibration.search.screening import Screening, screen
+from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.estimation.left_out import LEAST, Difference, difference
+from edesign.estimation.noise import Noise
+from edesign.estimation.uncertainty import uncertainty
+
+Ending = Literal["complete", "effort_spent", "interrupted"]
+Progress = Callable[[str], None]
+_FIRST = 0.05  # of what was measured: noise under which the base model is fitted first
+
+
+@dataclass(frozen=True)
+class Tried:
+    """A model that was compared with the best one so far.
+
+    Attributes:
+        model: fitted to the end.
+        difference: by how much it predicts better.
+    """
+
+    model: FittedModel
+    difference: Difference
+
+
+@dataclass(frozen=True)
+class Depth:
+    """One round of the search.
+
+    Attributes:
+        best: model beside which effects were screened.
+        screening: of effects and pairs.
+        fitted: models that were fitted.
+        tried: models that were fitted to the end, best first.
+        adopted: the best model after it; None: nothing passes the rule.
+    """
+
+    best: FittedModel
+    screening: Screening
+    fitted: int
+    tried: tuple[Tried, ...]
+    adopted: FittedModel | None
+
+
+@dataclass(frozen=True)
+class Found:
+    """What a search found.
+
+    Attributes:
+        base: the base model, fitted.
+        best: with the effects that were adopted.
+        depths: rounds of the search.
+        rivals: of each adopted effect, models with another one in its place.
+        ending: how it ended.
+        effort: weighted predictions that it took.
+    """
+
+    base: FittedModel
+    best: FittedModel
+    depths: tuple[Depth, ...]
+    rivals: tuple[tuple[Tried, ...], ...]
+    ending: Ending
+    effort: float
+
+
+class Search:
+    """Searches the effects that the base model of a problem lacks.
+
+    Args:
+        problem: of the tests.
+        settings: numbers of the search.
+        progress: told what is done.
+    """
+
+    def __init__(
+        self, problem: Problem, settings: SearchSettings = SETTINGS, progress: Progress = lambda _: None
+    ) -> None:
+        self._problem, self._settings, self._progress = problem, settings, progress
+        self._fitting = Fitting(problem, settings)
+
+    def run(self) -> Found:
+        """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
+        base = self._base()
+        self._best, self._depths, self._rivals = base, list[Depth](), list[tuple[Tried, ...]]()
+        ending: Ending = "complete"
+        try:
+            self._grow()
+            while self._best.effects and self._challenge():
+                self._grow()
+        except EffortSpentError:
+            ending = "effort_spent"
+        except KeyboardInterrupt:
+            ending = "interrupted"
+        spent = self._fitting.effort.spent
+        return Found(base, self._best, tuple(self._depths), tuple(self._rivals), ending, spent)
+
+    def _grow(self) -> None:
+        """Adopt effects until no more than noise is left, or the next depth does not pass the rule."""
+        while len(self._best.effects) < self._settings.depth and not self._best.at_floor:
+            self._progress(f"screening beside {self._best.label}: {100.0 * self._best.nrms:.3g} % is left")
+            self._depths.append(self._depth(self._best))
+            adopted = self._depths[-1].adopted
+            if adopted is None:
+                break
+            self._best = adopted
+
+    def _challenge(self) -> bool:
+        """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
+
+        Those that the best model does not surely beat are its rivals: the tests cannot tell them apart.
+        """
+        fitting, best = self._fitting, self._best
+        self._rivals = []
+        for index, effect in enumerate(best.effects):
+            self._progress(f"trying others in the place of {effect.label}")
+            rest = self._without(best, index)
+            noise = fitting.noise(best, rest) if rest else best.noise
+            screening = screen(fitting, rest, noise, fitting.wrong(rest)) if rest else None
+            found: dict[str, FittedModel] = {}
+            for start, gain in screening.singles if screening else ():
+                name = start.effect.name
+                if gain <= 0.0 or len(found) == self._settings.others:
+                    break
+                if name == effect.name or name in found:
+                    continue
+                grown = None if rest is None else fitting.grown(rest, [start], noise)
+                if grown is not None:
+                    found[name] = fitting.settled(fitting.rough(grown, noise))
+            tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values() if rest]
+            better = [one for one in tried if one.difference.sure]
+            if better:
+                self._best = max(better, key=lambda one: one.difference.total).model
+                return True
+            alike = [one for one in tried if not self._difference(best, one.model, noise, rest).sure]
+            self._rivals.append(tuple(alike))
+        return False
+
+    def _without(self, model: FittedModel, index: int) -> FittedModel | None:
+        """Return a model without one of its effects, fitted; None: it cannot predict then."""
+        others, values = model.without(index)
+        if not others:
+            return self._base_model
+        slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+        rough = self._fitting.placed(others, [values], slopes, model.noise)
+        return None if rough is None else self._fitting.settled(rough)
+
+    def _base(self) -> FittedModel:
+        """Return the base model, fitted."""
+        sizes = zip(self._problem.sizes, self._problem.deviations, strict=True)
+        noise = Noise.white([max(_FIRST * size, deviation) for size, deviation in sizes])
+        start = np.array([one.centre for one in self._problem.model(()).parameters])
+        found = self._fitting.fit((), start, noise)
+        if found is None:
+            raise ValueError("the base model cannot predict with its declared parameters")
+        self._base_model = self._fitting.settled(found)
+        return self._base_model
+
+    def _depth(self, best: FittedModel) -> Depth:
+        fitting = self._fitting
+        before, noise = fitting.fitted, fitting.noise(best, best)
+        screening = screen(fitting, best, noise, fitting.wrong(best))
+        children = self._children(best, screening, noise)
+        leaders = [fitting.settled(one) for one in self._different(children, noise)]
+        if not leaders:
+            return Depth(best, screening, fitting.fitted - before, (), None)
+        leader = max(leaders, key=lambda one: fitting.score(one, noise, best, sure=False).total)
+        noise = fitting.noise(leader, best)
+        tried = [Tried(one, self._difference(one, best, noise, best)) for one in leaders]
+        tried.sort(key=lambda one: -one.difference.total)
+        for one in tried:
+            d = one.difference
+            self._progress(f"  {one.model.label}: {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}")
+        adopted = None
+        for one in tried:
+            if one.difference.sure:
+                adopted = self._needed(self._reformed(one.model, noise), best)
+                break
+        return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)
+
+    def _difference(
+        self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel | None
+    ) -> Difference:
+        return difference(self._fitting.score(better, noise, known), self._fitting.score(worse, noise, known))
+
+    def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:
+        """Return the model with each of the effects and pairs that the screening puts first, roughly fitted."""
+        forms: dict[str, int] = {}
+        tried: list[tuple[Start, ...]] = []
+        for start, gain in screening.singles:
+            forms[start.effect.name] = forms.get(start.effect.name, 0) + (not start.effect.own)
+            if gain > 0.0 and forms[start.effect.name] <= self._settings.forms:
+                tried.append((start,))
+        tried = tried[: self._settings.singles]
+        tried += [pair for pair, gain in screening.pairs if gain > 0.0]
+        found = []
+        for starts in tried:
+            grown = self._fitting.grown(model, starts, noise)
+            if grown is not None:
+                found.append(self._fitting.rough(grown, noise))
+        return found
+
+    def _different(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
+        """Return the best models of different effects, none with an effect that it does not need."""
+
+        def total(one: FittedModel) -> float:
+            return self._fitting.score(one, noise, sure=False).total
+
+        found: list[FittedModel] = []
+        for model in sorted(models, key=lambda one: -total(one)):
+            simpler = [one for one in models if one.names < model.names]
+            if any(one.names == model.names for one in found):
+                continue
+            if not any(total(one) > total(model) - LEAST for one in simpler):
+                found.append(model)
+        return found[: self._settings.beam]
+
+    def _reformed(self, model: FittedModel, noise: Noise) -> FittedModel:
+        """Return the model with that equation of each effect that predicts best."""
+        fitting = self._fitting
+        weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
+        for index in range(len(model.effects)):
+            target = np.concatenate([w * c for w, c in zip(weights, model.contribution(index), strict=True)])
+            like: dict[str, tuple[float, Start]] = {}
+            for form, values, change in fitting.in_place(model, index, weights):
+                share = float(change @ target) / float(change @ change)
+                near = share * float(change @ target)
+                if near > like.get(form.label, (-1.0,))[0]:
+                    like[form.label] = near, Start(form, _scaled(values, form.linear, share))
+            others, kept = model.without(index)
+            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+            order = [*range(index), len(others), *range(index, len(others))]
+            rough: list[FittedModel] = []
+            for _, start in sorted(like.values(), key=lambda one: -one[0])[: self._settings.others]:
+                placed = fitting.placed((*others, start.effect), [kept, start.values], slopes, noise)
+                if placed is not None:
+                    rough.append(fitting.rough(placed, noise))
+            if rough:
+                best = fitting.settled(max(rough, key=lambda one: fitting.score(one, noise, sure=False).total))
+                if fitting.score(best, noise).total > fitting.score(model, noise).total:
+                    model = fitting.in_order(best, order)
+        return model
+
+    def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
+        """Return the model without effects that it does not need, or whose size may be nothing."""
+        while model.effects:
+            noise = self._fitting.noise(model, known)
+            simpler = []
+            for index in range(len(model.effects)):
+                others, _ = model.without(index)
+                one = known if others == known.effects else self._without(model, index)
+                if one is None:
+                    continue
+                if not self._difference(model, one, noise, known).sure or self._may_be_nothing(model, index):
+                    simpler.append(one)
+            if not simpler:
+                break
+            model = max(simpler, key=lambda one: self._fitting.score(one, noise).total)
+        # less than is known already is no step: the next depth would take it back
+        return None if model.names <= known.names else model
+
+    def _may_be_nothing(self, model: FittedModel, index: int) -> bool:
+        """Return whether the 95 % interval of the size of an effect holds zero."""
+        if not model.effects[index].linear:
+            return False
+        low, high = uncertainty(model.fit, model.noise).interval(model.places(index)[0])
+        return low <= 0.0 <= high
+
+
+def _scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
+    return np.array([start[0] * share, *start[1:]]) if linear else start

@@ -1,0 +1,41 @@
+"""Numbers of the search, each with its meaning and its source."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class SearchSettings:
+    """Numbers of the search.
+
+    The first five say how wide it looks; more costs time and changes results where models are nearly as good. The next
+    ones are judgements of engineering. They were tried on campaigns of one foreign laboratory alone (harbour).
+
+    Attributes:
+        beam: models of different effects that are fitted to the end at each depth.
+        singles: single effects that are fitted roughly beside a model.
+        forms: equations of one effect among them.
+        pairs: pairs of effects that are fitted roughly beside a model.
+        others: equations of an adopted effect that are fitted in its place.
+        rough_steps: of the fits by which models are put in order.
+        depth: most effects of a model.
+        alike: share of what an effect does by which its equation may be wrong, as other equations of it differ from it:
+            those of one effect, fitted to each other, leave 10 % to 40 %.
+        unlike: the same in a way that no other equation of it has.
+        effort: weighted predictions of all tests, after which the search ends unfinished.
+    """
+
+    beam: int = 4
+    singles: int = 10
+    forms: int = 2
+    pairs: int = 4
+    others: int = 4
+    rough_steps: int = 4
+    depth: int = 4
+    alike: float = 0.3
+    unlike: float = 0.1
+    effort: float = 20_000.0
+
+
+SETTINGS = SearchSettings()

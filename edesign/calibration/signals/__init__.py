@@ -1,0 +1,1 @@
+"""Measured channels: how they were sampled, what noise they have, and a motion without it."""

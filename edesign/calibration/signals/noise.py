@@ -1,0 +1,107 @@
+"""Noise of measured channels: how much there is, and a motion without it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from scipy.interpolate import CubicSpline
+
+from edesign.calibration.signals.noise_level import noise_level
+from edesign.calibration.signals.sampling import even, evenly, rounding, step
+from edesign.calibration.signals.smoothing import smoothed
+
+_FEWEST = 64  # samples, for a spectrum
+_LEAST = 5e-4  # of a test's rms force: no load cell is better
+_NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
+
+
+def least_noise(force: np.ndarray) -> float:
+    """Return the standard deviation that noise of a force is taken for at least, N.
+
+    Args:
+        force: (n,) N.
+    """
+    return _LEAST * float(np.sqrt(np.mean(force**2)))
+
+
+def white_noise(values: np.ndarray, time: np.ndarray) -> float:
+    """Return the standard deviation of the broadband noise in a channel.
+
+    Spectra of short segments of second differences (Kaiser window), the median over segments, without narrow peaks: the
+    first part that is flat over half an octave, above 20 Hz (or 40 % of the Nyquist frequency where sampling is slow).
+    The density there is taken for all frequencies up to its end, so noise that a logger's filter has cut keeps its true
+    deviation; what falls as noise does that is correlated from sample to sample counts as that. Without a flat part it
+    is the median of the upper half. Unevenly sampled channels, and those below 64 samples: fourth divided differences,
+    which end all cubics. Where all values are multiples of a step the noise is at least that of rounding to it,
+    step / sqrt(12).
+
+    Args:
+        values: (n,) in any unit.
+        time: (n,) s, ascending.
+
+    Returns:
+        In the unit of the values; 0 if the channel has none.
+    """
+    return _noise(values, time)[0]
+
+
+def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
+    """Standard deviation of the noise, and that of white noise that is as strong next to the motion."""
+    values, time = np.asarray(values, dtype=float), np.asarray(time, dtype=float)
+    if values.size < 8 or np.ptp(values) == 0.0:
+        return 0.0, 0.0
+    level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
+    both = (
+        (_from_differences(values, time),) * 2 if level is None else (math.sqrt(level.power), math.sqrt(level.density))
+    )
+    least, none = rounding(values), _NONE * float(np.ptp(values))
+    all_of_it, near = (max(one, least) if max(one, least) > none else 0.0 for one in both)
+    return all_of_it, near
+
+
+def _from_differences(values: np.ndarray, time: np.ndarray, order: int = 4) -> float:
+    """Median of divided differences, each over its own gain for white noise."""
+    windows = np.lib.stride_tricks.sliding_window_view(time, order + 1)
+    gaps = windows[:, :, None] - windows[:, None, :]
+    gaps[:, np.arange(order + 1), np.arange(order + 1)] = np.mean(np.diff(time))
+    weights = 1.0 / np.prod(gaps, axis=2)
+    weights /= np.linalg.norm(weights, axis=1, keepdims=True)
+    differences = np.sum(weights * np.lib.stride_tricks.sliding_window_view(values, order + 1), axis=1)
+    return float(np.median(np.abs(differences))) / 0.67449
+
+
+def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
+    """Return a motion freed from its noise before it is differentiated.
+
+    The low-pass filter follows from the motion's spectrum and the noise (`smoothing`); velocity and
+    acceleration are those of the cubic spline through the result. A motion without noise is left as it is. Uneven
+    samples pass through an even grid.
+
+    Args:
+        time: (n,) s, ascending.
+        displacement: (n,) m.
+
+    Returns:
+        Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of white noise that
+        is as strong next to the motion as that of the channel, m.
+    """
+    time, displacement = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
+    found, noise = _without_noise(time, displacement)
+    if time.size < 4:
+        velocity = np.gradient(found, time) if time.size > 1 else np.zeros_like(found)
+        return found, velocity, np.zeros_like(found), noise
+    spline = CubicSpline(time, found)
+    return found, np.asarray(spline(time, 1)), np.asarray(spline(time, 2)), noise
+
+
+def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
+    """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
+    noise = _noise(values, time)[1]
+    if noise == 0.0 or time.size < _FEWEST:
+        return values.copy(), noise
+    grid, resampled = even(time, values)
+    found, _ = smoothed(resampled, noise)
+    if grid is not time:  # what was taken off, so that what the even grid does not resolve stays
+        found = values - np.asarray(CubicSpline(grid, resampled - found)(time), dtype=float)
+    return found, noise

@@ -1,0 +1,148 @@
+"""Level of the noise in the spectrum of a channel: the first flat part above the motion."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.ndimage import median_filter, uniform_filter1d
+
+from edesign.calibration.signals.sampling import rounding
+
+MOTION = 20.0
+"""Hz: motions of dampers and their loops live below."""
+
+_BETA = 24.0  # of the window: leakage below 1e-8 of the amplitude
+_LONGEST, _SHORTEST, _SEGMENTS = 256, 32, 24  # samples of a segment; their number, if the history is long enough
+_EVENED = 5  # bins over which a spectrum is evened
+_OCTAVE = math.sqrt(2.0)  # last over first frequency of a plateau at least
+_FLAT = 1.5  # largest over smallest level of a plateau
+_FEWEST = 8  # bins without tones
+_PHI = np.linspace(0.0, 0.9, 46)  # correlations from sample to sample
+_HIGH = 0.12  # of the Nyquist frequency, above which a motion has no share in what a correlation is told by
+_ALIKE = 0.2  # mean difference of logarithms of spectra that are the same
+_TONE = 3.0  # times the level about it
+_MOTION_SHARE = 0.4  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
+_CORNER, _GAIN = 3.5, np.sqrt(70.0)  # standard deviations of a fourth difference; that of unit white noise
+_LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
+
+
+class Level(NamedTuple):
+    """Noise of a channel.
+
+    Attributes:
+        power: its mean square.
+        density: mean square of white noise that is as strong next to the motion.
+    """
+
+    power: float
+    density: float
+
+
+def noise_level(values: np.ndarray, dt: float) -> Level | None:
+    """Return the broadband noise in an evenly sampled channel.
+
+    Args:
+        values: (n,), n of at least 32.
+        dt: s.
+
+    Returns:
+        The level of the plateau up to its end, and what is measured beyond it; where the noise falls from there as
+        noise with a correlation from sample to sample does, the level of that. None if there are no segments without
+        corners in which anything changes.
+    """
+    segments = _segments(values)
+    if segments.size == 0:
+        return None
+    spectra = _spectra(segments)
+    at = np.arange(spectra.shape[1]) / (spectra.shape[1] - 1.0)  # of the Nyquist frequency
+    typical = np.median(spectra, axis=0) / np.log(2.0)  # the median of an exponential distribution
+    tone = typical > _TONE * median_filter(typical, size=max(at.size // 6, 3), mode="nearest")
+    tone[[0, -1]] = True  # of a spectrum that ends there
+    if np.count_nonzero(~tone) < _FEWEST:
+        tone[1:-1] = False
+    power = np.exp(np.interp(at, at[~tone], np.log(np.maximum(typical[~tone], 1e-300))))
+    even = np.exp(uniform_filter1d(np.log(power), _EVENED, mode="nearest"))
+    flat = _FLAT * (1.0 + 3.0 * 1.44 / np.sqrt(max(_EVENED * len(spectra) / 4.0, 1.0)))
+    first, last = _plateau(even, at, min(MOTION * 2.0 * dt, _MOTION_SHARE), flat)
+    level = float(np.median(spectra[:, first : last + 1][:, ~tone[first : last + 1]])) / np.log(2.0)
+    if not math.isfinite(level):
+        level = float(even[first])
+    beyond = np.minimum(power[last:], level) if at[last] < _LAST else np.array([level])
+    found = Level(level * at[last] + float(np.mean(beyond)) * (1.0 - at[last]), level)
+    high = max(first, int(_HIGH * at.size))
+    coloured = _coloured(power[high:-1], at[high:-1]) if at[last] < _LAST else None
+    return coloured or found
+
+
+def _plateau(even: np.ndarray, at: np.ndarray, start: float, flat: float) -> tuple[int, int]:
+    """Return the first and last bin of the first flat part of an evened spectrum, half an octave wide at least.
+
+    With nothing flat it is the upper half.
+    """
+    for first in range(int(np.searchsorted(at, start)), at.size):
+        last = max(int(np.searchsorted(at, _OCTAVE * at[first])), first + _EVENED)
+        if last >= at.size:
+            break
+        low, high = float(np.min(even[first : last + 1])), float(np.max(even[first : last + 1]))
+        if high > flat * low:
+            continue
+        while last + 1 < at.size and max(high, even[last + 1]) <= flat * min(low, even[last + 1]):
+            last += 1
+            low, high = min(low, float(even[last])), max(high, float(even[last]))
+        return first, last
+    return at.size // 2, at.size - 1
+
+
+def _coloured(power: np.ndarray, at: np.ndarray) -> Level | None:
+    """Return noise that is correlated from sample to sample, x_i = phi x_(i-1) + e_i; None if the spectrum is another.
+
+    Args:
+        power: (n,) spectrum.
+        at: (n,) frequencies, in shares of the Nyquist frequency.
+    """
+    logarithm, turn = np.log(power), np.cos(np.pi * at)
+    left = []
+    for phi in _PHI:
+        own = logarithm + np.log(1.0 - 2.0 * phi * turn + phi**2)
+        left.append((float(np.mean(np.abs(own - np.median(own)))), phi, float(np.exp(np.median(own)))))
+    misfit, phi, drive = min(left)
+    if misfit > _ALIKE:
+        return None
+    return Level(drive / (1.0 - phi**2), drive / (1.0 - phi) ** 2)
+
+
+def _segments(values: np.ndarray) -> np.ndarray:
+    """Return segments (m, length) of second differences, the longest of which there are enough without corners.
+
+    Corners and jumps (friction at a reversal, a ramp that ends) have no plateau but reach all frequencies. They show
+    as few large fourth differences. Segments in which nothing changes at all, as of a digitiser at rest, are left out.
+    """
+    differences = np.diff(values, 2)
+    fourth = np.abs(np.diff(differences, 2))
+    least = max(_GAIN * rounding(values), 1e-12 * float(np.ptp(values)))
+    large = fourth > _CORNER * max(float(np.median(fourth)) / 0.67449, least)
+    corner = np.convolve(large, np.ones(3))[: differences.size] > 0.0
+    length = _LONGEST
+    while True:
+        step = max(length // 4, 1)
+        found = np.lib.stride_tricks.sliding_window_view(differences, min(length, differences.size))[::step]
+        corners = np.lib.stride_tricks.sliding_window_view(corner, min(length, differences.size))[::step]
+        kept = found[np.any(found != 0.0, axis=1) & ~np.any(corners, axis=1)]
+        if len(kept) >= _SEGMENTS or length <= _SHORTEST:
+            return np.asarray(kept, dtype=float)
+        length //= 2
+
+
+def _spectra(segments: np.ndarray) -> np.ndarray:
+    """Return spectra (m, bins) of the channel itself, scaled so that white noise of unit variance has a mean of one.
+
+    Second differences take trends away and lower the motion, so that less of it leaks; their gain is known.
+    """
+    length = segments.shape[1]
+    window = np.kaiser(length, _BETA)
+    power = np.abs(np.fft.rfft(segments * window, axis=1)) ** 2 / np.sum(window**2)
+    gain = (2.0 * np.sin(np.pi * np.arange(power.shape[1]) / length)) ** 4
+    gain[0] = gain[1]
+    return np.asarray(power / gain, dtype=float)

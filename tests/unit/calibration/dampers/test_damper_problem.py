@@ -1,0 +1,137 @@
+"""The problem of damper tests: base parameters, batches, threads, which effects the core takes."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from damper_problems import LAW_VALUES, problem
+
+from edesign.estimation.model import PredictionError
+
+
+@pytest.mark.parametrize(
+    ("law", "names"),
+    [
+        ("kelvin_voigt", ["k", "c"]),
+        ("bouc_wen", ["Fy", "Y", "alpha", "beta", "n"]),
+        ("mgmm", ["k1", "c1", "k0", "c_NL", "alpha", "k_a", "k_b", "u_ref", "c_a", "c_b", "v_ref"]),
+    ],
+)
+def test_the_law_has_priors_about_what_is_declared_but_for_what_others_make_needless(law, names):
+    base = problem(law).base
+    assert [one.name for one in base] == names
+    for one in base:
+        assert one.centre == LAW_VALUES[law][one.name]
+        # beta of Bouc-Wen may be negative: its value is normal, not its logarithm
+        expected = (0.3 * 0.5, False) if one.name == "beta" else (0.3, True)
+        assert (one.spread, one.logarithmic) == expected
+
+
+def test_zeros_that_an_mgmm_declares_are_held_where_others_make_them_needless():
+    names = [one.name for one in problem("mgmm", values={"k0": 0.0, "c_b": 0.0}).base]
+    assert "k0" not in names and "c_b" not in names
+
+
+def test_a_law_that_is_not_to_be_fitted_has_no_parameters():
+    fixed = problem(refit=False)
+    assert fixed.model(()).parameters == ()
+    (found,) = fixed.model(()).predict(np.zeros((1, 0)))
+    # the force is made with the velocity of a spline, the prediction with the exact one
+    assert found[0] == pytest.approx(fixed.experiments[0].force, abs=1e-5 * fixed.typical.force)
+
+
+@pytest.mark.parametrize("law", ["kelvin_voigt", "mgmm", "bouc_wen"])
+def test_predictions_do_not_depend_on_how_sets_are_split_nor_on_threads_nor_on_what_is_kept(law):
+    def sets(tests) -> tuple[object, np.ndarray]:
+        chosen = [
+            one for one in tests.effects if one.label in ("lag.delay", "mullins.path", "gain.force", "payne.elastic")
+        ]
+        random = np.random.default_rng(1)
+        model = tests.model(chosen, ("fit", "validate"))
+        start = [one.centre for one in tests.base] + [v for one in chosen for v in one.starts[0]]
+        values = np.array(start) * np.exp(0.05 * random.standard_normal((7, len(start))))
+        values[3] = values[1]  # a set that comes twice
+        return model, values
+
+    model, values = sets(problem(law, degrees=(20.0, 30.0), threads=1))
+    expected = [of_test for of_set in model.predict(values) for of_test in of_set]
+    for threads in (1, 2, 3):
+        for split in (1, 2, 7):
+            again, _ = sets(problem(law, degrees=(20.0, 30.0), threads=threads))
+            found = [f for part in np.array_split(values, split) for of_set in again.predict(part) for f in of_set]
+            found_kept = [f for part in np.array_split(values, split) for of_set in again.predict(part) for f in of_set]
+            assert all(np.array_equal(a, b) for a, b in zip(found, expected, strict=True))
+            assert all(np.array_equal(a, b) for a, b in zip(found_kept, expected, strict=True))
+
+
+def test_tests_that_are_compared_only_are_predicted_too():
+    tests = problem()
+    base = np.array([[one.centre for one in tests.base]])
+    (every,) = tests.model((), ("fit", "validate")).forces(base)
+    (fitted,) = tests.model(()).forces(base)
+    assert len(every) == 4 and len(fitted) == 3
+    assert all(np.array_equal(a, b) for a, b in zip(every, fitted, strict=False))
+
+
+def test_a_set_without_a_prediction_says_why_and_leaves_the_others_alone():
+    tests = problem(degrees=(20.0, 40.0))
+    effect = next(one for one in tests.effects if one.label == "ageing.linear")
+    base = [one.centre for one in tests.base]
+    good, bad = tests.model((effect,)).predict(np.array([[*base, 0.01], [*base, -2.0]]))
+    assert isinstance(bad, PredictionError) and "factor" in str(bad)
+    assert all(np.all(np.isfinite(one)) for one in good)
+
+
+def test_laws_are_offered_what_the_core_takes_with_them():
+    labels = {law: {one.label for one in problem(law, degrees=(20.0, 30.0)).effects} for law in LAW_VALUES}
+    assert "payne.whole_inside" in labels["mgmm"] and "payne.whole_inside" not in labels["kelvin_voigt"]
+    assert "temperature_law.gamma" in labels["mgmm"] and "temperature_law.gamma" not in labels["bouc_wen"]
+    assert all("payne.whole" in own and "series_flexibility.linear" in own for own in labels.values())
+
+
+def test_samples_that_are_not_judged_have_no_weight_and_the_others_stand_for_them():
+    from dataclasses import replace
+
+    from edesign.damper.testing.start import Start
+
+    tests = problem()
+    first = replace(tests.experiments[0], start=Start(1e-3, 0.0, 1.0, True))
+    started = tests.with_experiments([first, *tests.experiments[1:]])
+    weights = started.model(()).weights[0]
+    assert np.all(weights[:250] == 0.0) and np.all(weights[250:] == weights[250])
+    assert math.isclose(float(weights @ weights), weights.size)
+
+
+def test_a_softened_specimen_stays_so_where_extremes_last():
+    fresh, lasting = (problem("mgmm", lasting=one) for one in (False, True))
+    base = np.array([[one.centre for one in fresh.base]])
+    (one,), (other,) = (tests.model((), ("fit", "validate")).forces(base) for tests in (fresh, lasting))
+    assert np.array_equal(one[0], other[0])
+    # the fourth test is far smaller than the third one
+    assert np.max(np.abs(other[3])) < 0.95 * np.max(np.abs(one[3]))
+
+
+def test_lasting_extremes_are_an_effect_of_laws_that_they_soften():
+    fresh, lasting = (problem("mgmm", lasting=one) for one in (False, True))
+    (effect,) = [one for one in fresh.effects if one.name == "extremes"]
+    assert "extremes" not in {one.name for one in (*lasting.effects, *problem().effects)}
+    base = np.array([[one.centre for one in fresh.base]])
+    (one,), (other,) = fresh.model((effect,)).forces(base), lasting.model(()).forces(base)
+    assert all(np.array_equal(a, b) for a, b in zip(one, other, strict=True))
+
+
+def test_an_error_of_the_thermometer_is_a_share_of_each_test():
+    tests = problem(degrees=(20.0, 30.0))
+    effect = next(one for one in tests.effects if one.label == "temperature_law.exponential")
+    model, b = tests.model((effect,)), 0.03
+    values = np.array([*(one.centre for one in tests.base), b])
+    (forces,) = model.forces(values)
+    for column, force in zip(model.own(values), forces, strict=True):
+        # 0.2 K of a resistor of class A
+        assert column[:, 0] == pytest.approx(force * np.expm1(-0.2 * b), abs=1e-9 * tests.typical.force)
+    assert tests.model(()).own(values[:2]) == [None] * 3
+    assert problem("mgmm").model(()).own(np.array([one.centre for one in problem("mgmm").base])) == [None] * 3
+    warm = problem("mgmm", degrees=(20.0, 30.0))
+    assert warm.model(()).own(np.array([one.centre for one in warm.base]))[0].shape == (750, 1)
