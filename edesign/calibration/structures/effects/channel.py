@@ -1,0 +1,66 @@
+"""Faults of the instruments: floors recorded later than the base, or with another gain."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from edesign.calibration.dampers.effect import size
+from edesign.calibration.structures.effect import ChangedChannels, StructureForm, Values
+from edesign.calibration.structures.record import Channel, Measure
+from edesign.calibration.structures.sizes import StructureSizes
+
+_CLASS = 0.05  # standard deviation of a gain
+_LONGEST = 0.1  # of the first period, or
+_SAMPLES = 3.0  # steps: the longest lag
+
+
+def _late(p: Values, step: float, channels: Sequence[Channel], values: np.ndarray) -> np.ndarray:
+    from scipy.interpolate import CubicSpline
+
+    time = step * np.arange(values.shape[0])
+    return np.asarray(CubicSpline(time, values)(np.clip(time - p["lag"], 0.0, time[-1])))
+
+
+def _amplified(measure: Measure) -> Callable[[Values, float, Sequence[Channel], np.ndarray], np.ndarray]:
+    def change(p: Values, step: float, channels: Sequence[Channel], values: np.ndarray) -> np.ndarray:
+        return values * np.array([1.0 + p["g"] if channel.measure == measure else 1.0 for channel in channels])
+
+    return change
+
+
+def _longest(s: StructureSizes) -> float:
+    return max(_LONGEST * s.period, _SAMPLES * s.step)
+
+
+_LAG = StructureForm(
+    "lag",
+    "delay",
+    "instrument",
+    "lag between the channels of floors and base",
+    "proportional to the rate of each channel, at all amplitudes, in proportion to frequency",
+    "Ljung (1999), System Identification, 14.1",
+    ChangedChannels(_late),
+    lambda s: (size("lag", "s", 0.3 * _longest(s), -_longest(s), _longest(s)),),
+    lambda s: ((s.step,),),
+)
+
+
+def _gain(measure: Measure) -> StructureForm:
+    return StructureForm(
+        "gain",
+        measure,
+        "instrument",
+        f"gain of the channels of {measure}",
+        "proportional to the channel itself, from the static share to the highest mode; relative to the base, whose "
+        "own gain looks the same",
+        "Ljung (1999), System Identification, 14.1",
+        ChangedChannels(_amplified(measure)),
+        lambda _: (size("g", "", _CLASS, -0.5, 1.0),),
+        lambda _: ((_CLASS,),),
+        shown=lambda s: measure in s.measures,
+    )
+
+
+FORMS = (_LAG, _gain("acceleration"), _gain("displacement"))

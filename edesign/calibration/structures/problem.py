@@ -1,0 +1,326 @@
+"""Records of a structure as a problem of the search."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibration.search.problem import Effect
+from edesign.calibration.signals.noise import white_noise
+from edesign.calibration.structures.building import Building
+from edesign.calibration.structures.campaign import Isolation
+from edesign.calibration.structures.effect import (
+    Act,
+    ChangedBuilding,
+    ChangedChannels,
+    FormInStructure,
+    Links,
+    StructureForm,
+    Values,
+)
+from edesign.calibration.structures.effects import forms
+from edesign.calibration.structures.isolation import IsolationLaw
+from edesign.calibration.structures.record import Channel, Measure, StructureTest
+from edesign.calibration.structures.response import Link, Response, respond
+from edesign.calibration.structures.sizes import StructureSizes
+from edesign.damper.fitting.identifiable import HELD
+from edesign.damper.law import Parameter as LawParameter
+from edesign.damper.laws import law as law_of
+from edesign.damper.testing.measured_histories import Use
+from edesign.errors import InputError
+from edesign.estimation.model import PredictionError
+from edesign.estimation.parameters import Parameter
+
+STIFFNESS, DAMPING = "storey_stiffness", "storey_damping"
+"""Factors of what is declared."""
+_STIFFNESS_KNOWN = 0.3  # standard deviation of the logarithm of a declared stiffness or force
+_DAMPING_KNOWN = 0.7
+"""The same of damping: that of measured ratios about what codes say (Cruz and Miranda 2017, Earthquake Spectra 33)."""
+_LEAST_NOISE = 2e-3  # of a test's rms: steps of records, and forces of links linear in them, leave so much
+_PER_CYCLE = 16  # samples of a channel that are compared, in a cycle of a sine with its root mean squares
+_FARTHEST = 1e3  # times a declared value, or a part of it
+_INSIDE = 1e-6  # of a size, from a bound that is not allowed
+
+
+@dataclass(frozen=True, eq=False)
+class StructureProblem:
+    """Tests of one structure in the order in which they were made.
+
+    Values of a test are its channels one after the other, each over the root mean square of its measure.
+
+    Attributes:
+        declared: stiffness, damping and masses; without its isolation layer.
+        isolation: law of that layer; None: fixed base.
+        refit: whether stiffness and damping of the storeys are only a first guess.
+        tests: in their order.
+        threads: of predictions, at most so many; None: as many as there are processors.
+        every: one of so many samples is compared; all of them are simulated.
+    """
+
+    declared: Building
+    isolation: Isolation | None
+    refit: bool
+    tests: tuple[StructureTest, ...]
+    threads: int | None = None
+    every: int = 1
+
+    def used_for(self, *uses: Use) -> tuple[int, ...]:
+        """Return the indices of tests of some uses.
+
+        Args:
+            uses: fit, validate.
+        """
+        return tuple(i for i, test in enumerate(self.tests) if test.use in uses)
+
+    @cached_property
+    def base(self) -> tuple[Parameter, ...]:
+        """Factors of storey stiffness and damping, and the parameters that the file gives for the isolation layer."""
+        found: list[Parameter] = []
+        if self.refit:
+            found.append(Parameter(STIFFNESS, "", 0.05, 20.0, 1.0, _STIFFNESS_KNOWN, True))
+            found.append(Parameter(DAMPING, "", 0.02, 50.0, 1.0, _DAMPING_KNOWN, True))
+        if self.isolation is not None and self.isolation.refit:
+            law = law_of(self.isolation.law)
+            for one in law.all_parameters(self.isolation.values):
+                value = self.isolation.values[one.name]
+                if one.name in self.isolation.named and one.fitted and value and one.name not in HELD.get(law.name, {}):
+                    found.append(_about_declared(one, value))
+        return tuple(found)
+
+    @cached_property
+    def scale(self) -> Mapping[Measure, float]:
+        """Root mean square of each measure over the tests that are fitted."""
+        powers: dict[Measure, list[np.ndarray]] = {}
+        for i in self.used_for("fit"):
+            for channel, values in zip(self.tests[i].channels, self.tests[i].values.T, strict=True):
+                powers.setdefault(channel.measure, []).append(values**2)
+        return {measure: float(np.sqrt(np.mean(np.concatenate(p)))) for measure, p in powers.items()}
+
+    @cached_property
+    def deviations(self) -> tuple[float, ...]:
+        """Standard deviation of the noise of each test that is fitted: that of its scaled channels together."""
+        found = []
+        for i, size in zip(self.used_for("fit"), self.sizes, strict=True):
+            noise = self.channel_noise(i) / self._scales(self.tests[i].channels)
+            found.append(max(float(np.sqrt(np.mean(noise**2))), _LEAST_NOISE * size))
+        return tuple(found)
+
+    @cached_property
+    def sizes(self) -> tuple[float, ...]:
+        """Root mean square of the scaled channels of each test that is fitted."""
+        return tuple(float(np.sqrt(np.mean(y**2))) for y in self.model(()).measured)
+
+    def channel_noise(self, test: int) -> np.ndarray:
+        """Return the standard deviation of broadband noise of each channel (channels,), SI.
+
+        Args:
+            test: its index.
+        """
+        return np.array([white_noise(values, self.tests[test].time) for values in self.tests[test].values.T])
+
+    @cached_property
+    def typical(self) -> StructureSizes:
+        """Sizes by which effects bound their parameters."""
+        return StructureSizes.of(
+            self.declared, self.isolation, [self.tests[i] for i in self.used_for("fit")], self.refit
+        )
+
+    @cached_property
+    def effects(self) -> tuple[Effect, ...]:
+        """Effects that the structure and its channels can show."""
+        return tuple(_effect(form, self.typical) for form in forms(self.typical))
+
+    def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> StructureModel:
+        """Return the building with effects; its parameters are those of the base, and of the effects in their order.
+
+        Args:
+            effects: of the list.
+            uses: of the tests that it is a model of.
+        """
+        return StructureModel(self, tuple(effects), self.used_for(*uses))
+
+    def building(self, values: Values) -> tuple[Building, tuple[Link, ...]]:
+        """Return the building, and the links of its isolation layer.
+
+        Args:
+            values: parameters of the base by name, SI.
+
+        Raises:
+            PredictionError: there is no such isolation layer.
+        """
+        links: tuple[Link, ...] = ()
+        declared = self.declared
+        stiffness = values.get(STIFFNESS, 1.0) * declared.stiffness
+        dashpots = values.get(DAMPING, 1.0) * declared.dashpots
+        ratio = values.get(DAMPING, 1.0) * declared.damping.ratio
+        if self.isolation is not None:
+            try:
+                law = IsolationLaw.of(
+                    self.isolation.law, {k: values.get(k, v) for k, v in self.isolation.values.items()}
+                )
+            except InputError as error:
+                raise PredictionError(str(error)) from error
+            stiffness[0], dashpots[0], links = law.stiffness, law.dashpot, law.links
+        damping = replace(declared.damping, ratio=ratio)
+        return replace(declared, stiffness=stiffness, dashpots=dashpots, damping=damping), links
+
+    def thinned(self) -> StructureProblem:
+        """Return the problem with no more samples compared than a fit needs."""
+        fastest = max(_cycles(values) for i in self.used_for("fit") for values in self.tests[i].values.T)
+        return replace(self, every=max(1, int(1.0 / (_PER_CYCLE * fastest))))
+
+    def flat(self, test: int, values: np.ndarray) -> np.ndarray:
+        """Return channels (t, channels), SI, as the search takes them (n_i,), those compared one after the other.
+
+        Args:
+            test: its index.
+            values: of the channels.
+        """
+        return np.ascontiguousarray((values[:: self.every] / self._scales(self.tests[test].channels)).T).ravel()
+
+    def _scales(self, channels: Sequence[Channel]) -> np.ndarray:
+        return np.array([self.scale[channel.measure] for channel in channels])
+
+
+@dataclass(frozen=True, eq=False)
+class StructureModel:
+    """A building with effects, in some tests.
+
+    Attributes:
+        problem: of the tests.
+        effects: of the structure and its instruments.
+        tests: indices of the tests.
+    """
+
+    problem: StructureProblem
+    effects: tuple[Effect, ...]
+    tests: tuple[int, ...]
+
+    @cached_property
+    def parameters(self) -> tuple[Parameter, ...]:
+        """Those of the base, and of the effects in their order."""
+        return (*self.problem.base, *(one for effect in self.effects for one in effect.parameters))
+
+    @cached_property
+    def measured(self) -> tuple[np.ndarray, ...]:
+        """Scaled channels (n_i,) of each test."""
+        return tuple(self.problem.flat(i, self.problem.tests[i].values) for i in self.tests)
+
+    def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+        """Return the scaled channels (n_i,) of each test for each set of parameters, or why there are none.
+
+        Args:
+            values: (m, p) SI.
+        """
+        rows = list(np.atleast_2d(values))
+        workers = min(len(rows), self.problem.threads or os.cpu_count() or 1)
+        if workers <= 1:
+            return [self._predicted(one) for one in rows]
+        with ThreadPoolExecutor(workers) as pool:
+            return list(pool.map(self._predicted, rows))
+
+    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return None of each test: nothing is a test's own.
+
+        Args:
+            values: (p,) SI.
+        """
+        return [None] * len(self.tests)
+
+    def _predicted(self, values: np.ndarray) -> list[np.ndarray] | PredictionError:
+        try:
+            with np.errstate(all="ignore"):  # a search may ask for anything; what is not finite is refused
+                histories = self.histories(values)
+        except PredictionError as error:
+            return error
+        return [self.problem.flat(i, found) for i, found in zip(self.tests, histories, strict=True)]
+
+    def histories(self, values: np.ndarray) -> list[np.ndarray]:
+        """Return the channels (t, channels), SI, of each test.
+
+        Args:
+            values: (p,) SI.
+
+        Raises:
+            PredictionError: there is no response with these values.
+        """
+        found = []
+        for i, response in zip(self.tests, self.responses(values), strict=True):
+            test = self.problem.tests[i]
+            motion = np.column_stack([getattr(response, c.measure)[:, c.floor] for c in test.channels])
+            for act, p in self._acts(values):
+                if isinstance(act, ChangedChannels):
+                    motion = act.change(p, test.step, test.channels, motion)
+            if not np.all(np.isfinite(motion)):
+                raise PredictionError("the response is not finite")
+            found.append(motion)
+        return found
+
+    def responses(self, values: np.ndarray) -> list[Response]:
+        """Return the response of each test, as it is before instruments.
+
+        Earlier tests are run through where an effect remembers them.
+
+        Args:
+            values: (p,) SI.
+
+        Raises:
+            PredictionError: there is no response with these values.
+        """
+        base = self.problem.base
+        building, links = self.problem.building(dict(zip((one.name for one in base), map(float, values), strict=False)))
+        acts = self._acts(values)
+        for act, p in acts:
+            if isinstance(act, ChangedBuilding):
+                building = act.change(p, building)
+        for act, p in acts:
+            if isinstance(act, Links):
+                links = (*links, *act.of(p, building))
+        last = max(self.tests, default=-1)
+        run = range(last + 1) if any(link.remembers for link in links) else self.tests
+        try:
+            found = respond(
+                building.system(), [(self.problem.tests[i].base, self.problem.tests[i].step) for i in run], links
+            )
+        except (np.linalg.LinAlgError, OverflowError, ValueError) as error:
+            raise PredictionError(str(error)) from error
+        return [response for i, response in zip(run, found, strict=True) if i in self.tests]
+
+    def _acts(self, values: np.ndarray) -> list[tuple[Act, Values]]:
+        """Return where each effect acts, with its values."""
+        at = len(self.problem.base)
+        found: list[tuple[Act, Values]] = []
+        for effect in self.effects:
+            of: FormInStructure = effect.data
+            found.append((of.form.act, of.values(values[at : at + len(effect.parameters)])))
+            at += len(effect.parameters)
+        return found
+
+
+def _effect(form: StructureForm, sizes: StructureSizes) -> Effect:
+    parameters = form.parameters(sizes)
+    data = FormInStructure(form, form.constants(sizes), tuple(one.name for one in parameters))
+    return Effect(form.name, form.form, form.kind, parameters, form.starts(sizes), True, data=data)
+
+
+def _about_declared(one: LawParameter, value: float) -> Parameter:
+    """Return a parameter of the isolation law with its prior: of a positive one of the logarithm, else of the value."""
+    size = abs(value)
+    lower = one.lower + (0.0 if one.lower_allowed else _INSIDE * size)
+    upper = one.upper - (0.0 if one.upper_allowed else _INSIDE * size)
+    known = _DAMPING_KNOWN if "s" in one.unit else _STIFFNESS_KNOWN
+    if value > 0.0 and one.lower >= 0.0:
+        bounds = max(lower, size / _FARTHEST), min(upper, size * _FARTHEST)
+        return Parameter(one.name, one.unit, *bounds, value, known, True)
+    bounds = max(lower, -_FARTHEST * size), min(upper, _FARTHEST * size)
+    return Parameter(one.name, one.unit, *bounds, value, known * size)
+
+
+def _cycles(values: np.ndarray) -> float:
+    """Cycles from sample to sample of a sine with the root mean squares of a channel (t,) and its rate."""
+    return float(np.sqrt(np.mean(np.diff(values) ** 2) / max(np.mean(values**2), 1e-300)) / (2.0 * np.pi))

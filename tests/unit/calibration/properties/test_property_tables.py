@@ -1,0 +1,204 @@
+"""Property tables as problems of the search: predictions, readings, arrangements, and what is found in made tables."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.integrate import quad
+
+from edesign.calibration.properties.campaign import load_property_campaign
+from edesign.calibration.properties.from_campaign import PropertyCalibration, calibrate_properties, property_problem
+from edesign.calibration.properties.problem import PropertyProblem
+from edesign.calibration.properties.repeatability import QUANTITIES, repeatability
+from edesign.calibration.search.problem import Effect
+from edesign.damper.mgmm_steady import steady_loops, steady_moduli
+from edesign.damper.testing.property_table import PropertyTable
+from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
+from edesign.damper.thesis_tables import predicted
+from edesign.errors import InputError
+from edesign.estimation.model import PredictionError
+
+THESIS = """\
+specimen: {name: prototype, layers: 2, layer_area_mm2: 41400, layer_thickness_mm: 12}
+law: {type: mgmm, parameters: thesis_table_4_2}
+properties: {table: thesis_appendix_a, hold_out: {temperatures: [25 degC, 35 degC], strains: [20 %, 40 %]}}
+"""
+LAYERS, AREA, THICKNESS = 2, 0.0414, 0.012
+K0, K1, C1 = 5e6, 4e6, 2e5  # N/m, N/m, N*s/m: relaxes in 50 ms
+NOISE = 0.003
+MADE = """\
+specimen: {name: made, layers: 2, layer_area_mm2: 41400, layer_thickness_mm: 12}
+law: {type: zener, parameters: {k0: 5.2 kN/mm, k1: 3.9 kN/mm, c1: 0.19 kN*s/mm}}
+properties: {table: table.csv, hold_out: {strains: [20 %, 40 %]}}
+"""
+
+
+@pytest.fixture(scope="module")
+def thesis(tmp_path_factory: pytest.TempPathFactory) -> PropertyProblem:
+    path = tmp_path_factory.mktemp("table") / "campaign.yaml"
+    path.write_text(THESIS)
+    return property_problem(load_property_campaign(path))
+
+
+def _effect(problem: PropertyProblem, label: str) -> Effect:
+    return next(one for one in problem.effects if one.label == label)
+
+
+def _rows(problem: PropertyProblem, label: str = "", values: tuple[float, ...] = ()) -> PropertyRows:
+    """Properties of all rows by the declared law, with an effect."""
+    effects = (_effect(problem, label),) if label else ()
+    centres = [one.centre for one in problem.inner.base]
+    return problem.model(effects, ("fit", "validate")).properties(np.array([*centres, *values]))
+
+
+def test_rows_of_one_temperature_and_strain_are_a_test(thesis: PropertyProblem) -> None:
+    assert len(thesis.groups) == 20 and len(thesis.used_for("fit")) == 6  # 20 and 30 degC; 10, 30 and 50 %
+    fitted = np.concatenate([thesis.groups[i].rows for i in thesis.used_for("fit")])
+    assert set(thesis.table.temperature_C[fitted]) == {20.0, 30.0}
+    assert np.allclose(sorted(set(thesis.table.strain[fitted])), (0.1, 0.3, 0.5))
+    names = {one.name for one in thesis.effects}
+    # what steady cycles of tests in no order cannot show
+    assert not {"mullins", "degradation", "drift", "self_heating", "offset"} & names
+    assert {"arrangement", "peak_reading", "storage_reading", "payne", "lag", "temperature_law"} <= names
+
+
+def test_the_declared_law_is_that_of_the_published_comparison(thesis: PropertyProblem) -> None:
+    """The 17.4 % of docs/results/thesis_damper_tables.md, by its own route with 15 cycles of 200 samples."""
+    rows, expected = _rows(thesis), predicted()
+    # 60 samples a cycle miss a largest stress by (pi/60)^2/2 = 1.4e-3 at most
+    assert rows.G_eq == pytest.approx(expected.G_eq, rel=1.5e-3)
+    assert rows.G_storage == pytest.approx(expected.G_storage, rel=3e-4)
+    assert rows.loss_factor == pytest.approx(expected.loss_factor, rel=3e-4)
+
+
+def test_cycles_as_measured_differ_by_less_than_rows_repeat(thesis: PropertyProblem, tmp_path: Path) -> None:
+    (tmp_path / "campaign.yaml").write_text(THESIS)
+    full = property_problem(load_property_campaign(tmp_path / "campaign.yaml"), CYCLES, SAMPLES)
+    assert _rows(thesis).loss_factor == pytest.approx(_rows(full).loss_factor, rel=1e-3)  # rows repeat to 5e-3
+    # a network that breaks over the way of many cycles is the slowest, most in rows of little strain
+    slow = "payne.network_dashpots", (0.5, 0.02, 0.8)
+    error = _rows(thesis, *slow).loss_factor / _rows(full, *slow).loss_factor - 1.0
+    assert np.sqrt(np.mean(error**2)) < 1e-3
+
+
+def test_a_branch_alone_relaxes_in_closed_form(thesis: PropertyProblem) -> None:
+    """`all_beside` against the Fourier series of the same arrangement, at 20 degC."""
+    rows, here = _rows(thesis, "arrangement.all_beside"), thesis.table.temperature_C == 20.0
+    amplitude = thesis.table.strain[here] * thesis.specimen.layer_thickness
+    loops = steady_loops(dict(thesis.inner.declared), amplitude, thesis.table.frequency[here], 512, "beside")
+    G_storage, G_eq, G_loss = steady_moduli(loops) / (thesis.specimen.area * thesis.table.strain[here])
+    # what stands beside it relaxes in 0.1 ms: (omega tau)^alpha = 0.1 of the power-law force acts at the tips at 4 Hz
+    assert rows.G_storage[here] == pytest.approx(G_storage, rel=0.07)
+    assert rows.G_eq[here] == pytest.approx(G_eq, rel=0.01)
+    assert rows.G_loss[here] == pytest.approx(G_loss, rel=0.01)
+    assert np.max(np.abs(_rows(thesis).G_eq[here] / G_eq - 1.0)) > 0.1
+
+
+def test_readings_change_what_was_read_alone(thesis: PropertyProblem) -> None:
+    without = _rows(thesis)
+    peak, storage = _rows(thesis, "peak_reading.share", (0.07,)), _rows(thesis, "storage_reading.share", (0.07,))
+    force = _rows(thesis, "peak_reading.force", (1e3,))
+    assert peak.G_eq == pytest.approx(1.07 * without.G_eq, rel=1e-12)
+    assert peak.G_storage == pytest.approx(without.G_storage, rel=1e-12)
+    assert peak.loss_factor == pytest.approx(without.loss_factor, rel=1e-12)
+    assert storage.G_storage == pytest.approx(0.93 * without.G_storage, rel=1e-12)
+    assert storage.loss_factor == pytest.approx(without.loss_factor / 0.93, rel=1e-12)
+    area = thesis.specimen.area * thesis.table.strain
+    assert force.G_eq == pytest.approx(without.G_eq + 1e3 / area, rel=1e-12)
+
+
+def test_a_set_without_prediction_says_why_and_leaves_the_others(thesis: PropertyProblem) -> None:
+    model = thesis.model((_effect(thesis, "storage_reading.share"),))
+    centres = [one.centre for one in thesis.inner.base]
+    wrong, right = model.predict(np.array([[*centres, 1.5], [*centres, 0.1]]))
+    assert isinstance(wrong, PredictionError) and "not positive" in str(wrong)
+    assert not isinstance(right, PredictionError) and [f.size for f in right] == [y.size for y in model.measured]
+
+
+def test_repeatability_of_a_smooth_table_with_noise() -> None:
+    rng = np.random.default_rng(3)
+    T, g, f = (a.ravel() for a in np.meshgrid((20.0, 30.0), (0.1, 0.2, 0.3, 0.4, 0.5), (0.25, 0.5, 1.0, 2.0, 4.0)))
+    size = {"G_storage": 0.004, "G_eq": 0.008, "loss_factor": 0.016}
+    smooth = {"G_storage": 1e6 * f**0.1 * g**-0.3, "G_eq": 1.2e6 * f**0.1 * g**-0.3, "loss_factor": 0.4 * g**-0.1}
+    noisy = {name: value * np.exp(size[name] * rng.standard_normal(f.size)) for name, value in smooth.items()}
+    noisy["G_eq"][7] *= 1.3  # a slip
+    found = repeatability(PropertyTable(T, g, f, **noisy))
+    for name in QUANTITIES:
+        # 30 differences: the median absolute value scatters by 15 %; the smaller of two directions is taken
+        assert 0.5 * size[name] < found[name] < 1.5 * size[name]
+
+
+def _properties(strain: float, frequency: float, c: float, alpha: float, peak: float) -> tuple[float, float, float]:
+    """G', G_eq and n of a Zener solid beside c |v|^alpha, in closed form but for its work and its largest force."""
+    omega, u0 = 2.0 * np.pi * frequency, strain * THICKNESS
+    s = 1j * omega * C1 / K1
+    stiffness = K0 + K1 * s / (1.0 + s)
+    t = np.linspace(0.0, np.pi, 2001)
+    v = u0 * omega * np.cos(t)
+    force = u0 * (stiffness * np.exp(1j * t)).imag + c * np.abs(v) ** alpha * np.sign(v)
+    # the dashpot's work; that of the solid is pi u0^2 Im K
+    quarter = quad(lambda t: np.cos(t) ** (1.0 + alpha), 0.0, np.pi / 2.0)[0]
+    work = 4.0 * c * (u0 * omega) ** (1.0 + alpha) * quarter / omega
+    loss = stiffness.imag + work / (np.pi * u0**2)
+    to_modulus = THICKNESS / (LAYERS * AREA)
+    return stiffness.real * to_modulus, (1.0 + peak) * force.max() / u0 * to_modulus, loss / stiffness.real
+
+
+def _calibrated(folder: Path, c: float = 0.0, alpha: float = 1.0, peak: float = 0.0) -> PropertyCalibration:
+    rng = np.random.default_rng(1)
+    lines = ["temperature_C,shear_strain_percent,frequency_Hz,G_storage_MPa,G_eq_MPa,loss_factor"]
+    for strain in (0.1, 0.2, 0.3, 0.4, 0.5):
+        for frequency in (0.25, 0.5, 1.0, 2.0, 3.0, 4.0):
+            noise = np.exp(NOISE * rng.standard_normal(3))
+            G, G_eq, n = np.array(_properties(strain, frequency, c, alpha, peak)) * noise
+            lines.append(f"20,{100 * strain:g},{frequency:g},{1e-6 * G:.5f},{1e-6 * G_eq:.5f},{n:.5f}")
+    (folder / "table.csv").write_text("\n".join(lines) + "\n")
+    (folder / "campaign.yaml").write_text(MADE)
+    return calibrate_properties(load_property_campaign(folder / "campaign.yaml"), threads=1)
+
+
+def test_nothing_is_found_where_nothing_is(tmp_path: Path) -> None:
+    found = _calibrated(tmp_path)
+    assert found.found.best.effects == ()
+    for value, true in zip(found.found.base.fit.values, (K0, K1, C1), strict=True):
+        assert value == pytest.approx(true, rel=0.06)
+    assert found.error("corrected", found.rows_of("validate")) < 1.3 * NOISE
+
+
+def test_a_peak_read_too_large_is_no_part_of_the_damper(tmp_path: Path) -> None:
+    """No law makes G_eq 8 % too large at one G' and loss factor."""
+    found = _calibrated(tmp_path, peak=0.08)
+    best = found.found.best
+    assert [one.label for one in best.effects] == ["peak_reading.share"]
+    assert best.fit.values[-1] == pytest.approx(0.08, abs=0.005)
+
+
+@pytest.mark.slow
+def test_a_power_of_the_velocity(tmp_path: Path) -> None:
+    """A dashpot of 6 kN at 0.1 m/s with alpha = 0.3 beside a Zener solid: about a sixth of the force."""
+    found = _calibrated(tmp_path, 6e3 / 0.1**0.3, 0.3)
+    validate = found.rows_of("validate")
+    assert "velocity_exponent" in found.found.best.names
+    assert found.error("corrected", validate) < 1.5 * NOISE
+    assert found.error("refit", validate) > 3.0 * NOISE
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("[20 %, 40 %]", "[20 %, 45 %]", "no row at 45 %"),
+        ("hold_out: {temperatures: [25 degC, 35 degC], strains: [20 %, 40 %]}", "hold_out: {}", "no row is held out"),
+        ("[20 %, 40 %]", "[10 %, 20 %, 30 %, 40 %, 50 %]", "are left to be fitted to"),
+        ("thesis_appendix_a", "missing.csv", "there is no file"),
+        (", parameters: thesis_table_4_2", "", "parameters"),
+    ],
+)
+def test_wrong_campaigns_are_told_with_their_place(tmp_path: Path, old: str, new: str, message: str) -> None:
+    assert old in THESIS
+    path = tmp_path / "campaign.yaml"
+    path.write_text(THESIS.replace(old, new))
+    with pytest.raises(InputError) as caught:
+        load_property_campaign(path)
+    assert message in str(caught.value) and f"{path}:" in str(caught.value)
