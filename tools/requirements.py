@@ -1,6 +1,6 @@
 """Print the requirements of one part of pyproject.toml, one a line, for `pip install -r`.
 
-Usage: requirements.py build | run | dev | records | peers | wheel | docs
+Usage: requirements.py build | run | dev | records | blind | peers | wheel | docs
 
 pip cannot install an extra of an editable project without building the project again;
 this keeps pyproject.toml the only list.

@@ -47,7 +47,7 @@ def of_tests(folder: Path) -> Drawn:
 
 def of_calibration(folder: Path) -> Drawn:
     """All figures of the calibration of the last tutorial."""
-    from edesign.calibrate.run import calibrate
+    from edesign.calibration import calibrate
     from edesign.damper.testing.campaign import load_campaign
     from edesign.report.calibration.figures import calibration_figures
 

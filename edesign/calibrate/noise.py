@@ -8,12 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibrate.residual.motion import Motion
-from edesign.calibrate.residual.plateau import noise_level
-from edesign.calibrate.residual.repeatability import repeatability
-from edesign.calibrate.residual.sampling import even, evenly, rounding, step
-from edesign.calibrate.residual.smoothing import smoothed
-from edesign.calibrate.residual.tones import without_tones
+from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.repeatability import repeatability
+from edesign.calibration.residual.tones import without_tones
+from edesign.calibration.signals.noise_level import noise_level
+from edesign.calibration.signals.sampling import even, evenly, rounding, step
+from edesign.calibration.signals.smoothing import smoothed
 
 _FEWEST = 64  # samples, for a spectrum
 _LEAST = 5e-4  # of a test's rms force: no load cell is better, and no integration of a law is asked to be
@@ -75,7 +75,7 @@ def _from_differences(values: np.ndarray, time: np.ndarray, order: int = 4) -> f
 def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """A motion freed from its noise before it is differentiated.
 
-    The low-pass filter follows from the motion's spectrum and the noise (`residual.smoothing`); velocity and
+    The low-pass filter follows from the motion's spectrum and the noise (`signals.smoothing`); velocity and
     acceleration are those of the cubic spline through the result. A motion without noise is left as it is. Uneven
     samples pass through an even grid.
 

@@ -12,7 +12,6 @@ import numpy as np
 from edesign.calibrate.evidence import AT_FLOOR, MOST, Judged, most_of_one
 from edesign.calibrate.fit import FARTHEST, correlation_length
 from edesign.calibrate.problem import Candidate, Described, Problem, Use
-from edesign.calibrate.residual.record import Residual
 from edesign.calibrate.result import (
     Calibration,
     Effect,
@@ -28,6 +27,7 @@ from edesign.calibrate.result import (
 from edesign.calibrate.search import selection
 from edesign.calibrate.search.selection import Adopted, Selection
 from edesign.calibrate.uncertainty import Uncertainty, wide
+from edesign.calibration.residual.record import Residual
 
 BOTH: tuple[Use, ...] = ("fit", "validate")
 
@@ -156,15 +156,7 @@ def stages(found: Selection) -> dict[Stage, Judged]:
 
 def residual_of(series: Series, stage: Stage) -> Residual:
     """The residual of a test at a stage, as its analysis takes it: the samples that are judged."""
-    histories = (
-        series.time,
-        series.displacement,
-        series.velocity,
-        series.measured,
-        series.predicted[stage],
-        series.temperature,
-    )
-    return Residual(series.name, series.order, series.use, *(values[series.judged] for values in histories))
+    return series.residual(stage)
 
 
 def predict(problem: Problem, judged: Judged) -> list[np.ndarray]:

@@ -4,20 +4,19 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
-import numpy as np
-
-from edesign.calibrate.problem import Kind, Use
+from edesign.calibrate.problem import Kind
+from edesign.calibration.residual.series import Errors, Series, Stage, Worst
 from edesign.damper.amendments import Amendment
 from edesign.damper.temperature import GammaOf
-from edesign.damper.testing.start import Start
 from edesign.notebook import facts_html
+
+__all__ = ["Calibration", "Errors", "Estimate", "Series", "Stage", "Worst"]
 
 Verdict = Literal["none", "explained", "partly_explained", "unexplained", "not_searched"]
 Subject = Literal["damper", "structure"]
-Stage = Literal["declared", "refit", "corrected"]
 Ending = Literal["complete", "interrupted", "out_of_time"]
 """How a search came to its end."""
 
@@ -50,45 +49,6 @@ class Coverage:
 
 
 @dataclass(frozen=True)
-class Errors:
-    """NRMS of a model: sum of squared errors over sum of squared measured values.
-
-    Attributes:
-        fit, validate: over all samples of the tests used so.
-        tests: of each test.
-        channels: of each series of a test with several channels, by its name.
-    """
-
-    fit: float
-    validate: float
-    tests: Mapping[str, float]
-    channels: Mapping[str, float] = field(default_factory=dict)
-
-    def of(self, series: Series) -> float:
-        """Error of a series: that of its test if it is the only one."""
-        return self.channels[series.name] if series.name in self.channels else self.tests[series.name]
-
-
-@dataclass(frozen=True)
-class Worst:
-    """What is predicted worst for its noise, and worse than chance leaves.
-
-    Attributes:
-        name: of the test, or of its channel.
-        error, floor: NRMS, and that of its noise.
-    """
-
-    name: str
-    error: float
-    floor: float
-
-    @property
-    def times(self) -> float:
-        """Error over noise floor."""
-        return self.error / self.floor
-
-
-@dataclass(frozen=True)
 class Estimate:
     """A number with its standard error, in one unit.
 
@@ -109,6 +69,16 @@ class Estimate:
         """95 % confidence interval."""
         half = 1.96 * self.standard_error if math.isnan(self.half_width) else self.half_width
         return self.value - half, self.value + half
+
+    def scaled(self, scale: float, unit: str) -> Estimate:
+        """The estimate in another unit, of which one is so many of that so far."""
+        return replace(
+            self,
+            value=self.value / scale,
+            standard_error=self.standard_error / scale,
+            unit=unit,
+            half_width=self.half_width / scale,
+        )
 
 
 @dataclass(frozen=True)
@@ -168,55 +138,6 @@ class NextTest:
     separates: tuple[str, str]
     difference: float
     largest: float
-
-
-@dataclass(frozen=True, eq=False)
-class Series:
-    """Histories of one test at full rate, or of one of its channels.
-
-    Attributes:
-        name: of the test, or of the test and the channel.
-        title, use, order: of the test.
-        time: (n,) s.
-        displacement: (n,) m, freed from noise; of a channel that of its floor, relative to the base.
-        velocity: (n,) m/s.
-        measured: (n,) in `unit`.
-        predicted: (n,) by stage: declared, refit, corrected.
-        temperature: (n,) degC.
-        noise: standard deviation of the noise.
-        quantity: what is measured and predicted.
-        unit: SI, of that.
-        test: name of the test of which this is a channel; "" if it is all of it.
-        channel: of the test, for people.
-        start: how the record of a damper test starts away from rest; None: at rest.
-    """
-
-    name: str
-    title: str
-    use: Use
-    order: int
-    time: np.ndarray
-    displacement: np.ndarray
-    velocity: np.ndarray
-    measured: np.ndarray
-    predicted: Mapping[Stage, np.ndarray]
-    temperature: np.ndarray
-    noise: float
-    quantity: str = "force"
-    unit: str = "N"
-    test: str = ""
-    channel: str = ""
-    start: Start | None = None
-
-    @property
-    def judged(self) -> slice:
-        """Samples that count: those before depend on how the test started."""
-        return slice(self.start.first(self.time) if self.start else 0, None)
-
-    @property
-    def of_test(self) -> str:
-        """Name of its test."""
-        return self.test or self.name
 
 
 @dataclass(frozen=True)

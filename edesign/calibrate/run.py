@@ -20,10 +20,10 @@ from edesign.calibrate.evidence import simplest
 from edesign.calibrate.fit import Fitted
 from edesign.calibrate.outcome import Outcome, residual_of
 from edesign.calibrate.problem import PredictionError
-from edesign.calibrate.residual.analysis import analyse
 from edesign.calibrate.result import Calibration, Series
 from edesign.calibrate.search.loop import Loop, Progress
 from edesign.calibrate.search.selection import Selection
+from edesign.calibration.residual.analysis import analyse
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 

@@ -12,7 +12,7 @@ from scipy.ndimage import median_filter
 from scipy.special import gammainccinv
 
 from edesign.calibrate.dampers.trial import Motion, Trial
-from edesign.calibrate.windows import blackman_harris
+from edesign.calibration.signals.windows import blackman_harris
 
 ABOVE_ALL_MOTION = 2.5
 """Times its frequency, below which nothing is told from the motion itself."""

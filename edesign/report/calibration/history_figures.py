@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.calibrate.outcome import residual_of
-from edesign.calibrate.residual.loops import residual_loop
+from edesign.calibration.residual.loops import residual_loop
 from edesign.report.calibration.tables import STAGES, noise_of
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.view import (
@@ -142,7 +141,7 @@ def _residuals_figure(view: View) -> Figure:
             left = 1e-3 * residual(series, stage)
             style: Any = {"color": COLOURS[stage], "lw": 0.7}
             history.plot(*outline(series.time, left), label=label, **style)
-            cycle = residual_loop(residual_of(series, stage), view.motions[series.name])
+            cycle = residual_loop(series.residual(stage), view.motions[series.name])
             if cycle is not None:
                 closed = np.append(np.arange(cycle.residual.size), 0)
                 loop.plot(1e3 * cycle.displacement[closed], 1e-3 * cycle.residual[closed], **style)

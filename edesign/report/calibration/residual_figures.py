@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibrate.outcome import residual_of
-from edesign.calibrate.residual.against import Dependence
-from edesign.calibrate.residual.harmonics import HIGHEST, Harmonics, harmonics
-from edesign.calibrate.residual.maps import ResidualMap, residual_map
 from edesign.calibrate.result import Stage
+from edesign.calibration.residual.against import Dependence
+from edesign.calibration.residual.harmonics import HIGHEST, Harmonics, harmonics
+from edesign.calibration.residual.maps import ResidualMap, residual_map
 from edesign.report.calibration.view import COLOURS, View, excess
 from edesign.report.drawing.style import grid_figure, label_outer, new_figure, styled
 
@@ -97,7 +96,7 @@ def _harmonics(view: View, stage: Stage) -> list[Harmonics]:
     return [
         part
         for series in view.calibration.series
-        for part in harmonics(residual_of(series, stage), view.motions[series.name])
+        for part in harmonics(series.residual(stage), view.motions[series.name])
     ]
 
 

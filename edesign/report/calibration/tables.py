@@ -11,7 +11,7 @@ from edesign.calibrate.evidence import MOST
 from edesign.calibrate.result import Calibration, CarriedLaw, Effect, Hypothesis, Series, Stage, Subject, Worst
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.effect_tables import effect_name, effect_tables
-from edesign.report.calibration.units import error_text, percent, plus_minus, practical, value_text
+from edesign.report.calibration.units import Calibrated, error_text, percent, plus_minus, practical, value_text
 from edesign.report.tables.table import Table, formatted
 
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
@@ -46,7 +46,7 @@ def tables_of(calibration: Calibration) -> list[Table]:
     ]
 
 
-def errors_table(calibration: Calibration) -> Table:
+def errors_table(calibration: Calibrated) -> Table:
     """Errors of the law before and after, and the noise floor."""
     table = Table(
         "Errors", (MODELS[calibration.subject], "fitted tests: NRMS [%]", "validation tests: NRMS [%]"), name="errors"
@@ -61,7 +61,7 @@ def errors_table(calibration: Calibration) -> Table:
     return table
 
 
-def each_test_table(calibration: Calibration) -> Table:
+def each_test_table(calibration: Calibrated) -> Table:
     """Errors of each test in the order in which they were made."""
     columns = ("test", "use", *(f"{label} [%]" for label in STAGES.values()), "noise floor [%]")
     table = Table(
@@ -86,7 +86,7 @@ def noise_of(series: Series) -> float:
     return series.noise**2 / power if power > 0.0 else math.nan
 
 
-def starts_table(calibration: Calibration) -> Table:
+def starts_table(calibration: Calibrated) -> Table:
     """Tests that start away from rest; no rows if all start at rest."""
     table = Table(
         "Tests that start away from rest",

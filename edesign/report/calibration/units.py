@@ -5,14 +5,25 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Mapping
-from dataclasses import replace
 from functools import cache
+from typing import TypeVar
 
-from edesign.calibrate.result import Estimate, Series
+from edesign.calibrate.result import Calibration as CalibrationOfStructure
+from edesign.calibrate.result import Estimate as EstimateOfStructure
+from edesign.calibration.residual.series import Series
+from edesign.calibration.results.result import Calibration, Estimate
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.project.notation.units import Kind, parse_quantity
 from edesign.report.tables.table import NumberText, formatted, number
+
+Calibrated = Calibration | CalibrationOfStructure
+"""Of a damper, or of a structure."""
+
+Number = Estimate | EstimateOfStructure
+"""Of a damper, or of a structure."""
+
+N = TypeVar("N", Estimate, EstimateOfStructure)
 
 UNKNOWN = "not determined"
 _AS_THEY_ARE = ("", "degC", "K", "1/K")
@@ -35,7 +46,7 @@ def percent(ratio: float, digits: int = 3) -> str:
     return number(ratio, digits, 1e-2) if math.isfinite(ratio) else "-"
 
 
-def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
+def practical(estimate: N, siblings: Mapping[str, N]) -> N:
     """An estimate in kN, mm, ms or s in place of SI.
 
     Args:
@@ -51,13 +62,7 @@ def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
         exponents = {name: siblings[name].value for name in _EXPONENT.findall(unit) if name in siblings}
         shown = practical_unit(Parameter("", "", unit))
         scale = _scale(_with_numbers(shown, exponents), _with_numbers(unit, exponents))
-    return replace(
-        estimate,
-        value=estimate.value / scale,
-        standard_error=estimate.standard_error / scale,
-        unit=shown,
-        half_width=estimate.half_width / scale,
-    )
+    return estimate.scaled(scale, shown)
 
 
 @cache
@@ -70,12 +75,12 @@ def _with_numbers(unit: str, exponents: Mapping[str, float]) -> str:
     return _EXPONENT.sub(lambda match: f"^{exponents.get(match[1], match[1])!r}", unit)
 
 
-def value_text(estimate: Estimate) -> str:
+def value_text(estimate: Number) -> str:
     """The value with the digits that its standard error leaves."""
     return _with_places(estimate.value, estimate.standard_error)
 
 
-def error_text(estimate: Estimate) -> str:
+def error_text(estimate: Number) -> str:
     """The standard error; "held" of a value that was not searched."""
     error = estimate.standard_error
     if not math.isfinite(error):
@@ -83,7 +88,7 @@ def error_text(estimate: Estimate) -> str:
     return _with_places(error, error) if error > 0.0 else "held"
 
 
-def interval_text(estimate: Estimate) -> str:
+def interval_text(estimate: Number) -> str:
     """The 95 % interval, or why there is none."""
     error = estimate.standard_error
     if estimate.untold:
@@ -95,7 +100,7 @@ def interval_text(estimate: Estimate) -> str:
     return " to ".join(_with_places(end, error) for end in estimate.interval)
 
 
-def plus_minus(estimate: Estimate) -> str:
+def plus_minus(estimate: Number) -> str:
     """Value, standard error and unit: 4.00 ± 0.10 ms."""
     unit = f" {estimate.unit}" if estimate.unit else ""
     error = error_text(estimate)
@@ -115,6 +120,7 @@ def _with_places(value: float, error: float) -> str:
         return formatted(value, ".4g")
     places = 1 - math.floor(math.log10(error))
     if places > _MOST_PLACES:
-        return formatted(value, ".6g")
+        size = math.floor(math.log10(abs(value))) if value else 0
+        return formatted(value, f".{max(size + places + 1, 1)}g")
     found = f"{round(value, places):.{max(places, 0)}f}"
     return NumberText(found.removeprefix("-") if float(found) == 0.0 else found, value)

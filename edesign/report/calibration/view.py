@@ -8,14 +8,14 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibrate.outcome import residual_of
-from edesign.calibrate.residual.against import Dependence, against
-from edesign.calibrate.residual.motion import Motion
-from edesign.calibrate.residual.pool import Pool
-from edesign.calibrate.residual.record import FEWEST, Residual
-from edesign.calibrate.residual.whiteness import effective_samples
-from edesign.calibrate.result import Calibration, Series, Stage
+from edesign.calibration.residual.against import Dependence, against
+from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.pool import Pool
+from edesign.calibration.residual.record import FEWEST, Residual
+from edesign.calibration.residual.series import Series, Stage
+from edesign.calibration.residual.whiteness import effective_samples
 from edesign.report.calibration.tables import label_of
+from edesign.report.calibration.units import Calibrated
 from edesign.report.drawing.style import AFTER, BEFORE, MEAN, VARIANTS
 from edesign.report.drawing.thin_out import thin_out
 
@@ -37,7 +37,7 @@ class View:
         workers: processes that draw.
     """
 
-    calibration: Calibration
+    calibration: Calibrated
     workers: int = 1
 
     @cached_property
@@ -66,7 +66,7 @@ class View:
 
     def residuals(self, stage: Stage) -> tuple[Residual, ...]:
         """Of all tests that are long enough."""
-        return tuple(residual_of(one, stage) for one in self.calibration.series if one.time.size >= FEWEST)
+        return tuple(one.residual(stage) for one in self.calibration.series if one.time.size >= FEWEST)
 
     @cached_property
     def dependences(self) -> dict[Stage, tuple[Dependence, ...]]:

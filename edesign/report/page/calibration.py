@@ -6,19 +6,21 @@ from collections.abc import Callable
 from pathlib import Path
 
 from edesign._version import __version__
-from edesign.calibrate.result import Calibration
+from edesign.calibration.results.result import Calibration
 from edesign.project.document import Document
+from edesign.report.calibration.units import Calibrated
 from edesign.report.calibration.view import View
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.document import check_page_path, write_html
 from edesign.report.page.render import Cover, Page, render
-from edesign.report.page.sections.calibration import SECTIONS
+from edesign.report.page.sections import calibration as structure
+from edesign.report.page.sections import damper_calibration as damper
 
 NO_DOCUMENT = Document()
 
 
 def write_calibration_page(
-    calibration: Calibration,
+    calibration: Calibrated,
     path: Path,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
@@ -45,7 +47,7 @@ def write_calibration_page(
 
 
 def calibration_page_text(
-    calibration: Calibration,
+    calibration: Calibrated,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
     document: Document = NO_DOCUMENT,
@@ -56,7 +58,7 @@ def calibration_page_text(
 
 
 def calibration_page(
-    calibration: Calibration,
+    calibration: Calibrated,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
     document: Document = NO_DOCUMENT,
@@ -64,7 +66,7 @@ def calibration_page(
     """Return the report as data; arguments as `write_calibration_page`."""
     view = View(calibration, workers)
     made = []
-    for section in SECTIONS:
+    for section in damper.SECTIONS if isinstance(calibration, Calibration) else structure.SECTIONS:
         found = section(view)
         tell(f"section {found.title}")
         made.append(found)
@@ -81,6 +83,6 @@ def calibration_page(
     return Page(cover, tuple(section for section in made if section))
 
 
-def _model(calibration: Calibration) -> str:
+def _model(calibration: Calibrated) -> str:
     law = f"law {calibration.law}" if calibration.law else ""
     return ", ".join(filter(None, ("building", law))) if calibration.subject == "structure" else law

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 import scipy
 
-from edesign.calibrate.residual.whiteness import effective_samples
+from edesign.calibration.residual.whiteness import effective_samples
 from edesign.one_thread import one_thread
 from edesign.project.substructure.quantities import MOST_DELAY
 from edesign.substructure.judgement.measured import MeasuredRecord

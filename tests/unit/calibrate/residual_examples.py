@@ -7,9 +7,9 @@ from functools import cache
 
 import numpy as np
 
-from edesign.calibrate.residual.analysis import ResidualAnalysis, analyse
-from edesign.calibrate.residual.motion import Motion
-from edesign.calibrate.residual.record import Residual
+from edesign.calibration.residual.analysis import ResidualAnalysis, analyse
+from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.record import Residual
 
 RATE = 250.0  # Hz
 K, C, ALPHA = 8e6, 30e3, 0.4  # N/m; N at 10 mm/s

@@ -7,14 +7,14 @@ import pytest
 from residual_examples import ALPHA, NOISE, RATE, C, Example, K, analysed, campaign, cycles, force
 from scipy.special import gamma
 
-from edesign.calibrate.residual.analysis import analyse
-from edesign.calibrate.residual.harmonics import coefficients, harmonics
-from edesign.calibrate.residual.lag import find_lag
-from edesign.calibrate.residual.motion import Motion, reversals
-from edesign.calibrate.residual.pool import bins
-from edesign.calibrate.residual.record import Residual
-from edesign.calibrate.residual.tones import find_tones
-from edesign.calibrate.residual.whiteness import effective_samples
+from edesign.calibration.residual.analysis import analyse
+from edesign.calibration.residual.harmonics import coefficients, harmonics
+from edesign.calibration.residual.lag import find_lag
+from edesign.calibration.residual.motion import Motion, reversals
+from edesign.calibration.residual.pool import bins
+from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.tones import find_tones
+from edesign.calibration.residual.whiteness import effective_samples
 from edesign.errors import InputError
 
 LATE = 4e-3  # s

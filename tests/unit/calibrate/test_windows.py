@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.signal.windows import blackmanharris
 
-from edesign.calibrate.windows import blackman_harris
+from edesign.calibration.signals.windows import blackman_harris
 
 
 @pytest.mark.parametrize("samples", [2, 100, 101])

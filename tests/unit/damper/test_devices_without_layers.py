@@ -78,7 +78,7 @@ def test_the_sheet_has_the_energy_of_a_power_of_the_velocity(
 
 def test_a_calibration_finds_nothing_missing(tmp_path: Path) -> None:
     path, out = campaign(tmp_path, LAW), tmp_path / "out"
-    words = ["calibrate", str(path), "--seconds", "1", "--workers", "1", "-q", "-o", str(out)]
+    words = ["calibrate", str(path), "--workers", "1", "-q", "-o", str(out)]
     assert command.main(words) == 0
     assert json.loads((out / "calibration.json").read_text(encoding="utf-8"))["verdict"] == "none"
     data = yaml.safe_load((out / "law.yaml").read_text(encoding="utf-8"))

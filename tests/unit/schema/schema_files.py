@@ -17,7 +17,7 @@ from edesign.schema.build import combined_schema, schema_of
 from edesign.schema.kinds import KINDS
 
 ROOT = Path(__file__).parents[3]
-WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml", "prose.yaml")
+WITHOUT_KIND = ("templates.yaml", "parameter_sets.yaml", "recommended.yaml", "prose.yaml", "strd.yaml")
 """Data of the package and its tests that no user writes; the recommended values have no zones."""
 
 EXAMPLES = {

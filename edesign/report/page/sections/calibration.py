@@ -32,7 +32,7 @@ from edesign.report.calibration.tables import (
     starts_table,
     verdict_text,
 )
-from edesign.report.calibration.units import percent, scale_of
+from edesign.report.calibration.units import Calibrated, percent, scale_of
 from edesign.report.calibration.view import View
 from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
 from edesign.report.page.source import picture_of
@@ -49,7 +49,7 @@ _VERDICTS = {
 
 def verdict(view: View) -> Section:
     """What a reader should know who reads nothing else."""
-    found = view.calibration
+    found = _found(view)
     word, detail, state = _VERDICTS[found.verdict]
     declared, corrected = (found.errors[stage].validate for stage in ("declared", "corrected"))
     effects = ", ".join(effect_name(effect.name) for effect in found.effects)
@@ -72,22 +72,22 @@ def verdict(view: View) -> Section:
 def errors(view: View) -> Section:
     """Errors before and after, by use and by test."""
     return Section(
-        "errors", "Errors before and after", (), (errors_table(view.calibration), *_pictures(view, error_figures))
+        "errors", "Errors before and after", (), (errors_table(_found(view)), *pictures(view, error_figures))
     )
 
 
 def effects(view: View) -> Section:
     """Effects, their parameters with intervals, and candidates that were not adopted."""
-    found = view.calibration
+    found = _found(view)
     parts: list[Part] = [effects_table(found)]
     tables = (effect_parameters_table(found), hypotheses_table(found), refused_table(found))
     parts += [table for table in tables if table.rows]
-    return Section("effects", "Effects, and how sure they are", (), (*parts, *_pictures(view, effect_figures)))
+    return Section("effects", "Effects, and how sure they are", (), (*parts, *pictures(view, effect_figures)))
 
 
 def left(view: View) -> Section:
     """What is left unexplained."""
-    found = view.calibration
+    found = _found(view)
     rows: tuple[tuple[str, str], ...]
     if found.unexplained_shape:
         share, model = percent(found.unexplained_share, 2), MODELS[found.subject]
@@ -107,7 +107,7 @@ def left(view: View) -> Section:
 
 def open_questions(view: View) -> Section:
     """Look-alikes and the test that would separate them."""
-    found = view.calibration
+    found = _found(view)
     rows = [
         (
             effect_name(effect.name),
@@ -135,17 +135,17 @@ def open_questions(view: View) -> Section:
 
 def residuals(view: View) -> Section:
     """Loops and residuals before and after; of a structure histories and spectra of its channels."""
-    if view.calibration.subject == "structure":
+    if _found(view).subject == "structure":
         return Section(
-            "residual", "Records before and after", (), _pictures(view, peak_figures, history_figures, spectrum_figures)
+            "residual", "Records before and after", (), pictures(view, peak_figures, history_figures, spectrum_figures)
         )
     makers = (loop_figures, residual_figures, dependence_figures, harmonic_figures, map_figures)
-    return Section("residual", "Residual before and after", (), _pictures(view, *makers))
+    return Section("residual", "Residual before and after", (), pictures(view, *makers))
 
 
 def campaign(view: View) -> Section:
     """What was measured, and the error of each test."""
-    found = view.calibration
+    found = _found(view)
     ranges = channels_table(found) if found.subject == "structure" else tests_table(found)
     started = [table for table in (starts_table(found),) if table.rows]
     return Section("tests", "Tests", (), (ranges, each_test_table(found), *started))
@@ -163,7 +163,7 @@ def channels_table(found: Calibration) -> Table:
     return table
 
 
-def tests_table(found: Calibration) -> Table:
+def tests_table(found: Calibrated) -> Table:
     """Range and noise of each test."""
     columns = ("test", "use", "duration [s]", "samples", "displacement [mm]", "velocity [mm/s]", "force [kN]")
     table = Table(
@@ -182,13 +182,13 @@ def tests_table(found: Calibration) -> Table:
 
 def law(view: View) -> Section:
     """Parameters of the law or the building before and after."""
-    title = "The building" if view.calibration.subject == "structure" else "The law"
-    return Section("law", title, (), (law_parameters_table(view.calibration),))
+    title = "The building" if _found(view).subject == "structure" else "The law"
+    return Section("law", title, (), (law_parameters_table(_found(view)),))
 
 
 def provenance(view: View) -> Section:
     """How the numbers were made."""
-    found = view.calibration
+    found = _found(view)
     samples = sum(one.time.size for one in found.series)
     model = MODELS[found.subject]
     rows = (
@@ -217,7 +217,14 @@ def provenance(view: View) -> Section:
     return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
 
 
-def _pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
+def _found(view: View) -> Calibration:
+    assert isinstance(view.calibration, Calibration)
+    return view.calibration
+
+
+def pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
+    """Return the figures of makers, drawn side by side."""
+
     def drawn(maker: Figures) -> list[Picture]:
         return [picture_of(*item) for item in maker(view)]
 

@@ -1,0 +1,159 @@
+"""What was found at the sampling of a fit, fitted to all samples; effects that may be nothing are taken off it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.results.result import Estimate
+from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.settings import SearchSettings
+from edesign.estimation.model import PredictionError
+from edesign.estimation.noise import Noise
+from edesign.estimation.parameters import Parameter
+from edesign.estimation.uncertainty import at_bounds, uncertainty
+
+_STEPS = 8  # of a fit that begins near its end
+
+
+@dataclass(frozen=True, eq=False)
+class Kept:
+    """A model of which no effect may be nothing.
+
+    Attributes:
+        model: fitted to all samples.
+        dropped: models with one effect more, the index of that effect in them, and why it went, for people.
+    """
+
+    model: FittedModel
+    dropped: tuple[tuple[FittedModel, int, str], ...]
+
+
+def unbounded(problem: DamperProblem, settings: SearchSettings) -> Fitting:
+    """Return what fits models of a problem without counting the effort.
+
+    Args:
+        problem: of the tests.
+        settings: of the search.
+    """
+    return Fitting(problem, replace(settings, effort=math.inf))
+
+
+def at_full_rate(fitting: Fitting, model: FittedModel) -> FittedModel:
+    """Return a model fitted to all samples; where it cannot be, with the values that it has.
+
+    Args:
+        fitting: of the problem at full rate.
+        model: fitted at another sampling.
+
+    Raises:
+        PredictionError: it cannot predict at full rate.
+    """
+    problem, values = fitting.problem, model.fit.values
+    whole = problem.model(model.effects)
+    (forces,) = whole.predict(values[np.newaxis])
+    if isinstance(forces, PredictionError):
+        raise forces
+    left = [y - f for y, f in zip(whole.measured, forces, strict=True)]
+    noise = Noise.left_by(left, problem.deviations, problem.sizes)
+    found = fitting.fit(model.effects, values, noise, _STEPS)
+    if found is None:
+        raise PredictionError(f"{model.label} cannot be fitted to all samples")
+    return fitting.settled(found)
+
+
+def kept(fitting: Fitting, model: FittedModel) -> Kept:
+    """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again.
+
+    Args:
+        fitting: of the problem.
+        model: fitted.
+    """
+    dropped: list[tuple[FittedModel, int, str]] = []
+    while True:
+        may_be_nothing = [(i, size) for i in range(len(model.effects)) if (size := _size(model, i)) is not None]
+        if not may_be_nothing:
+            return Kept(model, tuple(dropped))
+        index, size = max(may_be_nothing, key=lambda one: (one[1].interval[1] - one[1].interval[0], one[0]))
+        others, values = model.without(index)
+        fewer = fitting.fit(others, values, model.noise, _STEPS)
+        if fewer is None:
+            raise PredictionError(f"the law cannot be fitted without {model.effects[index].label}")
+        low, high = size.interval
+        name = model.effects[index].parameters[0].name
+        why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {size.unit}".rstrip() + ", holds zero"
+        dropped.append((model, index, why))
+        model = fitting.settled(fitting.fit(others, fewer.fit.values, fewer.noise) or fewer)
+
+
+def _size(model: FittedModel, index: int) -> Estimate | None:
+    """Return the size of an effect whose interval holds zero; None: it has no size, or that is more than nothing."""
+    if not model.effects[index].parameters:
+        return None
+    at = model.places(index)[0]
+    low, high = uncertainty(model.fit, model.noise, free=at).interval(at)
+    one = model.effects[index].parameters[0]
+    return Estimate(float(model.fit.values[at]), 0.0, one.unit, (low, high)) if low <= 0.0 <= high else None
+
+
+def estimates(model: FittedModel) -> list[Estimate]:
+    """Return all parameters of a model with their 95 % intervals, SI.
+
+    Args:
+        model: fitted.
+    """
+    sure, bounds = uncertainty(model.fit, model.noise), at_bounds(model.fit)
+    found = []
+    for i, one in enumerate(model.fit.model.parameters):
+        value, error = (
+            float(model.fit.values[i]),
+            sure.standard_error(np.eye(sure.z.size)[i]) * _rate(one, float(sure.z[i])),
+        )
+        untold = (
+            f"at its {bounds[i]} bound"
+            if bounds[i]
+            else ""
+            if sure.determined(i)
+            else _untold(one, float(sure.loose[i]))
+        )
+        found.append(Estimate(value, math.inf if bounds[i] else error, one.unit, sure.interval(i), untold))
+    return found
+
+
+def _rate(one: Parameter, z: float) -> float:
+    """Return the change of a value for a unit change of its coordinate."""
+    return one.spread * (one.value(z) if one.logarithmic else 1.0)
+
+
+def _untold(one: Parameter, loose: float) -> str:
+    return "only a combination of it with others is known" if loose >= 0.5 else "not known to a decade"
+
+
+def effect_estimates(model: FittedModel, every: list[Estimate], index: int) -> Mapping[str, Estimate]:
+    """Return the parameters of an effect by name.
+
+    Args:
+        model: fitted.
+        every: its estimates.
+        index: of the effect.
+    """
+    names = [one.name for one in model.effects[index].parameters]
+    return dict(zip(names, (every[i] for i in model.places(index)), strict=True))
+
+
+def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str, Estimate]:
+    """Return the parameters of the law by name; those that were not fitted are held.
+
+    Args:
+        problem: of the tests.
+        model: fitted; None: the declared law.
+    """
+    units = {one.name: one.unit for one in problem.law.all_parameters(problem.declared)}
+    found = {name: Estimate.held(value, units[name]) for name, value in problem.declared.items()}
+    if model is not None:
+        found |= dict(zip((one.name for one in problem.base), estimates(model), strict=False))
+    return found

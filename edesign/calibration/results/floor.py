@@ -1,0 +1,140 @@
+"""What no model of the tests can predict: noise of the channels, what does not repeat, errors of the thermometer."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.special import chdtri
+
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.dampers.sizes import APART
+from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.repeatability import repeatability
+from edesign.calibration.residual.series import Errors, Worst
+from edesign.calibration.residual.tones import without_tones
+from edesign.calibration.results.predictions import EVERY, judged
+from edesign.calibration.search.models import FittedModel
+from edesign.damper.testing.measured_histories import Use
+
+MOST = 2.0
+"""Times its floor, up to which an error (NRMS, a power) is noise alone: 1.4 times the noise in rms. Estimates of noise
+from spectra, and of what does not repeat from a few cycles, are no better."""
+
+_CHANCE = 0.01  # with which noise alone makes one of all tests seem to be above its floor
+_SAME = 0.02  # of the rms displacement: motions that differ by less are one motion made twice
+_FARTHEST = 2.0  # standard deviations of a thermometer's error, up to which it is one
+
+
+@dataclass(frozen=True, eq=False)
+class Floor:
+    """What no model can predict.
+
+    Attributes:
+        problem: with all tests, at full rate.
+        noise: (tests,) standard deviation, N: the larger one of the noise of the channels and of what does not repeat.
+        repeats: (tests,) of what does not repeat from cycle to cycle, or in a test made again, N; nan: not known.
+        thermal: (tests,) mean square of what an error of the thermometer changes, N^2.
+    """
+
+    problem: DamperProblem
+    noise: tuple[float, ...]
+    repeats: tuple[float, ...]
+    thermal: tuple[float, ...]
+
+    @staticmethod
+    def under(problem: DamperProblem, model: FittedModel, forces: Sequence[np.ndarray]) -> Floor:
+        """Return the floor, by what a good model leaves.
+
+        Args:
+            problem: with all tests, at full rate.
+            model: of its effects of temperature.
+            forces: (n_i,) N of every test, predicted by it.
+        """
+        left = [judged(one, one.force - f) for one, f in zip(problem.experiments, forces, strict=True)]
+        cycles = [_from_cycle_to_cycle(one, r) for one, r in zip(problem.experiments, left, strict=True)]
+        again = _from_test_to_test(problem.experiments, left)
+        repeats = [
+            max(both) if (both := [x for x in each if not math.isnan(x)]) else math.nan
+            for each in zip(cycles, again, strict=True)
+        ]
+        noise = [
+            max(one.noise, 0.0 if math.isnan(r) else r) for one, r in zip(problem.experiments, repeats, strict=True)
+        ]
+        doubts = problem.model(model.effects, EVERY).doubts(model.fit.values)
+        thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in doubts]
+        return Floor(problem, tuple(noise), tuple(repeats), tuple(thermal))
+
+    def nrms(self, use: Use) -> float:
+        """Return the NRMS over the tests of one use.
+
+        Args:
+            use: of the tests.
+        """
+        chosen = [i for i, one in enumerate(self.problem.experiments) if one.use == use]
+        size = {i: judged(self.problem.experiments[i], self.problem.experiments[i].force) for i in chosen}
+        power = sum(float(force @ force) for force in size.values())
+        return sum((self.noise[i] ** 2 + self.thermal[i]) * size[i].size for i in chosen) / max(power, 1e-300)
+
+    def worst(self, errors: Errors) -> Worst | None:
+        """Return the test that leaves most over its noise, of those that leave more than chance makes of it.
+
+        Args:
+            errors: of the corrected law.
+
+        Returns:
+            None: every test is at its floor.
+        """
+        found: Worst | None = None
+        for one, noise, thermal in zip(self.problem.experiments, self.noise, self.thermal, strict=True):
+            force = judged(one, one.force)
+            power, random = max(float(np.mean(force**2)), 1e-300), noise**2
+            most = MOST * float(chdtri(force.size, _CHANCE / len(self.noise))) / force.size
+            floor, allowed = (random + thermal) / power, (most * random + _FARTHEST**2 * thermal) / power
+            error = errors.tests[one.name]
+            if error > allowed and (found is None or error / floor > found.times):
+                found = Worst(one.name, error, floor)
+        return found
+
+    def reached(self, errors: Errors) -> bool:
+        """Say whether only noise is left, in all tests together and in every single one.
+
+        Args:
+            errors: of the corrected law.
+        """
+        every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
+        return self.worst(errors) is None and all(error <= MOST * self.nrms(use) for use, error in every.items())
+
+
+def _from_cycle_to_cycle(one: Experiment, left: np.ndarray) -> float:
+    """Return what of a residual (n,) N does not repeat from cycle to cycle; nan: the test has no steady cycles."""
+    motion = Motion(judged(one, one.motion.time), judged(one, one.motion.displacement))
+    found = repeatability(motion, without_tones(motion, left))
+    return math.nan if found is None else found
+
+
+def _from_test_to_test(tests: Sequence[Experiment], left: Sequence[np.ndarray]) -> list[float]:
+    """Return what of the residuals (n_i,) N does not repeat in the nearest test with the same motion; nan: none has."""
+    found = [math.nan] * len(tests)
+    for i, one in enumerate(tests):
+        alike = [k for k, other in enumerate(tests) if k != i and _same(one, other)]
+        if alike:
+            k = min(alike, key=lambda k: abs(k - i))
+            time, other = judged(one, one.motion.since), judged(tests[k], tests[k].motion.since)
+            both = (time >= other[0]) & (time <= other[-1])
+            change = left[i][both] - np.interp(time[both], other, left[k])
+            found[i] = float(np.sqrt(0.5 * np.mean(change**2)))
+    return found
+
+
+def _same(one: Experiment, other: Experiment) -> bool:
+    """Say whether two tests have the same motion at the same temperature."""
+    durations = one.motion.since[-1], other.motion.since[-1]
+    if abs(one.temperature - other.temperature) > APART or min(durations) < (1.0 - _SAME) * max(durations):
+        return False
+    own = one.motion.displacement
+    difference = own - np.interp(one.motion.since, other.motion.since, other.motion.displacement)
+    return bool(np.mean(difference**2) <= _SAME**2 * np.mean(own**2))

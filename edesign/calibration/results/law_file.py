@@ -1,0 +1,256 @@
+"""What a law file carries of a model: parameters and effects of the damper exactly as they were found.
+
+Effects of rig and instruments are no part of a damper; they are told. A law file that lacks an effect of the damper,
+as it has no such form, says so.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+import yaml
+
+from edesign.calibration.dampers.acts import Amendment as AmendmentAct
+from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
+from edesign.calibration.dampers.effect import FormInCampaign
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.residual.series import Stage
+from edesign.calibration.results.predictions import errors_of, predicted
+from edesign.calibration.results.result import Calibration, LawFile
+from edesign.calibration.search.models import FittedModel
+from edesign.calibration.search.problem import Effect
+from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.amendments import Amendment
+from edesign.damper.effects_file import write_effects
+from edesign.damper.laws import law as law_of
+from edesign.damper.parameters import write_parameters
+from edesign.damper.temperature import LINEAR_LAWS, REFERENCE_C, FerryShift, GammaT
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.specimen import Specimen
+from edesign.errors import InputError
+from edesign.estimation.model import PredictionError
+
+_STRAIGHT = 1e9  # K: p2 of Ferry's shift, beside which any difference of temperatures is nothing
+_APART = 2.5  # K between rows of a table of gamma_T, beside those at the temperatures of the tests
+_CONSTANT = "constant"
+
+
+@dataclass(frozen=True)
+class Carried:
+    """How a law file carries an effect.
+
+    Attributes:
+        amendments: of the law.
+        temperature: in the place of the law's own; None: that stays.
+    """
+
+    amendments: tuple[Amendment, ...] = ()
+    temperature: GammaT | FerryShift | None = None
+
+
+def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carried | None:
+    """Return how a law file carries an effect of the damper; None: it has no such form.
+
+    What ages is as it was in the last test, what softens or wears with use as in a virgin damper.
+
+    Args:
+        problem: of the tests.
+        effect: of a model.
+        values: of its parameters, SI.
+    """
+    of: FormInCampaign = effect.data
+    p, acts = of.values(values), of.form.acts
+    if any(isinstance(act, LawParameters) for act in acts):
+        return _in_temperature_law(problem, of, p)
+    found = []
+    for act in acts:
+        if isinstance(act, Rest | LastingExtremes):  # between tests alone
+            continue
+        one = _amendment(problem, of, act, p) if isinstance(act, AmendmentAct) else None
+        if one is None:
+            return None
+        found.append(one)
+    return Carried(tuple(found))
+
+
+def _amendment(
+    problem: DamperProblem, of: FormInCampaign, act: AmendmentAct, p: Mapping[str, float]
+) -> Amendment | None:
+    name, _, form = act.equation.partition(".")
+    if act.equation == _CONSTANT:
+        name, form = of.form.name, of.form.form.removesuffix(f"_{act.placement.value}")
+        p = {**p, "T0": REFERENCE_C, "n": float(problem.experiments[-1].order)}
+    elif act.more is not None:
+        p = {**p, **act.more(p)}
+    kind = kind_if_known(name, form)
+    if kind is None or kind.constant != (act.equation == _CONSTANT):
+        return None
+    try:
+        values = {one.name: p[one.name] for one in kind.parameters if one.name in p}
+        return Amendment(name, form, values, act.placement.value)
+    except InputError:  # a parameter, or a placement, that law files refuse
+        return None
+
+
+def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[str, float]) -> Carried | None:
+    form, law = of.form.form, problem.law.name
+    b, c = p["b"], p.get("c", 0.0)
+    if form in ("shift", "shift_wlf") and law in LINEAR_LAWS and b >= 0.0 and c >= 0.0:
+        return Carried(temperature=FerryShift(b * _STRAIGHT, _STRAIGHT) if c == 0.0 else FerryShift(b / c, 1.0 / c))
+    table = {"gamma": GammaT(of=problem.gamma_of), "gamma_wlf": GammaT(of=problem.gamma_of)}.get(form)
+    in_place = form in ("exponential_in_place", "wlf_in_place")  # a factor of the force alone
+    if table is None and not in_place or problem.gamma_of != "parameters":
+        return None
+    degrees = sorted({REFERENCE_C, *(one.temperature for one in problem.experiments)})
+    grid = np.arange(degrees[0], degrees[-1], _APART).tolist() if len(degrees) > 1 else []
+    rows = []
+    for t in sorted({*degrees, *grid}):
+        warmer = t - REFERENCE_C
+        gamma = math.exp(-b * warmer / (1.0 + c * warmer))
+        rows.append((t, gamma if table is None else gamma * table.gamma(t)))
+    return (
+        Carried(temperature=GammaT(tuple(rows), "force" if table is None else "parameters")) if len(rows) > 1 else None
+    )
+
+
+def law_file(problem: DamperProblem, final: FittedModel, refit: FittedModel, withheld: str = "") -> LawFile:
+    """Return the corrected law as a law file carries it; the refit, where that predicts the validation tests better.
+
+    Args:
+        problem: at full rate.
+        final: the corrected model.
+        refit: the law fitted again, without effects.
+        withheld: why the corrected model is the refit already, for people; "" if it is not.
+    """
+    found = _law_file(problem, final, "corrected" if final.effects else "refit")
+    if not found.lacking:
+        return LawFile(**{**vars(found), "withheld": withheld})
+    plain = _law_file(problem, refit, "refit")
+    if found.validate <= plain.validate:
+        return LawFile(**{**vars(found), "withheld": withheld})
+    why = (
+        f"law files cannot carry {', '.join(found.lacking)}; without it the validation tests are predicted worse "
+        f"({100.0 * found.validate:.3g} %) than by the refitted law ({100.0 * plain.validate:.3g} %)"
+    )
+    return LawFile(**{**vars(plain), "told": found.told, "lacking": found.lacking, "withheld": why})
+
+
+def _law_file(problem: DamperProblem, model: FittedModel, stage: Stage) -> LawFile:
+    base, every = len(problem.base), list(model.fit.values)
+    values = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
+    amendments: list[Amendment] = []
+    temperature: GammaT | FerryShift | None = _own_temperature(problem)
+    told: list[str] = []
+    lacking: list[str] = []
+    left: list[Effect] = []
+    numbers = every[:base]
+    for index, effect in enumerate(model.effects):
+        own = np.array([every[i] for i in model.places(index)])
+        found = carried(problem, effect, own) if effect.kind == "damper" else None
+        if effect.kind != "damper":
+            told.append(f"{effect.label} ({effect.kind}): {effect.data.form.title}")
+        elif found is None:
+            lacking.append(effect.label)
+            continue
+        else:
+            amendments += found.amendments
+            temperature = found.temperature or temperature
+        left.append(effect)
+        numbers += own.tolist()
+    try:
+        validate = errors_of(problem, predicted(problem, left, np.array(numbers))).validate
+    except PredictionError:
+        validate = math.inf
+    return LawFile(stage, values, tuple(amendments), temperature, tuple(told), tuple(lacking), validate)
+
+
+def _own_temperature(problem: DamperProblem) -> GammaT | None:
+    """The change with temperature that the law has by itself, as the tests were predicted with it."""
+    gamma = GammaT(of=problem.gamma_of)
+    away = any(one.temperature != REFERENCE_C for one in problem.experiments)
+    return gamma if problem.law.name in gamma.laws and away else None
+
+
+def law_text(found: Calibration, campaign: Campaign) -> str:
+    """Return the law file: parameters, effects of the damper, specimen, what the tests covered.
+
+    Args:
+        found: by the calibration.
+        campaign: the tests.
+    """
+    law, file = law_of(found.law), found.law_file
+    data: dict[str, object] = {"type": found.law, "parameters": write_parameters(law, file.parameters)}
+    if file.amendments:
+        data["effects"] = write_effects(file.amendments)
+    if file.temperature is not None:
+        data["temperature_law"] = _temperature_block(file.temperature)
+    specimen = campaign.specimen
+    if specimen is not None:
+        data["prototype"] = {
+            "layers": specimen.layers,
+            "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+            "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+        }
+    data["tested"] = _tested(found, specimen)
+    head = "".join(f"# {line}\n" for line in _head(found))
+    return head + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
+
+
+def _head(found: Calibration) -> list[str]:
+    file = found.law_file
+    title, which = (
+        law_of(found.law).title,
+        {"corrected": "corrected", "refit": "fitted again", "declared": "as declared"},
+    )
+    lines = [
+        f"{title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
+        f"the law {which[file.stage]}: NRMS of the validation tests {100 * file.validate:.3g} %, as declared "
+        f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
+    ]
+    if file.withheld:
+        lines.append(f"not the corrected law: {file.withheld}")
+    elif file.lacking:
+        lines.append(
+            f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
+            f"{100 * found.errors['corrected'].validate:.3g} %"
+        )
+    lines += [f"told, no part of the damper: {text}" for text in file.told]
+    lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
+    names = {one.name for one in file.amendments}
+    if found.lasting or any(one.label == "extremes.lasting" for one in found.effects):
+        lines.append("extremes soften it from test to test for good: the parameters are those of a virgin damper")
+    if names & {"mullins", "degradation"}:
+        lines.append("what softens with use begins as in a virgin damper")
+    if "self_heating" in names:
+        lines.append("it begins cold: heat that lasts from test to test is no part of it")
+    if "ageing" in names:
+        lines.append("it has aged as much as in the last test")
+    lines += [f"{name} is held: {why}" for name, why in found.held.items()]
+    return lines
+
+
+def _temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
+    if isinstance(law, FerryShift):
+        return {"ferry": {"p1": law.p1, "p2": f"{law.p2:.12g} K", "reference": f"{law.reference:g} degC"}}
+    block: dict[str, object] = {"gamma_T": {f"{t:.12g} degC": gamma for t, gamma in law.table}}
+    return block if law.of == "parameters" else {**block, "of": law.of}
+
+
+def _tested(found: Calibration, specimen: Specimen | None) -> dict[str, str]:
+    largest = np.array([np.max(np.abs(series.displacement)) for series in found.series])
+    name, values, unit = ("deformation", 1e3 * largest, "mm")
+    if specimen is not None:
+        name, values, unit = ("shear_strain", 100.0 * specimen.strain(largest), "%")
+    degrees = [float(np.mean(series.temperature)) for series in found.series]
+    return {
+        name: _span(float(values.min()), float(values.max()), unit),
+        "temperature": _span(min(degrees), max(degrees), "degC"),
+    }
+
+
+def _span(low: float, high: float, unit: str) -> str:
+    texts = f"{low:.4g}", f"{high:.4g}"
+    return f"{texts[0]} {unit}" if texts[0] == texts[1] else f"{texts[0]} to {texts[1]} {unit}"

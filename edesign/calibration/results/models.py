@@ -1,0 +1,176 @@
+"""Which models of a search the tests leave probable: the posterior over all that were fitted to the end."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from edesign.calibration.results.result import ComparedModel
+from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.search import Found
+from edesign.estimation.left_out import Difference, Score, difference
+from edesign.estimation.noise import Noise
+
+LEAST = 0.01
+"""Probability of a model that is worth a word, or a test."""
+
+_SHOWN = 8  # models
+_FAR = 50.0  # log density: what is that far behind has no share, however exactly it is known
+
+
+@dataclass(frozen=True, eq=False)
+class Posterior:
+    """Models of a search with weights exp(score), as the last round of the search that adopted one compared them.
+
+    Attributes:
+        fitting: of the problem at the sampling of a fit.
+        best: the model that stands.
+        known: the model beside which the last effect was found, whose equations may be wrong.
+        models: all of them, the best one first.
+        searched: by the effects of a rival, how far the search itself found it ahead of the best one, which it compared
+            beside what both have in common.
+    """
+
+    fitting: Fitting
+    best: FittedModel
+    known: FittedModel
+    models: tuple[FittedModel, ...]
+    searched: Mapping[tuple[str, ...], Difference] = field(default_factory=dict)
+
+    @staticmethod
+    def of(fitting: Fitting, found: Found, best: FittedModel) -> Posterior:
+        """Return the posterior over the models of a search.
+
+        Args:
+            fitting: of the problem at the sampling of a fit.
+            found: by the search.
+            best: the model that stands, at that sampling.
+        """
+        every = {_key(model): model for model in (*_models(found), best)}
+        others = [model for key, model in every.items() if key != _key(best)]
+        known = [depth.best for depth in found.depths if depth.adopted is not None]
+        rivals = [one for of_effect in found.rivals for one in of_effect] if best is found.best else []
+        searched = {_key(one.model): one.difference for one in rivals}
+        return Posterior(fitting, best, known[-1] if known else found.base, (best, *others), searched)
+
+    @cached_property
+    def noise(self) -> Noise:
+        """By which they are compared."""
+        return self.fitting.noise(self.best, self.known)
+
+    @cached_property
+    def scores(self) -> tuple[Score, ...]:
+        """Of each model; one that may be the best is fitted again without tests that move it far."""
+        rough = [self.score(model, sure=False) for model in self.models]
+        least = max(one.total for one in rough) - _FAR
+        both = zip(self.models, rough, strict=True)
+        return tuple(one if one.total < least else self.score(model) for model, one in both)
+
+    def score(self, model: FittedModel, sure: bool = True) -> Score:
+        """Return the score of a model.
+
+        Args:
+            model: at the sampling of a fit.
+            sure: whether it is fitted again without a test that moves it far.
+        """
+        return self.fitting.score(model, self.noise, self.known, sure)
+
+    @cached_property
+    def probabilities(self) -> np.ndarray:
+        """Of each model (n,)."""
+        totals = np.array([-self.behind(i).total for i in range(len(self.models))])
+        totals[np.isnan(totals)] = -np.inf  # of which tests left out tell nothing
+        totals[0] = 0.0
+        weights = np.exp(totals - totals.max())
+        return np.asarray(weights / weights.sum())
+
+    def behind(self, i: int) -> Difference:
+        """Return by how much a model is behind the best one.
+
+        Args:
+            i: index of the model.
+        """
+        known = self.searched.get(_key(self.models[i]))
+        if known is not None:
+            return Difference(-known.total, known.error)
+        return difference(self.scores[0], self.scores[i])
+
+    def probability(self, name: str) -> float:
+        """Return the probability of an effect, whatever its equation and what is beside it.
+
+        Args:
+            name: of the effect.
+        """
+        return float(sum(p for p, m in zip(self.probabilities, self.models, strict=True) if name in m.names))
+
+    def alike(self, name: str) -> dict[str, float]:
+        """Return what the tests cannot tell from an effect of the best model: other effects in its place.
+
+        They stand in probable models that are not surely behind the best one, by the rule of adoption.
+
+        Args:
+            name: of the effect.
+
+        Returns:
+            Probability of each by name, the most probable first.
+        """
+        found: dict[str, float] = {}
+        for i, model in enumerate(self.models):
+            more, p = model.names - self.best.names, float(self.probabilities[i])
+            if name in model.names or not more or p < LEAST or self.behind(i).sure:
+                continue
+            other = " and ".join(sorted(more))
+            found[other] = found.get(other, 0.0) + p
+        return dict(sorted(found.items(), key=lambda one: -one[1]))
+
+    def rivals(self) -> tuple[int, ...]:
+        """Indices of the probable models with other effects than the best one, which is the first."""
+        far = [p < LEAST or self.behind(i).sure for i, p in enumerate(self.probabilities)]
+        return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
+
+    def compared(self) -> tuple[ComparedModel, ...]:
+        """Return the models for people, the most probable first."""
+        order = sorted(range(len(self.models)), key=lambda i: (-self.probabilities[i], i))
+        return tuple(self._compared(i) for i in order[:_SHOWN])
+
+    def _compared(self, i: int) -> ComparedModel:
+        model, behind = self.models[i], self.behind(i)
+        labels = tuple(effect.label for effect in model.effects)
+        return ComparedModel(labels, model.nrms**2, behind.total, behind.error, float(self.probabilities[i]))
+
+
+def _key(model: FittedModel) -> tuple[str, ...]:
+    return tuple(sorted(effect.label for effect in model.effects))
+
+
+def _models(found: Found) -> Iterator[FittedModel]:
+    """All models that the search fitted to the end."""
+    yield found.base
+    for depth in found.depths:
+        yield from (one.model for one in depth.tried)
+        if depth.adopted is not None:
+            yield depth.adopted
+    for of_effect in found.rivals:
+        yield from (one.model for one in of_effect)
+    yield found.best
+
+
+def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
+    """Return the best model without one of its effects, the others fitted again, and how far that is behind.
+
+    Args:
+        posterior: of the search.
+        index: of the effect.
+    """
+    best, fitting = posterior.best, posterior.fitting
+    others, values = best.without(index)
+    rough = fitting.fit(others, values, best.noise)
+    # the noise of the best one is far below what is left without the effect
+    again = None if rough is None else fitting.fit(others, rough.fit.values, rough.noise)
+    if again is None:
+        return None, None
+    fewer = fitting.settled(again)
+    return fewer, difference(posterior.score(best), posterior.score(fewer))

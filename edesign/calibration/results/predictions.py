@@ -1,0 +1,71 @@
+"""What a model predicts of all tests at full rate, and how large its errors are."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.residual.series import Errors
+from edesign.calibration.search.problem import Effect
+from edesign.damper.testing.measured_histories import Use
+from edesign.estimation.model import PredictionError
+
+EVERY: tuple[Use, ...] = ("fit", "validate")
+
+
+def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndarray) -> list[np.ndarray]:
+    """Return the force (n_i,) N of every test, with what is each test's own taken from its residual.
+
+    Args:
+        problem: with all tests.
+        effects: of the model.
+        values: (p,) SI, of the law and the effects.
+
+    Raises:
+        PredictionError: there is none.
+    """
+    model = problem.model(effects, EVERY)
+    (forces,) = model.forces(values)
+    if isinstance(forces, PredictionError):
+        raise forces
+    found = []
+    for one, force, columns in zip(problem.experiments, forces, model.shares(values), strict=True):
+        if columns is not None:
+            weights = one.weights
+            share = np.linalg.lstsq(weights[:, np.newaxis] * columns, weights * (one.force - force), rcond=None)[0]
+            force = force + columns @ share
+        found.append(force)
+    return found
+
+
+def judged(one: Experiment, values: np.ndarray) -> np.ndarray:
+    """Return those values of a history (n,) that are judged: what is before depends on how the test started.
+
+    Args:
+        one: the test.
+        values: (n,).
+    """
+    return values[one.judged_from :]
+
+
+def errors_of(problem: DamperProblem, forces: Sequence[np.ndarray]) -> Errors:
+    """Return NRMS over the tests of each use, and of each test.
+
+    Args:
+        problem: with all tests.
+        forces: (n_i,) N, predicted of every test.
+    """
+    squared, power = {}, {}
+    for one, force in zip(problem.experiments, forces, strict=True):
+        squared[one.name] = float(np.sum(judged(one, one.force - force) ** 2))
+        power[one.name] = max(float(np.sum(judged(one, one.force) ** 2)), 1e-300)
+    each = {name: squared[name] / power[name] for name in power}
+    return Errors(_over(problem, "fit", squared, power), _over(problem, "validate", squared, power), each)
+
+
+def _over(problem: DamperProblem, use: Use, squared: Mapping[str, float], power: Mapping[str, float]) -> float:
+    names = [one.name for one in problem.experiments if one.use == use]
+    return sum(squared[name] for name in names) / sum(power[name] for name in names)

@@ -1,0 +1,304 @@
+"""What a calibration found: the errors before and after, the effects, and what the tests cannot tell."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import Literal
+
+from edesign.calibration.residual.series import Errors, Series, Stage, Worst
+from edesign.calibration.search.problem import Kind
+from edesign.calibration.search.search import Ending
+from edesign.damper.amendments import Amendment
+from edesign.damper.temperature import FerryShift, GammaOf, GammaT
+from edesign.notebook import facts_html
+
+Verdict = Literal["none", "explained", "partly_explained", "nothing_found", "not_searched"]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """A number with its 95 % interval, in one unit.
+
+    Attributes:
+        value, standard_error, unit: of the number; the error is 0 where it was not fitted.
+        interval: lowest and highest value that the tests leave, at 95 %; not symmetric where a logarithm was fitted.
+        untold: why the tests do not determine it, for people; "" if they do.
+    """
+
+    value: float
+    standard_error: float
+    unit: str
+    interval: tuple[float, float]
+    untold: str = ""
+
+    @staticmethod
+    def held(value: float, unit: str) -> Estimate:
+        """Return a number that was not fitted.
+
+        Args:
+            value: the number.
+            unit: of it.
+        """
+        return Estimate(value, 0.0, unit, (value, value))
+
+    def scaled(self, scale: float, unit: str) -> Estimate:
+        """Return the estimate in another unit.
+
+        Args:
+            scale: one of that unit, in the unit so far.
+            unit: the other unit.
+        """
+        low, high = self.interval
+        return replace(
+            self,
+            value=self.value / scale,
+            standard_error=self.standard_error / scale,
+            unit=unit,
+            interval=(low / scale, high / scale),
+        )
+
+
+@dataclass(frozen=True)
+class Effect:
+    """An effect that the model lacked.
+
+    Attributes:
+        name, form, kind: of the library.
+        title, signature: for people: what it is, and what it leaves in the residual of a model without it.
+        parameters: by name, SI.
+        fixed: further numbers of the form, by name, SI.
+        delta_validate: NRMS of the validation tests without it, the others fitted again, minus that with it.
+        gain, gain_error: by how much better tests left out are predicted with it (log density), and the error of that.
+        probability: of an effect of this name, over all models of the search.
+        indistinguishable_from: probability of others that explain the tests as well in its place, by name.
+        not_carried: why no law file carries it, for people; "" if one does.
+    """
+
+    name: str
+    form: str
+    kind: Kind
+    title: str
+    signature: str
+    parameters: Mapping[str, Estimate]
+    fixed: Mapping[str, float]
+    delta_validate: float
+    gain: float
+    gain_error: float
+    probability: float
+    indistinguishable_from: Mapping[str, float]
+    not_carried: str = ""
+
+    @property
+    def label(self) -> str:
+        """Name and form."""
+        return f"{self.name}.{self.form}"
+
+
+@dataclass(frozen=True)
+class Hypothesis:
+    """An effect that was found, and that is no part of the corrected law.
+
+    Attributes:
+        effect: with the numbers of the model that had it.
+        why: it is no part, for people.
+    """
+
+    effect: Effect
+    why: str
+
+
+@dataclass(frozen=True)
+class ComparedModel:
+    """A model of the search.
+
+    Attributes:
+        effects: labels of its effects; () is the law alone.
+        nrms: of the tests fitted to.
+        behind, error: log density of tests left out by which the corrected model is ahead, and the error of that.
+        probability: among all models of the search.
+    """
+
+    effects: tuple[str, ...]
+    nrms: float
+    behind: float
+    error: float
+    probability: float
+
+
+@dataclass(frozen=True)
+class SearchDepth:
+    """A round of the search.
+
+    Attributes:
+        beside: labels of the effects of the model beside which effects were screened.
+        screened: forms of effects that were predicted.
+        fitted: models that were fitted.
+        adopted: labels of the effects after it; (): nothing passed.
+    """
+
+    beside: tuple[str, ...]
+    screened: int
+    fitted: int
+    adopted: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NextTest:
+    """A further test that would separate what these cannot.
+
+    Attributes:
+        text: for people.
+        separates: labels of two models.
+        difference: NRMS between their predictions in that test.
+        largest: the same in the tests that were made.
+    """
+
+    text: str
+    separates: tuple[str, str]
+    difference: float
+    largest: float
+
+
+@dataclass(frozen=True)
+class LawFile:
+    """The law as the law file has it: exactly what was found, as far as a law file can carry it.
+
+    Attributes:
+        stage: whose parameters it has.
+        parameters: of the law, by name, SI.
+        amendments: effects of the damper.
+        temperature: how parameters change with temperature, if that was found or is the law's own; None: not said.
+        told: effects of rig and instruments, which are no part of a damper.
+        lacking: labels of effects of the damper that it cannot carry.
+        validate: NRMS of the validation tests with this law, and with what rig and instruments did.
+        withheld: why it is not the corrected law, for people; "" if it is.
+    """
+
+    stage: Stage
+    parameters: Mapping[str, float]
+    amendments: tuple[Amendment, ...]
+    temperature: GammaT | FerryShift | None
+    told: tuple[str, ...]
+    lacking: tuple[str, ...]
+    validate: float
+    withheld: str = ""
+
+
+@dataclass(frozen=True)
+class OtherLaw:
+    """A law of the registry that, without any effect, predicts tests left out better than the declared one.
+
+    Attributes:
+        law, title: its name, and what it is.
+        gain, error: by how much better than the declared law fitted again (log density), and the error of that.
+        nrms, own_nrms: of the tests fitted to: its own, and that of the declared law fitted again.
+        validate, own_validate: of the validation tests.
+    """
+
+    law: str
+    title: str
+    gain: float
+    error: float
+    nrms: float
+    own_nrms: float
+    validate: float
+    own_validate: float
+
+
+@dataclass(frozen=True, eq=False)
+class Calibration:
+    """What the loop found in a campaign of damper tests.
+
+    Attributes:
+        title: of the campaign.
+        law: name of the declared law.
+        verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
+            than noise is left; nothing_found: something is missing, and no effect known here passes; not_searched:
+            something is missing, and the search ended before all known effects were screened. Noise is left where it
+            is in every test.
+        ending: how the search came to its end.
+        errors: by stage.
+        noise_floor: NRMS in the validation tests of what no model can predict, and of what an error of the thermometer
+            changes; `noise_floor_fit` in the others.
+        effects: in the order of adoption.
+        hypotheses: effects that were found and are no part of the corrected law.
+        parameters: of the law, by stage.
+        law_held: whether the campaign has the declared parameters held.
+        series: of each test.
+        unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
+        unexplained_shape: for people; "" if only noise is left.
+        models: of the search, the most probable first.
+        depths: rounds of the search.
+        forms: number of forms of effects that the tests may show.
+        effort: weighted evaluations that the search took, of at most `most_effort`.
+        next_test: what would separate look-alikes; None: nothing is left to separate, or no test would.
+        law_file: the law as the law file has it.
+        other_law: a law that does better; None: none does, or none was asked for.
+        worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
+        seconds: that the calibration took.
+        held: parameters of the law that are not fitted, as others do what they do: with the reason.
+        lasting: whether the law remembers extremes from test to test.
+        gamma_of: what gamma_T of an MGMM multiplies.
+        fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
+    """
+
+    title: str
+    law: str
+    verdict: Verdict
+    ending: Ending
+    errors: Mapping[Stage, Errors]
+    noise_floor: float
+    noise_floor_fit: float
+    effects: tuple[Effect, ...]
+    hypotheses: tuple[Hypothesis, ...]
+    parameters: Mapping[Stage, Mapping[str, Estimate]]
+    law_held: bool
+    series: tuple[Series, ...]
+    unexplained_share: float
+    unexplained_shape: str
+    models: tuple[ComparedModel, ...]
+    depths: tuple[SearchDepth, ...]
+    forms: int
+    effort: float
+    most_effort: float
+    next_test: NextTest | None
+    law_file: LawFile
+    other_law: OtherLaw | None = None
+    worst: Worst | None = None
+    seconds: float = 0.0
+    held: Mapping[str, str] = field(default_factory=dict)
+    lasting: bool = False
+    gamma_of: GammaOf = "parameters"
+    fitted_first: bool = False
+    subject: Literal["damper"] = "damper"
+
+    def __repr__(self) -> str:
+        return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"
+
+    def _repr_html_(self) -> str:
+        rows: list[tuple[str, object]] = [
+            ("law", self.law),
+            ("verdict", self.verdict_words),
+            ("effects", [effect.label for effect in self.effects]),
+            ("tests", [one.name for one in self.tests]),
+            ("noise floor, NRMS", f"{self.noise_floor:.3g}"),
+            ("what is left", self.unexplained_shape),
+        ]
+        return facts_html(self.title, rows)
+
+    @property
+    def verdict_words(self) -> str:
+        """The verdict, for people."""
+        how = "" if self.ending == "complete" else f", the search {self.ending}".replace("effort_", "effort was ")
+        return (self.verdict + how).replace("_", " ")
+
+    @property
+    def more_is_left(self) -> bool:
+        """Whether more than noise is left."""
+        return self.verdict not in ("none", "explained")
+
+    @property
+    def tests(self) -> tuple[Series, ...]:
+        """Series, one of each test."""
+        return self.series

@@ -1,0 +1,219 @@
+"""The files of a calibration of a damper: JSON for programs, the law for projects, histories in an archive."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from edesign._version import __version__
+from edesign.archive.dataset import Group, Variable
+from edesign.archive.files import check_own_yaml, make_folder, source_file, write_text, write_yaml
+from edesign.archive.owner import check_owner
+from edesign.archive.writer import ArchiveWriter
+from edesign.calibration.residual.series import STAGES
+from edesign.calibration.results.law_file import law_text
+from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile
+from edesign.damper.testing.campaign import Campaign
+from edesign.input_files import spare_inputs
+
+LAW, ARCHIVE = "law.yaml", "calibration.h5"
+NAMES = ("calibration.json", "calibration.html", LAW, ARCHIVE)
+"""Files that are written, in place of earlier ones of the same campaign."""
+
+
+def check_files(campaign: Path, title: str, folder: Path, overwrite: bool = False) -> None:
+    """Refuse to write over inputs, and over laws and archives that are no results of this campaign.
+
+    Args:
+        campaign: the campaign file.
+        title: of the calibration.
+        folder: where the files go.
+        overwrite: whether results of other campaigns, and laws that edesign did not write, may be replaced.
+
+    Raises:
+        InputError: a file of the calibration would stand in the place of something else.
+        ArchiveError: likewise, of an archive.
+    """
+    spare_inputs(*(folder / name for name in NAMES))
+    check_own_yaml(folder / LAW, campaign, overwrite)
+    check_owner(folder / ARCHIVE, _root(campaign, title, folder), overwrite)
+
+
+def write_files(found: Calibration, campaign: Campaign, folder: Path) -> list[Path]:
+    """Write calibration.json, law.yaml and calibration.h5; each appears when it is whole.
+
+    Args:
+        found: by the calibration.
+        campaign: the tests.
+        folder: where the files go.
+
+    Returns:
+        The files.
+
+    Raises:
+        ArchiveError: one cannot be written.
+    """
+    make_folder(folder)
+    told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
+    write_text(told, folder / NAMES[0])
+    write_yaml(law_text(found, campaign), folder / LAW, campaign.path)
+    root = _root(campaign.path, found.title, folder)
+    root.attributes |= {"verdict": found.verdict, "search": found.ending}
+    root.add("calibration", (), told, "", NAMES[0])
+    root.add("campaign", (), campaign.text, "", "the campaign file")
+    with ArchiveWriter(folder / ARCHIVE, root) as writer:
+        for name, group in archive_groups(found).items():
+            writer.write(name, group)
+        writer.finish({"status": "completed"})
+    return [folder / NAMES[0], folder / LAW, folder / ARCHIVE]
+
+
+def _root(campaign: Path, title: str, folder: Path) -> Group:
+    about = {"title": title, "kind": "calibration", "source_file": source_file(campaign, folder / ARCHIVE)}
+    return Group(attributes={**about, "planned": [], "edesign_version": __version__})
+
+
+def archive_groups(found: Calibration) -> dict[str, Group]:
+    """Return histories of every test: motion, measured and predicted force; by the name of the group.
+
+    Args:
+        found: by the calibration.
+    """
+    groups = {}
+    for series in found.series:
+        judged_from = series.start.judged_from if series.start else 0.0
+        about = {"title": series.title, "use": series.use, "order": series.order, "noise": series.noise}
+        group = Group(attributes={**about, "judged_from": judged_from})
+        group.add("time", ("sample",), series.time, "s", "time")
+        group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
+        group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
+        group.add("measured_force", ("sample",), series.measured, "N", "measured force")
+        for stage, force in series.predicted.items():
+            group.add(f"{stage}_force", ("sample",), force, "N", f"force predicted by the {stage} law")
+        group.coords["sample"] = Variable(("sample",), np.arange(series.time.size), "1", "sample")
+        groups[f"tests/{series.name}"] = group
+    return groups
+
+
+def calibration_json(found: Calibration) -> dict[str, Any]:
+    """Return all that was found, in SI; NRMS as ratios, numbers that are not finite as null.
+
+    Args:
+        found: by the calibration.
+    """
+    better = None if found.other_law is None else _finite_values(asdict(found.other_law))
+    return {
+        "title": found.title,
+        "law": found.law,
+        "verdict": found.verdict,
+        "law_kind": {"fitted_first": found.fitted_first, "better": better},
+        "search": found.ending,
+        "coverage": {
+            "forms": found.forms,
+            "effort": found.effort,
+            "most_effort": _finite(found.most_effort),
+            "depths": [asdict(one) for one in found.depths],
+        },
+        "error": {
+            stage: {
+                "fit": found.errors[stage].fit,
+                "validate": found.errors[stage].validate,
+                "tests": dict(found.errors[stage].tests),
+            }
+            for stage in STAGES
+        },
+        "noise_floor": found.noise_floor,
+        "noise_floor_fit": found.noise_floor_fit,
+        "worst_test": None if found.worst is None else asdict(found.worst),
+        "effects": [_effect(one) for one in found.effects],
+        "hypotheses": [{**_effect(one.effect), "why": one.why} for one in found.hypotheses],
+        "unexplained": {"share": _finite(found.unexplained_share), "shape": found.unexplained_shape},
+        "models": [_finite_values(asdict(one)) for one in found.models],
+        "next_test": None
+        if found.next_test is None
+        else {
+            "test": found.next_test.text,
+            "separates": list(found.next_test.separates),
+            "difference": _finite(found.next_test.difference),
+            "largest_so_far": _finite(found.next_test.largest),
+        },
+        "law_held": found.law_held,
+        "extremes": "lasting" if found.lasting else "fresh",
+        "gamma_T_of": found.gamma_of,
+        "starts": _starts(found),
+        "law_file": _law_file(found.law_file),
+        "parameters": {
+            stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in STAGES
+        },
+        "held": dict(found.held),
+        "seconds": round(found.seconds, 2),
+    }
+
+
+def _effect(effect: Effect) -> dict[str, Any]:
+    return {
+        "name": effect.name,
+        "kind": effect.kind,
+        "form": effect.form,
+        "title": effect.title,
+        "parameters": {key: _estimate(value) for key, value in effect.parameters.items()},
+        "delta_validate": _finite(effect.delta_validate),
+        "gain": _finite(effect.gain),
+        "gain_error": _finite(effect.gain_error),
+        "probability": _finite(effect.probability),
+        "indistinguishable_from": list(effect.indistinguishable_from),
+        "not_carried": effect.not_carried,
+    }
+
+
+def _law_file(law: LawFile) -> dict[str, Any]:
+    return {
+        "stage": law.stage,
+        "validate": _finite(law.validate),
+        "effects": [{"name": one.name, "form": one.form, "placement": one.placement} for one in law.amendments],
+        "told": list(law.told),
+        "lacking": list(law.lacking),
+        "withheld": law.withheld,
+    }
+
+
+def _starts(found: Calibration) -> dict[str, Any]:
+    """Tests that start away from rest, by name."""
+    return {
+        series.name: {
+            "displacement": start.displacement,
+            "velocity": start.velocity,
+            "judged_from": start.judged_from,
+            "dies_away": start.dies_away,
+            "deformation_before": start.before[0],
+            "velocity_before": start.before[1],
+            "before_is": "said" if start.known else "found",
+        }
+        for series in found.series
+        if (start := series.start) is not None
+    }
+
+
+def _estimate(estimate: Estimate) -> dict[str, Any]:
+    ends: Sequence[float] = estimate.interval
+    return {
+        "value": _finite(estimate.value),
+        "standard_error": _finite(estimate.standard_error),
+        "interval": [_finite(end) for end in ends],
+        "unit": estimate.unit,
+        **({"not_determined": estimate.untold} if estimate.untold else {}),
+    }
+
+
+def _finite_values(values: Mapping[str, Any]) -> dict[str, Any]:
+    return {key: _finite(value) if isinstance(value, float) else value for key, value in values.items()}
+
+
+def _finite(value: float) -> float | None:
+    return float(value) if math.isfinite(value) else None

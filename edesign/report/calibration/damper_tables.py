@@ -1,0 +1,390 @@
+"""What a calibration of a damper found: a verdict in words, and tables for the terminal and the page."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import numpy as np
+
+from edesign.calibration.dampers.sizes import APART
+from edesign.calibration.residual.series import STAGES as EVERY_STAGE
+from edesign.calibration.results.result import Calibration, Effect, Estimate
+from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.law import Parameter
+from edesign.damper.laws import LAWS
+from edesign.report.calibration.tables import each_test_table, errors_table, starts_table
+from edesign.report.calibration.units import interval_text, percent, plus_minus, practical, value_text
+from edesign.report.tables.table import Table, formatted
+
+_TOLD = 2  # parameters of an effect in a sentence
+_CHANGED = 1.05  # ratio of errors that is worth telling
+_LEAST = 1e-4  # probability that is told as a number
+_NOTHING = "nothing known"
+_ALONE = "the law alone"
+
+
+def tables_of(calibration: Calibration) -> list[Table]:
+    """Return all tables, in the order of a report on a terminal.
+
+    Args:
+        calibration: what was found.
+    """
+    tables = [
+        errors_table(calibration),
+        each_test_table(calibration),
+        starts_table(calibration),
+        effects_table(calibration),
+        effect_parameters_table(calibration),
+        hypotheses_table(calibration),
+        models_table(calibration),
+        law_table(calibration),
+    ]
+    return [table for table in tables if table.rows]
+
+
+def effects_table(calibration: Calibration) -> Table:
+    """Return each effect with its kind, what it does for the prediction, and what the tests cannot tell from it.
+
+    Args:
+        calibration: what was found.
+    """
+    columns = ("effect", "name", "kind", "validation NRMS without it [%]", "gain", "probability", "cannot be told from")
+    table = Table("Effects found", columns, left=3, name="effects_found")
+    with_it = calibration.errors["corrected"].validate
+    for one in calibration.effects:
+        alike = ", ".join(f"{name_of(name)} ({_probability(p)})" for name, p in one.indistinguishable_from.items())
+        gain = f"{one.gain:.1f} ± {one.gain_error:.1f}" if math.isfinite(one.gain) else "-"
+        without = percent(with_it + one.delta_validate)
+        row = [one.title, one.label, one.kind, without, gain, _probability(one.probability), alike or _NOTHING]
+        table.rows.append(row)
+        table.notes.append(f"{name_of(one.name)} shows as: {one.signature}")
+    if table.rows:
+        table.notes += [
+            f"without it: the others fitted again; with it {percent(with_it)} %",
+            "gain: log density of tests left out of the fit, with its standard error; an effect is adopted if it is "
+            "more than 4 and than twice its error",
+            "probability: of the effect among all models that the search compared, whatever stands beside it",
+        ]
+    return table
+
+
+def effect_parameters_table(calibration: Calibration) -> Table:
+    """Return the parameters of the effects with 95 % intervals, in practical units.
+
+    Args:
+        calibration: what was found.
+    """
+    columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
+    table = Table("Parameters of the effects", columns, left=2, name="parameters_of_the_effects")
+    for effect in calibration.effects:
+        known = _known(effect)
+        for name, estimate in _parameters(effect).items():
+            shown = practical(estimate, _parameters(effect))
+            meaning = known[name].meaning if name in known else "-"
+            row = [effect.label, name, value_text(shown), interval_text(shown), shown.unit or "-", meaning]
+            table.rows.append(row)
+    return table
+
+
+def hypotheses_table(calibration: Calibration) -> Table:
+    """Return effects that were found and are no part of the corrected law, with the reason.
+
+    Args:
+        calibration: what was found.
+    """
+    table = Table(
+        "Hypotheses: found, no part of the law",
+        ("effect", "parameters", "why"),
+        left=3,
+        name="hypotheses",
+    )
+    for one in calibration.hypotheses:
+        table.rows.append([f"{one.effect.title} ({one.effect.label})", _numbers(one.effect, 9) or "-", one.why])
+    return table
+
+
+def models_table(calibration: Calibration) -> Table:
+    """Return the models that the search compared, the most probable first.
+
+    Args:
+        calibration: what was found.
+    """
+    columns = ("effects of the model", "fitted tests: NRMS [%]", "behind", "probability")
+    table = Table("Models that were compared", columns, left=1, name="models")
+    for one in calibration.models:
+        behind = "-" if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
+        table.rows.append([" + ".join(one.effects) or _ALONE, percent(one.nrms), behind, _probability(one.probability)])
+    if table.rows:
+        table.notes += [
+            "behind: log density of tests left out by which the corrected law is ahead, with its standard error",
+            searched(calibration),
+        ]
+    return table
+
+
+def law_table(calibration: Calibration) -> Table:
+    """Return the parameters of the law at each stage with 95 % intervals.
+
+    Args:
+        calibration: what was found.
+    """
+    law = LAWS[calibration.law]
+    columns = ("parameter", "unit", "declared", "refitted", "95 % interval", "corrected", "95 % interval")
+    table = Table(f"Law {calibration.law}: {law.title}", columns)
+    stages = {stage: calibration.parameters[stage] for stage in EVERY_STAGE}
+    for name in stages["declared"]:
+        shown = {stage: practical(found[name], found) for stage, found in stages.items()}
+        row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
+        for one in (shown["refit"], shown["corrected"]):
+            row += [value_text(one), interval_text(one)]
+        table.rows.append(row)
+    if calibration.law_held:
+        table.notes.append("the campaign has the declared parameters held (`refit: false`)")
+    table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
+    return table
+
+
+def searched(calibration: Calibration) -> str:
+    """Return how far the search looked.
+
+    Args:
+        calibration: what was found.
+    """
+    depths = calibration.depths
+    if not depths:
+        return f"no effect was screened beside the law ({calibration.effort:,.0f} weighted evaluations)"
+    screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
+    return (
+        f"{len(depths)} round{'' if len(depths) == 1 else 's'} over up to {screened} of {calibration.forms} forms of "
+        f"effects, {fitted} models fitted ({calibration.effort:,.0f} weighted evaluations)"
+    )
+
+
+def verdict_text(calibration: Calibration) -> str:
+    """Return the verdict in plain paragraphs, one a line.
+
+    Args:
+        calibration: what was found.
+    """
+    return "\n".join(verdict_paragraphs(calibration))
+
+
+def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
+    """Return what a reader should know who reads nothing else: what was found, how good the law is, what is open.
+
+    Args:
+        calibration: what was found.
+    """
+    parts = [
+        [other_law_text(calibration)],
+        [_found(calibration), *ended(calibration)],
+        [_errors(calibration), *_worst(calibration)],
+        [_file(calibration)],
+        [f"A hypothesis, no part of the law: {effect_text(one.effect)}; {one.why}." for one in calibration.hypotheses],
+        _open(calibration),
+        _conditions(calibration),
+    ]
+    return tuple(text for part in parts if (text := " ".join(filter(None, part))))
+
+
+def other_law_text(calibration: Calibration) -> str:
+    """Return what must be said before all else where another law does better; "" if none does.
+
+    Args:
+        calibration: what was found.
+    """
+    other = calibration.other_law
+    if other is None:
+        return ""
+    blamed = [effect for effect in calibration.effects if effect.kind != "damper"]
+    texts = [
+        f"Another law does better: {other.law} ({other.title}), without any effect, leaves an NRMS of "
+        f"{percent(other.validate)} % of the validation tests, the law {calibration.law} fitted again "
+        f"{percent(other.own_validate)} %.",
+        f"It predicts tests left out better by {other.gain:.0f} ± {other.error:.0f} (log density).",
+        f"Calibrate with `law: {{type: {other.law}}}`, and judge effects beside that law.",
+    ]
+    if blamed:
+        named = " and ".join(f"{effect.title} ({effect.kind})" for effect in blamed)
+        texts.append(f"What follows blames {named}: that may only make up for the law.")
+    return " ".join(texts)
+
+
+def effect_text(effect: Effect) -> str:
+    """Return an effect in words, with its first parameters.
+
+    Args:
+        effect: that was found.
+    """
+    numbers = _numbers(effect, _TOLD)
+    return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
+
+
+def name_of(name: str) -> str:
+    """Return the name of an effect, or of a model by its label, in words.
+
+    Args:
+        name: of the effect, or label.
+    """
+    return _ALONE if name == "none" else name if "." in name else name.replace("_", " ")
+
+
+def ended(calibration: Calibration) -> list[str]:
+    """Return what is to be said of a search that did not come to its end.
+
+    Args:
+        calibration: what was found.
+    """
+    if calibration.ending == "complete":
+        return []
+    how = {
+        "interrupted": "was interrupted",
+        "effort_spent": f"ended with its effort of {calibration.most_effort:g} evaluations (--effort)",
+    }[calibration.ending]
+    more = "there may be more effects, and others like these" if calibration.effects else "effects may have been missed"
+    return [f"The search {how}: {more}. It was {searched(calibration)}."]
+
+
+def _found(calibration: Calibration) -> str:
+    effects = "; and ".join(effect_text(effect) for effect in calibration.effects)
+    again = "" if calibration.law_held else " once its parameters are fitted again"
+    return {
+        "none": f"None: no effect is missing from the law {calibration.law}{again}.",
+        "explained": f"Explained: the tests show {effects}. Only noise is left.",
+        "partly_explained": f"Partly explained: the tests show {effects}. More than noise is left.",
+        "nothing_found": "Nothing found: something is missing, and no effect known here passes the rule of adoption.",
+        "not_searched": "Not searched: something is missing, and the search ended before all effects were tried.",
+    }[calibration.verdict]
+
+
+def _errors(calibration: Calibration) -> str:
+    declared, refit, corrected = (calibration.errors[stage].validate for stage in EVERY_STAGE)
+    model = (
+        "the corrected law" if calibration.effects else "the law" if calibration.law_held else "the law fitted again"
+    )
+    texts = [
+        f"In tests that nothing was fitted to, {model} misses {percent(math.sqrt(corrected), 2)} % of the force (rms; "
+        f"NRMS {percent(corrected)} %), as declared it misses {percent(math.sqrt(declared), 2)} %"
+    ]
+    if calibration.effects and not calibration.law_held:
+        texts.append(f", fitted again without effects {percent(math.sqrt(refit), 2)} %")
+    texts.append(f"; what no model can predict is {percent(math.sqrt(calibration.noise_floor), 2)} %.")
+    if not calibration.effects and declared * _CHANGED < refit:
+        texts.append(" The declared parameters predict these tests better than fitted ones do.")
+    if calibration.more_is_left:
+        share = percent(calibration.unexplained_share, 2)
+        texts.append(f" Of the error of the refitted law above that {share} % is left: {calibration.unexplained_shape}")
+    return "".join(texts)
+
+
+def _worst(calibration: Calibration) -> list[str]:
+    worst = calibration.worst
+    if worst is None:
+        return []
+    return [
+        f"{worst.name} leaves most: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its noise floor of "
+        f"{percent(worst.floor)} %."
+    ]
+
+
+def _file(calibration: Calibration) -> str:
+    """What law.yaml has."""
+    file = calibration.law_file
+    carried = " and ".join(one.label for one in file.amendments)
+    what = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}[file.stage]
+    if calibration.law_held and file.stage == "refit":
+        what = "the law as declared"
+    text = f"law.yaml has {what}"
+    if carried:
+        text += f" with {carried}"
+    if file.withheld:
+        text += f": {file.withheld}"
+    elif file.lacking:
+        text += f", but lacks {', '.join(file.lacking)}, which law files cannot carry"
+    if file.told:
+        text += "; what the rig and the instruments did is no part of it"
+    return f"{text}."
+
+
+def _open(calibration: Calibration) -> list[str]:
+    """Look-alikes, the next test, and effects that held-out tests do not bear out."""
+    texts = []
+    for effect in calibration.effects:
+        if effect.indistinguishable_from:
+            alike = " or ".join(
+                f"{name_of(name)} ({_probability(p)})" for name, p in effect.indistinguishable_from.items()
+            )
+            texts.append(
+                f"These tests cannot tell {name_of(effect.name)} ({_probability(effect.probability)} probable) "
+                f"from {alike}."
+            )
+    with_it = calibration.errors["corrected"].validate
+    texts += [
+        f"Without {name_of(effect.name)} the validation tests are predicted better "
+        f"({percent(with_it + effect.delta_validate)} %): it holds in the tests fitted to."
+        for effect in calibration.effects
+        if _CHANGED * (with_it + effect.delta_validate) < with_it
+    ]
+    if calibration.next_test is not None:
+        names = " from ".join(map(name_of, calibration.next_test.separates))
+        texts.append(f"The next test, to tell {names}: {calibration.next_test.text}.")
+    return texts
+
+
+def _conditions(calibration: Calibration) -> list[str]:
+    """Starts, readings of the law, temperatures without a fitted test."""
+    started = {series.name: series.start for series in calibration.series if series.start is not None}
+    texts = []
+    longest = max((start.judged_from for start in started.values()), default=0.0)
+    if longest > 0.0:
+        texts.append(
+            f"{', '.join(started)} {'starts' if len(started) == 1 else 'start'} away from rest: the force of the first "
+            f"{longest:.2g} s depends on what went before, and is not judged."
+        )
+    lasting = [name for name, one in started.items() if not one.dies_away]
+    if lasting:
+        texts.append(f"In {', '.join(lasting)} what went before matters longer than half of the test.")
+    if calibration.lasting:
+        texts.append("The softening of the law by its largest deformation and velocity lasts from test to test.")
+    degrees = {one.name: (one.use, float(np.mean(one.temperature))) for one in calibration.tests}
+    fitted = [warm for use, warm in degrees.values() if use == "fit"]
+    beyond = [
+        f"{name} ({warm:.3g} degC)"
+        for name, (use, warm) in degrees.items()
+        if use == "validate" and all(abs(warm - other) >= APART for other in fitted)
+    ]
+    if beyond:
+        texts.append(
+            f"No test fitted to is within {APART:g} K of {', '.join(beyond)}: what the law does there is read from "
+            "other temperatures."
+        )
+    return texts
+
+
+def _probability(p: float) -> str:
+    if not math.isfinite(p):
+        return "-"
+    return f"under {percent(_LEAST)} %" if p < _LEAST else f"{percent(p, 3 if p < 0.995 else 4)} %"
+
+
+def _numbers(effect: Effect, most: int) -> str:
+    parameters = dict(list(effect.parameters.items())[:most])
+    shown = {name: plus_minus(practical(value, effect.parameters)) for name, value in parameters.items()}
+    return ", ".join(f"{name} = {text}" for name, text in shown.items())
+
+
+def _known(effect: Effect) -> Mapping[str, Parameter]:
+    """What law files know of the parameters of a form."""
+    form = effect.form
+    for ending in ("_inside", "_springs", "_dashpots"):
+        form = form.removesuffix(ending)
+    kind = kind_if_known(effect.name, form)
+    return {parameter.name: parameter for parameter in kind.parameters} if kind is not None else {}
+
+
+def _parameters(effect: Effect) -> dict[str, Estimate]:
+    """All numbers of an effect; those that the campaign fixes where their unit is known."""
+    known = _known(effect)
+    fixed = {name: Estimate.held(value, known[name].unit) for name, value in effect.fixed.items() if name in known}
+    return {**effect.parameters, **fixed}

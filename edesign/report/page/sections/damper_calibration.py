@@ -1,0 +1,181 @@
+"""The sections of the report of a calibration of a damper."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from edesign._version import __version__
+from edesign.calibration.results.result import Calibration
+from edesign.report.calibration.damper_tables import (
+    effect_parameters_table,
+    effects_table,
+    hypotheses_table,
+    law_table,
+    models_table,
+    name_of,
+    searched,
+    verdict_paragraphs,
+)
+from edesign.report.calibration.effect_figures import effect_figures
+from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
+from edesign.report.calibration.residual_figures import dependence_figures, harmonic_figures, map_figures
+from edesign.report.calibration.tables import NRMS_NOTES, each_test_table, errors_table, starts_table
+from edesign.report.calibration.units import percent
+from edesign.report.calibration.view import View
+from edesign.report.page.section import Facts, Headline, Headlines, Part, Section
+from edesign.report.page.sections.calibration import pictures, tests_table
+from edesign.report.tables.table import Table
+
+_VERDICTS = {
+    "none": ("None", "no effect is missing", "good"),
+    "explained": ("Explained", "only noise is left", "good"),
+    "partly_explained": ("Partly explained", "more than noise is left", ""),
+    "nothing_found": ("Nothing found", "no effect known here explains what is left", "bad"),
+    "not_searched": ("Not searched", "the search ended before all effects were tried", "bad"),
+}
+_FILES = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}
+
+
+def verdict(view: View) -> Section:
+    """Return what a reader should know who reads nothing else."""
+    found = _found(view)
+    word, detail, state = _VERDICTS[found.verdict]
+    declared, corrected = (found.errors[stage].validate for stage in ("declared", "corrected"))
+    effects = ", ".join(name_of(effect.name) for effect in found.effects)
+    kinds = ", ".join(dict.fromkeys(effect.kind for effect in found.effects))
+    changed = bool(found.effects) or not found.law_held
+    error = f"{percent(declared)} → {percent(corrected)} %" if changed else f"{percent(declared)} %"
+    file = found.law_file
+    tiles = (
+        Headline(word, "Verdict", detail, state),
+        Headline(error, "Validation error (NRMS)", " → ".join(view.stages.values())),
+        Headline(f"{percent(found.noise_floor)} %", "Noise floor", "what no model can predict, as estimated"),
+        Headline(
+            effects or "-",
+            "Effects found",
+            f"{f'kind: {kinds}' if kinds else 'none was adopted'}; law.yaml has {_FILES[file.stage]}",
+            "bad" if file.lacking else "",
+        ),
+    )
+    return Section("verdict", "Verdict", verdict_paragraphs(found), (Headlines(tiles),))
+
+
+def errors(view: View) -> Section:
+    """Return errors before and after, by use and by test."""
+    return Section(
+        "errors", "Errors before and after", (), (errors_table(view.calibration), *pictures(view, error_figures))
+    )
+
+
+def effects(view: View) -> Section:
+    """Return effects, their parameters with intervals, and the models that were compared."""
+    found = _found(view)
+    tables = (effects_table(found), effect_parameters_table(found), hypotheses_table(found), models_table(found))
+    parts: list[Part] = [table for table in tables if table.rows]
+    text = () if found.effects else ("No effect was adopted.",)
+    return Section("effects", "Effects, and how sure they are", text, (*parts, *pictures(view, effect_figures)))
+
+
+def open_questions(view: View) -> Section:
+    """Return what is left, look-alikes, and the test that would separate them."""
+    found = _found(view)
+    rows = [
+        ("Left", found.unexplained_shape or f"only noise, an NRMS of {percent(found.noise_floor)} %"),
+        *(
+            (name_of(one.name), "cannot be told from " + " or ".join(map(name_of, one.indistinguishable_from)))
+            for one in found.effects
+            if one.indistinguishable_from
+        ),
+    ]
+    further = found.next_test
+    if further is not None:
+        names = " and ".join(map(name_of, further.separates))
+        rows += [
+            ("Next test", f"{further.text}: no larger, faster or warmer than the tests have shown the rig can make"),
+            (
+                "What it would tell",
+                f"{names} would differ by an NRMS of {percent(further.difference)} %, against "
+                f"{percent(further.largest)} % at most in the tests so far",
+            ),
+        ]
+    return Section("open", "What is left, and the next test", (), (Facts(tuple(rows)),))
+
+
+def residuals(view: View) -> Section:
+    """Return loops and residuals before and after."""
+    makers = (loop_figures, residual_figures, dependence_figures, harmonic_figures, map_figures)
+    return Section("residual", "Residual before and after", (), pictures(view, *makers))
+
+
+def campaign(view: View) -> Section:
+    """Return what was measured, and the error of each test."""
+    tables: tuple[Table, ...] = (
+        tests_table(view.calibration),
+        each_test_table(view.calibration),
+        starts_table(view.calibration),
+    )
+    return Section("tests", "Tests", (), tuple(table for table in tables if table.rows))
+
+
+def law(view: View) -> Section:
+    """Return the parameters of the law before and after."""
+    return Section("law", "The law", (), (law_table(_found(view)),))
+
+
+def provenance(view: View) -> Section:
+    """Return how the numbers were made."""
+    found = _found(view)
+    samples = sum(one.time.size for one in found.series)
+    rows = (
+        ("edesign", __version__),
+        ("Measured", f"{len(found.tests)} tests, {samples:,} samples"),
+        ("Time taken", f"{found.seconds:.1f} s"),
+        ("Search", searched(found)),
+        ("NRMS", NRMS_NOTES[found.subject].removeprefix("NRMS: ")),
+        ("As declared", "the law with the parameters it was given; no fit"),
+        ("Refitted", "the same law fitted to the tests for fitting, without effects"),
+        (
+            "Corrected",
+            "the law with the effects found, fitted to the tests for fitting; shares that are each test's own, "
+            "such as the phase of hum, are taken from that test",
+        ),
+        (
+            "Noise floor",
+            "of each test the larger one of the noise of its channels and of what does not repeat from cycle to cycle "
+            "or in a test made again; and what 0.2 K of the thermometer change",
+        ),
+        (
+            "Interval",
+            "95 %: by the scatter within tests, for residuals as correlated as they are, or by that from test to test "
+            "(Student's t), whichever is wider",
+        ),
+        (
+            "Adoption",
+            "an effect is adopted if tests left out of the fit are predicted better, by more than 4 in log density and "
+            "than twice the error of that; its interval must not hold zero, and the validation tests must not be "
+            "predicted worse than by the refitted law",
+        ),
+        (
+            "Probability",
+            "of a model of the search: goes with the exponential of its log density of tests left out",
+        ),
+    )
+    return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
+
+
+def _found(view: View) -> Calibration:
+    assert isinstance(view.calibration, Calibration)
+    return view.calibration
+
+
+SECTIONS: tuple[Callable[[View], Section], ...] = (
+    verdict,
+    errors,
+    effects,
+    open_questions,
+    residuals,
+    campaign,
+    law,
+    provenance,
+)
+"""In the order of the page."""

@@ -1,0 +1,171 @@
+"""What a calibration says of campaigns whose forces are closed forms: verdict, intervals, files, what is withheld."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from kelvin_voigt_campaign import C, K, campaign, lawful
+
+from edesign.calibration import calibrate
+from edesign.calibration.results import outcome
+from edesign.calibration.results.law_file import law_text
+from edesign.calibration.results.outcome import _verdict
+from edesign.calibration.results.result import Calibration
+from edesign.calibration.results.write import calibration_json
+from edesign.calibration.search.models import FittedModel
+from edesign.calibration.search.search import Search
+from edesign.calibration.search.settings import SETTINGS
+from edesign.damper.damper import Damper
+from edesign.damper.law_file import read_law_file, resolve
+from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.campaign_blocks import LawChoice
+from edesign.errors import InputError
+from edesign.report.calibration.damper_tables import tables_of, verdict_text
+
+CUBIC = 3e10  # N/m3
+
+
+def hardening(t, u, v, a, order):
+    return lawful(t, u, v, a, order) + CUBIC * u**3
+
+
+@pytest.fixture(scope="module")
+def hard(tmp_path_factory: pytest.TempPathFactory) -> tuple[Campaign, Calibration]:
+    tests = campaign(tmp_path_factory.mktemp("hard"), hardening)
+    return tests, calibrate(tests, threads=1)
+
+
+def test_intervals_hold_what_the_specimen_has(hard):
+    _, found = hard
+    (effect,) = found.effects
+    assert (found.verdict, effect.label, effect.kind) == ("explained", "hardening.power", "damper")
+    truth = {"k": CUBIC * effect.fixed["r"] ** 2, "p": 3.0}
+    for name, value in truth.items():
+        low, high = effect.parameters[name].interval
+        assert low < value < high and high - low < 0.05 * value
+    for name, value in {"k": K, "c": C}.items():
+        low, high = found.parameters["corrected"][name].interval
+        assert low < value < high
+    # nothing else was fitted
+    assert found.parameters["declared"]["k"].interval == (K, K)
+
+
+def test_the_errors_are_those_of_the_specimen(hard):
+    _, found = hard
+    missing = 0.0
+    power = 0.0
+    for series in found.series:
+        if series.use == "validate":
+            force = K * series.displacement + C * series.velocity + CUBIC * series.displacement**3
+            missing += float(np.sum((CUBIC * series.displacement**3) ** 2))
+            power += float(np.sum(force**2))
+    # noise is 4e-5 of the force squared, and adds to what is missing
+    assert found.errors["declared"].validate == pytest.approx(missing / power + found.noise_floor, rel=0.02)
+    assert found.errors["corrected"].validate == pytest.approx(
+        found.noise_floor, rel=0.1
+    )  # of 4000 samples, correlated
+    assert found.effects[0].gain > 2.0 * found.effects[0].gain_error
+    assert found.effects[0].probability > 0.99 and not found.effects[0].indistinguishable_from
+    assert found.effects[0].delta_validate == pytest.approx(
+        found.errors["refit"].validate - found.errors["corrected"].validate, rel=0.3
+    )  # the law alone, fitted under another noise and at another sampling
+
+
+def test_the_law_file_makes_the_corrected_force_by_the_ordinary_path(hard, tmp_path: Path):
+    tests, found = hard
+    path = tmp_path / "law.yaml"
+    path.write_text(law_text(found, tests), encoding="utf-8")
+    law = resolve(*read_law_file(path), 20.0)
+    damper = Damper(law.law, law.values, amendments=law.amendments, temperature_C=20.0)
+    for series in found.series:
+        force = damper.force(series.time, series.displacement, series.velocity)
+        # parameters stand in the file with twelve digits
+        assert force == pytest.approx(series.predicted["corrected"], abs=1e-9 * abs(force).max())
+    assert found.law_file.stage == "corrected" and not found.law_file.lacking and not found.law_file.told
+
+
+def test_what_people_read_names_the_effect_and_the_file(hard):
+    _, found = hard
+    text = verdict_text(found)
+    assert text.startswith("Explained: the tests show elastic hardening at large strain (damper, k = ")
+    assert "law.yaml has the corrected law with hardening.power." in text
+    assert [table.title for table in tables_of(found)][0] == "Errors"
+    told = calibration_json(found)
+    assert told["effects"][0]["parameters"]["p"]["interval"][0] < 3.0 and told["law_file"]["stage"] == "corrected"
+    assert told["coverage"]["depths"][0]["adopted"] == ("hardening.power",)
+
+
+@pytest.mark.parametrize(
+    ("reached", "effects", "ending", "word"),
+    [
+        (True, False, "complete", "none"),
+        (True, False, "effort_spent", "none"),
+        (True, True, "interrupted", "explained"),
+        (False, True, "complete", "partly_explained"),
+        (False, False, "complete", "nothing_found"),
+        (False, False, "effort_spent", "not_searched"),
+        (False, False, "interrupted", "not_searched"),
+    ],
+)
+def test_words_of_verdicts(reached, effects, ending, word):
+    assert _verdict(reached, effects, ending) == word
+
+
+def test_effects_that_predict_validation_tests_worse_are_hypotheses_and_in_no_law_file(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+):
+    def in_fitted_tests(t, u, v, a, order):
+        return hardening(t, u, v, a, order) if order < 3 else lawful(t, u, v, a, order)
+
+    tests = campaign(tmp_path, in_fitted_tests, tests=5)
+    monkeypatch.setattr(outcome, "other_law", lambda *_: None)
+    found = calibrate(tests, replace(SETTINGS, depth=1), threads=1)
+    assert found.effects == () and found.errors["corrected"] == found.errors["refit"]
+    (one,) = found.hypotheses
+    assert one.effect.name == "hardening" and "the validation tests are predicted worse" in one.why
+    assert found.verdict == "nothing_found" and found.worst is not None
+    assert found.law_file.stage == "refit" and not found.law_file.amendments and found.law_file.withheld == one.why
+    text = law_text(found, tests)
+    assert "effects:" not in text and "# hypothesis, not in this law: hardening" in text
+    assert np.array_equal(found.series[0].predicted["corrected"], found.series[0].predicted["refit"])
+
+
+def test_a_search_without_effort_says_so(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    tests = campaign(tmp_path, hardening, tests=4)
+    with pytest.raises(InputError, match="--effort 2: too little to fit the law alone"):
+        calibrate(tests, replace(SETTINGS, effort=2.0), threads=1)
+    monkeypatch.setattr(outcome, "other_law", lambda *_: None)
+    found = calibrate(tests, replace(SETTINGS, effort=60.0), threads=1)
+    assert (found.verdict, found.ending) == ("not_searched", "effort_spent")
+    assert "ended with its effort of 60 evaluations (--effort)" in verdict_text(found)
+
+
+def test_an_interrupt_keeps_what_was_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
+    tests = campaign(tmp_path, hardening, tests=4)
+    whole, calls = Search._depth, []
+
+    def once(self, best):
+        if calls:
+            raise KeyboardInterrupt
+        calls.append(best)
+        return whole(self, best)
+
+    monkeypatch.setattr(Search, "_depth", once)
+    monkeypatch.setattr(FittedModel, "at_floor", False)  # else the search ends by itself
+    found = calibrate(tests, threads=1)
+    assert found.ending == "interrupted" and [one.name for one in found.effects] == ["hardening"]
+    assert "The search was interrupted: there may be more effects" in verdict_text(found)
+
+
+def test_a_law_without_a_spring_is_told_to_be_another(tmp_path: Path):
+    tests = campaign(tmp_path, tests=4)
+    viscous = replace(tests, law=LawChoice("viscous", {"c": f"{C / 1e6} kN*s/mm"}))
+    found = calibrate(viscous, replace(SETTINGS, depth=0), threads=1)
+    assert found.other_law is not None
+    assert found.other_law.gain > 2.0 * found.other_law.error
+    # noise alone is left: 60 N of some 10 kN
+    assert found.other_law.validate < 2.0 * found.noise_floor
+    assert verdict_text(found).startswith(f"Another law does better: {found.other_law.law}")

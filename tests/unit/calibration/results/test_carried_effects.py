@@ -1,0 +1,49 @@
+"""Effects as law files carry them: the ordinary path of a damper gives the force of the model, form by form."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from damper_problems import problem
+
+from edesign.calibration.results.law_file import carried
+from edesign.damper.damper import Damper
+from edesign.damper.temperature import GammaT, at
+
+BETWEEN_TESTS = ("mullins", "degradation", "self_heating")  # the first test alone begins as a law file has it
+
+
+@pytest.mark.parametrize("law", ["kelvin_voigt", "mgmm"])
+def test_every_carried_form_gives_the_force_of_the_model(law):
+    tests = problem(law, degrees=(20.0, 30.0), threads=1)
+    base = [one.centre for one in tests.base]
+    own = GammaT() if law == "mgmm" else None
+    seen = set()
+    for effect in tests.effects:
+        values = np.array(effect.starts[0])
+        found = carried(tests, effect, values) if effect.kind == "damper" else None
+        if found is None or effect.name == "extremes":
+            continue
+        chosen = (0,) if effect.name in BETWEEN_TESTS else (0, 1)
+        if effect.name == "ageing":  # as it is in the last test
+            chosen = (3,)
+        (forces,) = tests.model((effect,), ("fit", "validate")).forces(np.array([*base, *values]))
+        for i in chosen:
+            one = tests.experiments[i]
+            law_values, _ = at(tests.law, tests.declared, one.temperature, found.temperature or own)
+            damper = Damper(tests.law, law_values, 0.0, found.amendments, one.temperature)
+            motion = one.motion
+            expected = forces[i]
+            got = damper.force(motion.time, motion.displacement, motion.velocity, "fixed", tests.prediction._length)
+            # Ferry's shift with p2 = 1e9 K is an exponential up to 1e-8 of the temperature
+            assert got == pytest.approx(expected, abs=1e-7 * abs(expected).max()), (effect.label, i)
+        seen.add(effect.label)
+    assert {"payne.whole", "payne.whole_dashpots", "hardening.power", "ageing.linear"} <= seen
+    assert "temperature_law.exponential" in seen
+    assert ("temperature_law.gamma" if law == "mgmm" else "temperature_law.shift") in seen
+
+
+def test_what_no_law_file_has_is_not_carried():
+    tests = problem("mgmm", degrees=(20.0, 30.0), threads=1)
+    shift = next(one for one in tests.effects if one.label == "temperature_law.shift_in_place")
+    assert carried(tests, shift, np.array(shift.starts[0])) is None
