@@ -14,6 +14,8 @@ WORKERS ?= 2
 # make blind: how many campaigns, and of which draw
 CAMPAIGNS ?= 115
 SEED    ?= 1
+# make laboratories: whose campaigns: harbour, polytechnic or proving
+LABORATORY ?= harbour
 # make blind-rts: how many campaigns of substructure tests
 RTS_CAMPAIGNS ?= 100
 
@@ -37,7 +39,7 @@ VALID := $(shell [ -x $(PY) ] && [ "$$(cat $(STAMPS)/place 2>/dev/null)" = "$$PW
 THESIS := projects/thesis_10_storey
 RUN     = $(BIN)/edesign run --workers $(WORKERS) $(addprefix --folder ,$(FOLDERS))
 
-.PHONY: help run study causes blind blind-rts setup test slow test-setup lint types layers ctest pytest format docs docs-keys law-parameters bench memcheck wheel coverage clean distclean
+.PHONY: help run study causes blind blind-rts laboratories setup test slow test-setup lint types layers ctest pytest format docs docs-keys law-parameters bench memcheck wheel coverage clean distclean
 .NOTPARALLEL:
 .DEFAULT_GOAL := help
 
@@ -47,6 +49,7 @@ help:
 	@echo "make causes    what the damped frame's response depends on: ten variants beside Table 5.8"
 	@echo "make blind     calibration against data with hidden effects: CAMPAIGNS made by SEED, what was found, what was missed"
 	@echo "make blind-rts the same with substructure tests behind a late rig: RTS_CAMPAIGNS made by SEED"
+	@echo "make laboratories  the same with campaigns of a foreign program: LABORATORY, CAMPAIGNS made by SEED"
 	@echo "make test      set up, then lint, types, import layers, C tests with sanitizers, Python tests"
 	@echo "make slow      the tests that make test leaves out for their time; CI runs them too"
 	@echo "make bench     side by side with OpenSeesPy, pyrotd, eqsig and reqpy-M: time and ratio; cost of dampers"
@@ -119,6 +122,11 @@ $(STAMPS)/wheel: $(STAMPS)/build tools/requirements.py
 	@$(PY) tools/requirements.py wheel >$(STAMPS)/wheel.txt && $(INSTALL) -r $(STAMPS)/wheel.txt
 	@touch $@
 
+$(STAMPS)/blind: $(STAMPS)/build tools/requirements.py
+	@$(PY) tools/requirements.py blind >$(STAMPS)/blind.txt
+	$(STEP) "installing what the laboratories need (pip)" $(INSTALL) -r $(STAMPS)/blind.txt
+	@touch $@
+
 $(STAMPS)/docs: $(STAMPS)/build
 	$(SAY) installing what the site needs
 	@$(PY) tools/requirements.py docs >$(STAMPS)/docs.txt && $(INSTALL) -r $(STAMPS)/docs.txt
@@ -146,6 +154,9 @@ blind: setup
 
 blind-rts: setup
 	@$(PY) -m blind.substructure --number $(RTS_CAMPAIGNS) --seed $(SEED) --folder build/blind_rts_$(SEED)
+
+laboratories: $(STAMPS)/blind
+	@$(PY) -m blind.laboratories --laboratory $(LABORATORY) --number $(CAMPAIGNS) --seed $(SEED)
 
 bench: test-setup
 	@$(PY) -m benchmarks.run

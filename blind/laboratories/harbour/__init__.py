@@ -1,0 +1,1 @@
+"""A laboratory of a harbour, for rubber and building dampers. See summary.md."""

@@ -1,0 +1,89 @@
+"""What a result is worth, given the truth of a laboratory."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+FLOORS = 2.0  # times the noise floor, as a ratio of powers: for an error that is nothing but noise
+NOT_HIDDEN = ("extremes",)
+"""Readings of a law that a result may name among its effects. No laboratory hides them."""
+
+
+def judge(
+    name: str,
+    truth: Mapping[str, Any],
+    result: Mapping[str, Any] | None,
+    outcome: Mapping[str, Any],
+    validate: Sequence[str],
+) -> dict[str, Any]:
+    """Judge one campaign.
+
+    Args:
+        name: of the campaign.
+        truth: of the campaign.
+        result: calibration.json; None: there is none.
+        outcome: of the run (seconds, failure).
+        validate: names of the tests to validate.
+
+    Returns:
+        The score. `first`, `all` are None where there is nothing to name; `ratio` is the error on the tests to
+        validate over the floor of the truth, both as powers, None where there is none.
+    """
+    about = {
+        "name": name,
+        "kind": truth["category"].split("_")[0],
+        "group": truth["group"],
+        "law": truth["law"],
+        "in_motion": bool(truth["tests_in_motion"]),
+        "effects": [e["name"] for e in truth["effects"]],
+        "seconds": outcome["seconds"],
+        "failure": outcome["failure"],
+        "floor": truth["noise_floor_validate"] ** 2,
+    }
+    if result is None:
+        return about
+    effects = [e for e in result.get("effects") or () if e["name"] not in NOT_HIDDEN]
+    found = [e["name"] for e in effects]
+    error = _error(truth, result, validate)
+    true = [] if about["kind"] == "unlisted" else [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
+    return {
+        **about,
+        "found": found,
+        "forms": [e.get("form") for e in effects],
+        "verdict": result.get("verdict"),
+        "first": bool(found and any(found[0] in names for names in true)) if true else None,
+        "all": matched(true, found) if true else None,
+        "ratio": None if error is None else error / about["floor"],
+    }
+
+
+def matched(true: Sequence[set[str]], found: Sequence[str]) -> bool:
+    """Whether the names found are those of the truth, each once, none left, in any order."""
+    if len(true) != len(found):
+        return False
+    return not true or any(
+        name in true[0] and matched(true[1:], [*found[:i], *found[i + 1 :]]) for i, name in enumerate(found)
+    )
+
+
+def at_floor(score: Mapping[str, Any]) -> bool:
+    """Whether the error on the tests to validate is at most twice the floor."""
+    return score["ratio"] is not None and score["ratio"] <= FLOORS
+
+
+def _error(truth: Mapping[str, Any], result: Mapping[str, Any], validate: Sequence[str]) -> float | None:
+    """Error on the tests to validate at the end, a share of power, put together as the truth's floor is.
+
+    The tests are pooled by their samples; where the truth says that its floor is a mean over tests, so is the error.
+    """
+    errors = result.get("error") or {}
+    for stage in ("corrected", "refit", "declared"):
+        said = errors.get(stage) or {}
+        if said.get("validate") is None:
+            continue
+        if "mean over tests" in str(truth.get("nrms_is", "")):
+            each = [said.get("tests", {}).get(test) for test in validate]
+            return sum(each) / len(each) if each and None not in each else None
+        return float(said["validate"])
+    return None

@@ -1,0 +1,1 @@
+"""A university laboratory with old equipment. See summary.md."""

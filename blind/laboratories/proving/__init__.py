@@ -1,0 +1,1 @@
+"""The proving ground of a manufacturer of dampers. See summary.md."""
