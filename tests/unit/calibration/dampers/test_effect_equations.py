@@ -11,7 +11,6 @@ from scipy.special import erf
 
 from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.motion import Motion
-from edesign.damper.amendment_kinds import parameters_in_core
 from edesign.estimation.model import PredictionError
 
 K, C = LAW_VALUES["kelvin_voigt"].values()
@@ -286,12 +285,8 @@ TOLERANCES = {
 
 
 def offered(label: str):
-    found = [one for one in PROBLEM.effects if one.label == label]
-    if not found:
-        every = {form.label for form in forms(S)}
-        assert label in every
-        pytest.skip(f"the core has no {label} yet")
-    return found[0]
+    (found,) = (one for one in PROBLEM.effects if one.label == label)
+    return found
 
 
 def predicted(effect, start: Sequence[float]) -> tuple[P, Forces]:
@@ -314,8 +309,6 @@ def test_the_force_follows_the_equation(label):
 
 @pytest.mark.parametrize("label", ["mullins.path", "mullins.elastic", "mullins.maximum", "mullins.damage"])
 def test_a_specimen_that_recovers_is_as_virgin_in_each_test(label):
-    if "recovery" not in {one.name for one in parameters_in_core()[label]}:
-        pytest.skip("the core forgets nothing between tests yet")
     effect = offered(label)
     start = effect.starts[-1]
     assert start[-1] == 1.0
