@@ -12,7 +12,6 @@ from edesign.calibrate.structure.building import Building
 from edesign.calibrate.structure.damping import Damping
 from edesign.calibrate.structure.record import Channel, Measure, StructureTest
 from edesign.calibrate.structure.structure_file import ChannelsBlock, StructureFile, check_structure
-from edesign.calibrate.structure.table import read_table
 from edesign.damper.laws import LAWS
 from edesign.damper.parameters import read_parameters
 from edesign.damper.testing.campaign import CampaignError, short_names
@@ -23,6 +22,7 @@ from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 from edesign.project.reading.yaml_nodes import parse
+from edesign.tables.compressed import read_table
 from edesign.tables.table import Table
 
 _WHAT, _BEGINS = "campaign file", "structure:"

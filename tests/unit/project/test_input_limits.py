@@ -13,7 +13,6 @@ import pytest
 
 from edesign.calibrate.properties.campaign import load_property_campaign
 from edesign.calibrate.structure.campaign import load_structure_campaign
-from edesign.calibrate.structure.table import read_table
 from edesign.damper.law_file import read_law_file
 from edesign.damper.testing.campaign import load_campaign
 from edesign.damper.testing.measured_files import read_test
@@ -27,6 +26,7 @@ from edesign.project.reading import limits
 from edesign.project.reading.yaml_nodes import parse
 from edesign.project.study.reference_loader import load_reference
 from edesign.project.study.study_loader import load_study
+from edesign.tables.compressed import read_table
 
 REFUSAL = 2.0
 """s, for a refusal. It reads the size of a file, or counts signs in 4 MB, which takes some milliseconds. To parse
@@ -102,7 +102,7 @@ def test_tables(read: Callable[[Path], object], tmp_path: Path) -> None:
 
 
 def test_compressed_tables(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("edesign.calibrate.structure.table.TABLE_BYTES", 1_000_000)
+    monkeypatch.setattr("edesign.tables.compressed.TABLE_BYTES", 1_000_000)
     bomb = tmp_path / "bomb.csv.gz"
     bomb.write_bytes(gzip.compress(bytes(40_000_000)))  # 40 kB
     with refused_at_once(f"{bomb}: the record file has 40 MB; at most 1 MB are read"):
