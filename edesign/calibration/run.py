@@ -51,6 +51,8 @@ def calibrate(
         raise InputError(
             f"--effort {settings.effort:g}: too little to fit the law alone; {SETTINGS.effort:g} are usual"
         ) from None
+    if found.ending == "interrupted":
+        progress("interrupted: going on with what was found so far; interrupt again to leave it at the rate of the search")
     steps = Steps(progress, found.ending)
     calibration = Outcome.of(campaign, found, settings, steps).calibration(steps)
     return replace(calibration, seconds=clock.perf_counter() - begin)

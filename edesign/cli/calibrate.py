@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import sys
 import time
 from collections.abc import Callable
@@ -36,15 +35,15 @@ def calibrate(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace laws and results that are not of this campaign.")
     ] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes.")] = 2,
-    seconds: Annotated[
+    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes, or threads.")] = 2,
+    effort: Annotated[
         float | None,
         typer.Option(
-            "--seconds",
-            "-s",
-            min=0.0,
-            help="Processor time after which the search goes on with what it has found; 0: none. "
-            "54 with tests of a damper, none with records or tables, if not said.",
+            "--effort",
+            "-e",
+            min=1.0,
+            help="Predictions of all tests, weighted by what effects cost, after which the search of tests of a damper "
+            "ends unfinished. The same on every machine; 20 000 if not said.",
             show_default=False,
         ),
     ] = None,
@@ -71,7 +70,7 @@ def calibrate(
 
     tell("reading the tests")
     with one_thread():
-        found = _run(campaign, _Search(workers, tell, math.inf if seconds == 0.0 else seconds, folder, overwrite))
+        found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))
     written = found.write(folder)
     if page or pdf:
         tell("drawing the report")
@@ -100,22 +99,23 @@ def _reports(report: Page, folder: Path, page: bool, pdf: PrintOptions | None) -
     return written
 
 
-_SECONDS = 54.0  # of processor time, with tests of a damper
-
-
 @dataclass(frozen=True)
 class _Search:
     """What is asked of a search."""
 
     workers: int
     tell: Callable[[str], None]
-    seconds: float | None
+    effort: float | None
     folder: Path
     overwrite: bool
 
-    def within(self, usual: float = math.inf) -> tuple[int, Callable[[str], None], float]:
-        """Return workers, listener and limit of time in the order in which `calibrate` takes them."""
-        return self.workers, self.tell, usual if self.seconds is None else self.seconds
+    def unlimited(self, what: str) -> tuple[int, Callable[[str], None]]:
+        """Return workers and listener of a search without a limit."""
+        from edesign.errors import InputError
+
+        if self.effort is not None:
+            raise InputError(f"--effort: a search with {what} has no limit; leave it out (it limits tests of dampers)")
+        return self.workers, self.tell
 
     def check(self, campaign: Path, title: str) -> None:
         """Check that the files of the calibration take the place of nothing else, rather than after the search."""
@@ -140,32 +140,23 @@ class _Found:
 def _run(campaign: Path, search: _Search) -> _Found:
     """Calibrate with the tests of a damper, the records of a structure, or the rows of a property table."""
     from edesign.calibrate.properties.campaign import is_property_campaign
-    from edesign.calibrate.structure.campaign import StructureCampaign, is_structure_campaign, load_structure_campaign
+    from edesign.calibrate.structure.campaign import is_structure_campaign, load_structure_campaign
 
     if is_property_campaign(campaign):
         return _properties(campaign, search)
 
-    from edesign.calibrate.dampers.fitted_law import with_fitted_law
+    if not is_structure_campaign(campaign):
+        return _damper(campaign, search)
+
     from edesign.calibrate.files import write_files
-    from edesign.calibrate.run import calibrate as run
     from edesign.calibrate.structure.run import calibrate_structure
     from edesign.calibrate.write import calibration_json
-    from edesign.damper.testing.campaign import Campaign, load_campaign
-    from edesign.report.calibration.tables import law_kind_text, tables_of, verdict_text
+    from edesign.report.calibration.tables import tables_of, verdict_text
     from edesign.report.page.calibration import calibration_page
 
-    loaded: Campaign | StructureCampaign
-    if is_structure_campaign(campaign):
-        loaded = load_structure_campaign(campaign)
-        search.check(campaign, loaded.title or loaded.name)
-        found = calibrate_structure(loaded, *search.within())
-    else:
-        loaded = load_campaign(campaign)
-        for note in loaded.notes:
-            search.tell(note)
-        search.check(campaign, loaded.label)
-        loaded = with_fitted_law(loaded, search.workers, search.tell)
-        found = run(loaded, *search.within(_SECONDS))
+    loaded = load_structure_campaign(campaign)
+    search.check(campaign, loaded.title or loaded.name)
+    found = calibrate_structure(loaded, *search.unlimited("records of a structure"))
     return _Found(
         lambda folder: write_files(found, loaded, folder),
         lambda: calibration_page(found, workers=search.workers, document=loaded.document),
@@ -173,7 +164,33 @@ def _run(campaign: Path, search: _Search) -> _Found:
         lambda: tables_of(found),
         lambda: verdict_text(found),
         found.ending == "interrupted",
-        law_kind_text(found),
+    )
+
+
+def _damper(campaign: Path, search: _Search) -> _Found:
+    from dataclasses import replace
+
+    from edesign.calibration.results.write import calibration_json, check_files, write_files
+    from edesign.calibration.run import calibrate as run
+    from edesign.calibration.search.settings import SETTINGS
+    from edesign.damper.testing.campaign import load_campaign
+    from edesign.report.calibration.damper_tables import other_law_text, tables_of, verdict_text
+    from edesign.report.page.calibration import calibration_page
+
+    loaded = load_campaign(campaign)
+    for note in loaded.notes:
+        search.tell(note)
+    check_files(campaign, loaded.label, search.folder, search.overwrite)
+    settings = SETTINGS if search.effort is None else replace(SETTINGS, effort=search.effort)
+    found = run(loaded, settings, search.workers, search.tell)
+    return _Found(
+        lambda folder: write_files(found, loaded, folder),
+        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
+        lambda: calibration_json(found),
+        lambda: tables_of(found),
+        lambda: verdict_text(found),
+        found.ending == "interrupted",
+        other_law_text(found),
     )
 
 
@@ -186,7 +203,7 @@ def _properties(campaign: Path, search: _Search) -> _Found:
 
     loaded = load_property_campaign(campaign)
     search.check(campaign, loaded.title or loaded.specimen.name)
-    found = calibrate_properties(loaded, *search.within())
+    found = calibrate_properties(loaded, *search.unlimited("property tables"))
     return _Found(
         lambda folder: write_property_files(found, folder),
         lambda: property_calibration_page(found),

@@ -153,7 +153,7 @@ def searched(calibration: Calibration) -> str:
     """
     depths = calibration.depths
     if not depths:
-        return f"no effect was screened beside the law ({calibration.effort:,.0f} weighted evaluations)"
+        return f"no effect was screened to the end ({calibration.effort:,.0f} weighted evaluations)"
     screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
     return (
         f"{len(depths)} round{'' if len(depths) == 1 else 's'} over up to {screened} of {calibration.forms} forms of "
@@ -243,7 +243,7 @@ def ended(calibration: Calibration) -> list[str]:
         "effort_spent": f"ended with its effort of {calibration.most_effort:g} evaluations (--effort)",
     }[calibration.ending]
     more = "there may be more effects, and others like these" if calibration.effects else "effects may have been missed"
-    return [f"The search {how}: {more}. It was {searched(calibration)}."]
+    return [f"The search {how}: {more}. So far: {searched(calibration)}."]
 
 
 def _found(calibration: Calibration) -> str:

@@ -11,16 +11,9 @@ import pytest
 import yaml
 from kelvin_voigt_campaign import campaign, lawful
 
-from edesign.archive.reader import open_archive
-from edesign.calibrate.dampers.prepare import damper_problem
-from edesign.calibrate.evidence import Judged
-from edesign.calibrate.search.alternatives import Alternatives
-from edesign.calibrate.search.beside_declared import BesideDeclared
-from edesign.calibrate.search.loop import Loop
-from edesign.calibrate.search.rounds import Rounds
+from edesign.calibration.dampers.from_campaign import damper_problem
+from edesign.calibration.search.search import Search
 from edesign.cli.main import main
-from edesign.damper.damper import Damper
-from edesign.damper.law_file import read_law_file, resolve
 
 
 def _rewritten(path: Path, change: Callable[[list[str]], list[str]]) -> None:
@@ -33,87 +26,57 @@ def _run(folder: Path, *more: str) -> int:
     return main(["calibrate", str(folder / "campaign.yaml"), "--workers", "1", *more])
 
 
-@pytest.mark.slow
+def _hardened(t, u, v, a, order):  # type: ignore[no-untyped-def]
+    return lawful(t, u, v, a, order) + 3e10 * u**3
+
+
+def _interrupt(*_: object) -> bool:
+    raise KeyboardInterrupt
+
+
 def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 3e10 * u**3
-
-    def interrupt(*_: object) -> Judged:
-        raise KeyboardInterrupt
-
-    campaign(tmp_path / "c", hidden)
-    monkeypatch.setattr(Loop, "_prune", interrupt)
-    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
+    campaign(tmp_path / "c", _hardened, tests=5)
+    monkeypatch.setattr(Search, "_challenge", _interrupt)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
-    assert "interrupt again to leave them" in said.err and "the search was interrupted; what it had found" in said.err
+    assert "interrupt again to leave" in said.err and "the search was interrupted; what it had found" in said.err
     assert "The search was interrupted: there may be more effects" in said.out
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["search"] == "interrupted"
+    assert told["search"] == "interrupted" and told["next_test"] is None and told["models"] == []
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
-    assert "the search interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[1]
-    # before there is an effect nothing is written
-    monkeypatch.setattr(Rounds, "one_more", interrupt)
-    monkeypatch.setattr(BesideDeclared, "one", interrupt)
+    assert told["effects"][0]["indistinguishable_from"] == []
+    assert "interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[1]
+
+
+def test_a_search_that_is_interrupted_before_it_finds_anything_is_not_searched(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    campaign(tmp_path / "c", _hardened, tests=5)
+    monkeypatch.setattr(Search, "_grow", _interrupt)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
+    assert "Not searched: something is missing" in capsys.readouterr().out
+    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert (told["verdict"], told["search"], told["effects"]) == ("not_searched", "interrupted", [])
+    assert "Not searched" in (tmp_path / "out/calibration.html").read_text(encoding="utf-8")
+    # before the law is fitted there is nothing to write
+    monkeypatch.setattr(Search, "_base", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "none")) == 130
     assert not (tmp_path / "none").exists()
 
 
-@pytest.mark.slow
-def test_look_alikes_that_were_not_asked_for_are_none(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 3e10 * u**3
-
-    def interrupt(*_: object) -> list[Judged]:
-        raise KeyboardInterrupt
-
-    campaign(tmp_path / "c", hidden)
-    monkeypatch.setattr(Alternatives, "others", interrupt)
-    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 130
-    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert told["search"] == "interrupted" and told["effects"][0]["name"] == "hardening"
-    assert told["effects"][0]["indistinguishable_from"] == []
-    assert "explained" in capsys.readouterr().out.lower()
-
-
-@pytest.mark.slow
-def test_files_and_their_contents(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
-        return lawful(t, u, v, a, order) + 3e10 * u**3
-
-    campaign(tmp_path / "c", hidden)
-    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 0
-    said = capsys.readouterr()
-    assert "screening effects beside the law as declared" in said.err
-    assert "hardening" in said.out and "Explained" in said.out
-    names = {path.name for path in (tmp_path / "out").iterdir()}
-    assert names == {"calibration.json", "calibration.h5", "calibration.html", "law.yaml"}
-    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
-    assert set(told["error"]) == {"declared", "refit", "corrected"}
-    for stage in told["error"].values():
-        assert set(stage) == {"fit", "validate", "tests"} and len(stage["tests"]) == 8
-    assert told["verdict"] == "explained"
-    (effect,) = told["effects"]
-    assert (effect["name"], effect["kind"]) == ("hardening", "damper")
-    assert set(effect["parameters"]["k"]) == {"value", "standard_error", "interval", "unit"}
-    assert told["law_held"]  # so that without the effect it is the declared law
-    assert effect["delta_validate"] == pytest.approx(
-        told["error"]["declared"]["validate"] - told["error"]["corrected"]["validate"], rel=1e-6
-    )
-    assert effect["evidence"] and effect["indistinguishable_from"] == []
-    assert told["unexplained"] == {"share": 0.0, "shape": ""}
-    # the corrected law alone makes the force that the archive has
-    found = resolve(*read_law_file(tmp_path / "out/law.yaml"), None)
-    damper = Damper(found.law, found.values, amendments=found.amendments)
-    with open_archive(tmp_path / "out/calibration.h5") as archive:
-        test = archive.group("tests/test_02").variables
-        time, u = test["time"].values, test["displacement"].values
-        force = damper.force(time, u)
-        # parameters stand in the file with twelve digits; the hardening is a force on the samples
-        assert force == pytest.approx(test["corrected_force"].values, abs=1e-6 * abs(force).max())
+def test_an_effort_that_is_spent_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    campaign(tmp_path / "c", _hardened, tests=5)
+    assert _run(tmp_path / "c", "--effort", "5") == 2
+    assert "--effort 5: too little to fit the law alone" in capsys.readouterr().err
+    assert not (tmp_path / "c/calibration.json").exists()
+    assert _run(tmp_path / "c", "--effort", "60", "--no-page") == 0
+    told = json.loads((tmp_path / "c/calibration.json").read_text(encoding="utf-8"))
+    assert (told["verdict"], told["search"]) == ("not_searched", "effort_spent")
+    assert told["coverage"]["effort"] < 100.0 and told["coverage"]["most_effort"] == 60.0
+    said = capsys.readouterr().out
+    assert "ended with its effort of 60 evaluations (--effort)" in said and "effects may have been missed" in said
 
 
 def test_the_folder_of_the_campaign_and_no_page(tmp_path: Path) -> None:
@@ -130,7 +93,7 @@ def test_a_mass_that_turns_the_force_around_is_no_wrong_sign(tmp_path: Path) -> 
     def hidden(t, u, v, a, order):  # type: ignore[no-untyped-def]
         return lawful(t, u, v, a, order) + 50e3 * a  # beyond 1.4 Hz more than the spring
 
-    tests = damper_problem(campaign(tmp_path, hidden)).trials
+    tests = damper_problem(campaign(tmp_path, hidden)).experiments
     assert min(float(np.corrcoef(test.force, test.motion.displacement)[0, 1]) for test in tests) < -0.5
 
 
