@@ -18,8 +18,8 @@ from pathlib import Path
 import yaml
 
 from edesign.archive.files import make_folder, write_text
-from edesign.calibrate.structure.campaign import load_structure_campaign
-from edesign.calibrate.structure.isolation_layer import isolation_layer_tests
+from edesign.calibration.structures.campaign import load_structure_campaign
+from edesign.calibration.structures.isolation_layer import isolation_layer_tests
 from edesign.damper.testing.campaign import write_campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.damper.testing.specimen import Specimen

@@ -7,10 +7,9 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from edesign.calibration.dampers.from_campaign import damper_problem
-from edesign.calibration.results.outcome import Outcome, Steps
+from edesign.calibration.results.evidence import Steps, searched
+from edesign.calibration.results.outcome import Outcome
 from edesign.calibration.results.result import Calibration
-from edesign.calibration.search.models import EffortSpentError
-from edesign.calibration.search.search import Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
@@ -43,14 +42,7 @@ def calibrate(
     progress("preparing the tests")
     problem = damper_problem(campaign, threads)
     progress("fitting the law alone")
-    try:
-        found = Search(problem, settings, progress).run()
-    except ValueError as error:
-        raise InputError(f"{campaign.path}: law: {error}") from error
-    except EffortSpentError:
-        raise InputError(
-            f"--effort {settings.effort:g}: too little to fit the law alone; {SETTINGS.effort:g} are usual"
-        ) from None
+    found = searched(problem, settings, progress, f"{campaign.path}: law")
     if found.ending == "interrupted":
         progress("interrupted: going on with what was found so far; interrupt again to leave it at the rate of the search")
     steps = Steps(progress, found.ending)

@@ -41,6 +41,11 @@ class Reading:
     starts: Callable[[Sizes], Rows]
     source: str = _SOURCE
 
+    @property
+    def constants(self) -> Values:
+        """No number is fixed by the table."""
+        return {}
+
     def read(self, p: Values, amplitudes: np.ndarray) -> np.ndarray:
         """Return force amplitudes (3, rows), N, as they were read.
 

@@ -11,6 +11,7 @@ import numpy as np
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.results.result import Estimate
 from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
@@ -33,7 +34,7 @@ class Kept:
     dropped: tuple[tuple[FittedModel, int, str], ...]
 
 
-def unbounded(problem: DamperProblem, settings: SearchSettings) -> Fitting:
+def unbounded(problem: Problem, settings: SearchSettings) -> Fitting:
     """Return what fits models of a problem without counting the effort.
 
     Args:
@@ -82,7 +83,7 @@ def kept(fitting: Fitting, model: FittedModel) -> Kept:
         others, values = model.without(index)
         fewer = fitting.fit(others, values, model.noise, _STEPS)
         if fewer is None:
-            raise PredictionError(f"the law cannot be fitted without {model.effects[index].label}")
+            raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
         low, high = size.interval
         name = model.effects[index].parameters[0].name
         why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {size.unit}".rstrip() + ", holds zero"
@@ -133,6 +134,16 @@ def _untold(one: Parameter, loose: float) -> str:
     return "only a combination of it with others is known" if loose >= 0.5 else "not known to a decade"
 
 
+def base_estimates(model: FittedModel) -> dict[str, Estimate]:
+    """Return the parameters of the base of a model by name, with their 95 % intervals, SI.
+
+    Args:
+        model: fitted.
+    """
+    base = model.fit.model.parameters[: model.places(0)[0] if model.effects else None]
+    return dict(zip((one.name for one in base), estimates(model), strict=False))
+
+
 def effect_estimates(model: FittedModel, every: list[Estimate], index: int) -> Mapping[str, Estimate]:
     """Return the parameters of an effect by name.
 
@@ -155,5 +166,5 @@ def law_estimates(problem: DamperProblem, model: FittedModel | None) -> dict[str
     units = {one.name: one.unit for one in problem.law.all_parameters(problem.declared)}
     found = {name: Estimate.held(value, units[name]) for name, value in problem.declared.items()}
     if model is not None:
-        found |= dict(zip((one.name for one in problem.base), estimates(model), strict=False))
+        found |= base_estimates(model)
     return found

@@ -109,6 +109,23 @@ class Floor:
         return self.worst(errors) is None and all(error <= MOST * self.nrms(use) for use, error in every.items())
 
 
+def worst_of(parts: Sequence[tuple[str, float, float, int]]) -> Worst | None:
+    """Return the part of the data that leaves most over its noise, of those that leave more than chance makes of it.
+
+    Args:
+        parts: name, error and floor (NRMS), and number of values of each.
+
+    Returns:
+        None: every part is at its floor.
+    """
+    found: Worst | None = None
+    for name, error, floor, size in parts:
+        most = MOST * float(chdtri(size, _CHANCE / len(parts))) / size
+        if error > most * floor and (found is None or error / floor > found.times):
+            found = Worst(name, error, floor)
+    return found
+
+
 def _from_cycle_to_cycle(one: Experiment, left: np.ndarray) -> float:
     """Return what of a residual (n,) N does not repeat from cycle to cycle; nan: the test has no steady cycles."""
     motion = Motion(judged(one, one.motion.time), judged(one, one.motion.displacement))

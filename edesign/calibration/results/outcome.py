@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import TypeVar
+from functools import cached_property
 
 import numpy as np
 
@@ -13,63 +13,20 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.analysis import analyse
 from edesign.calibration.residual.record import FEWEST
 from edesign.calibration.residual.series import Errors, Series, Stage
-from edesign.calibration.results.fit import (
-    Kept,
-    at_full_rate,
-    effect_estimates,
-    estimates,
-    kept,
-    law_estimates,
-    unbounded,
-)
+from edesign.calibration.results.evidence import Evidence, Steps, depths_of, share_left, verdict_of, why_withheld
+from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import carried, law_file
-from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.other_law import other_law
 from edesign.calibration.results.predictions import errors_of, predicted
-from edesign.calibration.results.result import Calibration, Effect, Hypothesis, SearchDepth, Verdict
+from edesign.calibration.results.result import Calibration
 from edesign.calibration.search.models import FittedModel
-from edesign.calibration.search.search import Ending, Found
+from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
 from edesign.damper.fitting.identifiable import HELD, why_held
 from edesign.damper.testing.campaign import Campaign
 from edesign.estimation.model import PredictionError
-
-Progress = Callable[[str], None]
-T = TypeVar("T")
-
-
-@dataclass
-class Steps:
-    """Steps after a search: after an interrupt among them the rest is left out, after one before all that can be.
-
-    Attributes:
-        progress: told what is done.
-        ending: how the search ended; interrupted if a step was.
-    """
-
-    progress: Progress
-    ending: Ending
-    _left: bool = False
-
-    def take(self, what: str, step: Callable[[], T], instead: T, needed: bool = False) -> T:
-        """Return what a step makes; what stands instead where it is interrupted or left out.
-
-        Args:
-            what: is done, for people.
-            step: makes it.
-            instead: of it.
-            needed: whether it is taken after an interrupt of the search too.
-        """
-        if self._left or (self.ending == "interrupted" and not needed):
-            return instead
-        self.progress(what)
-        try:
-            return step()
-        except KeyboardInterrupt:
-            self.ending, self._left = "interrupted", True
-            return instead
 
 
 @dataclass(frozen=True, eq=False)
@@ -134,13 +91,7 @@ class Outcome:
     @property
     def withheld(self) -> str:
         """Why the effects are no part of the corrected law, for people: the validation tests; "" if they are."""
-        corrected, refit = (self.errors[stage].validate for stage in ("corrected", "refit"))
-        if not self.kept.model.effects or corrected <= refit:
-            return ""
-        return (
-            f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
-            f"({100.0 * refit:.3g} %)"
-        )
+        return why_withheld(self.kept.model, self.errors)
 
     def calibration(self, steps: Steps) -> Calibration:
         """Return all of it for people and files.
@@ -154,15 +105,11 @@ class Outcome:
         if withheld:
             errors["corrected"], forces["corrected"] = errors["refit"], forces["refit"]
         floor = Floor.under(whole, final, forces["corrected"])
-        posterior = self._posterior()
-        told = steps.take("comparing the models of the search", lambda: self._effects(posterior), None, True)
-        dropped = tuple(Hypothesis(self._effect(posterior, m, i, None), why) for m, i, why in self.kept.dropped)
-        if told is None:  # interrupted
-            told = self._effects(None)
-        effects = () if withheld else told
-        hypotheses = (*(Hypothesis(one, withheld) for one in told if withheld), *dropped)
+        evidence = self.evidence
+        posterior = evidence.posterior
+        effects, hypotheses = evidence.told(steps, withheld, self.errors["corrected"].validate)
         reached = floor.reached(errors["corrected"])
-        verdict = _verdict(reached, bool(effects), steps.ending)
+        verdict = verdict_of(reached, bool(effects), steps.ending)
         series = self._series(forces, floor)
         further = steps.take(
             "asking which further test would tell more", lambda: next_test(self.problem, posterior), None
@@ -193,10 +140,10 @@ class Outcome:
             },
             law_held=not self.problem.refit,
             series=series,
-            unexplained_share=0.0 if reached else _left(errors, floor),
+            unexplained_share=0.0 if reached else share_left(errors, floor.nrms("validate")),
             unexplained_shape="" if reached else _shape(series),
             models=posterior.compared() if steps.ending != "interrupted" else (),
-            depths=tuple(_depth(one.best, one.screening.screened, one.fitted, one.adopted) for one in found.depths),
+            depths=depths_of(found),
             forms=len(self.problem.effects),
             effort=found.effort,
             most_effort=self.settings.effort,
@@ -210,56 +157,20 @@ class Outcome:
             fitted_first=law.fitted,
         )
 
-    def _posterior(self) -> Posterior:
-        """The posterior over the models of the search, about the one that stands."""
-        fitting, best = unbounded(self.problem, self.settings), self.found.best
-        final = self.kept.model
-        if self.kept.dropped:
-            best = fitting.fit(final.effects, final.fit.values, best.noise) or best
-        return Posterior.of(fitting, self.found, best)
-
-    def _effects(self, posterior: Posterior | None) -> tuple[Effect, ...]:
-        model = self.kept.model
-        return tuple(self._effect(posterior, model, i, i) for i in range(len(model.effects)))
-
-    def _effect(self, posterior: Posterior | None, model: FittedModel, index: int, stands: int | None) -> Effect:
-        """Return an effect of a model; it is one of the model that stands, or none of that.
-
-        Args:
-            posterior: over the models of the search; None: not asked.
-            model: with the effect, at full rate.
-            index: of the effect.
-            stands: index of it in the model that stands; None: it is not in that.
-        """
-        effect = model.effects[index]
-        form = effect.data.form
-        own = np.array([model.fit.values[i] for i in model.places(index)])
-        rise, gain, error, alike, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
-        if posterior is not None:
-            probability = posterior.probability(effect.name)
-        if posterior is not None and stands is not None:
-            alike = posterior.alike(effect.name)
-            fewer, ahead = without(posterior, stands)
-            if fewer is not None and ahead is not None:
-                gain, error = ahead.total, ahead.error
-                rise = self._validate(fewer) - self.errors["corrected"].validate
-        damper = effect.kind == "damper"
-        lacking = damper and carried(self.whole, effect, own) is None
-        return Effect(
-            name=effect.name,
-            form=effect.form,
-            kind=effect.kind,
-            title=form.title,
-            signature=form.signature,
-            parameters=effect_estimates(model, estimates(model), index),
-            fixed=dict(effect.data.constants),
-            delta_validate=rise,
-            gain=gain,
-            gain_error=error,
-            probability=probability,
-            indistinguishable_from=alike,
-            not_carried="law files have no such form" if lacking else "" if damper else "it is no part of the damper",
+    @cached_property
+    def evidence(self) -> Evidence:
+        """What the models of the search say of the effects."""
+        return Evidence(
+            unbounded(self.problem, self.settings), self.found, self.kept, self._validate, self._why_not_carried
         )
+
+    def _why_not_carried(self, model: FittedModel, index: int) -> str:
+        """Return why no law file carries an effect, for people; "" if one does."""
+        effect = model.effects[index]
+        if effect.kind != "damper":
+            return "it is no part of the damper"
+        own = np.array([model.fit.values[i] for i in model.places(index)])
+        return "law files have no such form" if carried(self.whole, effect, own) is None else ""
 
     def _validate(self, model: FittedModel) -> float:
         try:
@@ -292,30 +203,10 @@ class Outcome:
         return tuple(found)
 
 
-def _verdict(reached: bool, effects: bool, ending: Ending) -> Verdict:
-    if effects:
-        return "explained" if reached else "partly_explained"
-    if reached:
-        return "none"
-    return "nothing_found" if ending == "complete" else "not_searched"
-
-
-def _left(errors: Mapping[Stage, Errors], floor: Floor) -> float:
-    """Return the share of the excess over noise of the refitted law that is left in the validation tests."""
-    noise = floor.nrms("validate")
-    over = max(errors["refit"].validate - noise, 1e-300)
-    return min(max((errors["corrected"].validate - noise) / over, 0.0), 1.0)
-
-
 def _shape(series: Sequence[Series]) -> str:
     """Return what is left in words; "" if the tests are too short for that."""
     long = [one.residual("corrected") for one in series if one.time[one.judged].size >= FEWEST]
     return analyse(long).shape if long else ""
-
-
-def _depth(beside: FittedModel, screened: int, fitted: int, adopted: FittedModel | None) -> SearchDepth:
-    after = () if adopted is None else tuple(effect.label for effect in adopted.effects)
-    return SearchDepth(tuple(effect.label for effect in beside.effects), screened, fitted, after)
 
 
 def _held(problem: DamperProblem) -> dict[str, str]:

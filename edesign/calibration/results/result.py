@@ -13,6 +13,9 @@ from edesign.damper.amendments import Amendment
 from edesign.damper.temperature import FerryShift, GammaOf, GammaT
 from edesign.notebook import facts_html
 
+Subject = Literal["damper", "structure", "table"]
+"""What was measured: tests of a damper, records of a structure, a table of a damper's moduli."""
+
 Verdict = Literal["none", "explained", "partly_explained", "nothing_found", "not_searched"]
 
 
@@ -208,11 +211,13 @@ class OtherLaw:
 
 @dataclass(frozen=True, eq=False)
 class Calibration:
-    """What the loop found in a campaign of damper tests.
+    """What a calibration found in a campaign: of tests of a damper, records of a structure, or a table of moduli.
+
+    Errors are NRMS: of a table the mean squares of relative errors of G', G_eq and loss factor.
 
     Attributes:
         title: of the campaign.
-        law: name of the declared law.
+        law: name of the declared law; "" of a structure on a fixed base.
         verdict: none: nothing is missing; explained: what was missing is found, noise is left; partly_explained: more
             than noise is left; nothing_found: something is missing, and no effect known here passes; not_searched:
             something is missing, and the search ended before all known effects were screened. Noise is left where it
@@ -225,7 +230,7 @@ class Calibration:
         hypotheses: effects that were found and are no part of the corrected law.
         parameters: of the law, by stage.
         law_held: whether the campaign has the declared parameters held.
-        series: of each test.
+        series: of each test, or each channel of it; () of a table.
         unexplained_share: of the error of the refitted law over noise, in the validation tests, that is left.
         unexplained_shape: for people; "" if only noise is left.
         models: of the search, the most probable first.
@@ -233,7 +238,7 @@ class Calibration:
         forms: number of forms of effects that the tests may show.
         effort: weighted evaluations that the search took, of at most `most_effort`.
         next_test: what would separate look-alikes; None: nothing is left to separate, or no test would.
-        law_file: the law as the law file has it.
+        law_file: the law as the law file has it; of a structure that of its isolation layer, if it has one.
         other_law: a law that does better; None: none does, or none was asked for.
         worst: test that leaves most over its noise, of those that leave more than noise; None: none does.
         seconds: that the calibration took.
@@ -241,6 +246,7 @@ class Calibration:
         lasting: whether the law remembers extremes from test to test.
         gamma_of: what gamma_T of an MGMM multiplies.
         fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
+        subject: what was measured.
     """
 
     title: str
@@ -271,7 +277,7 @@ class Calibration:
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
     fitted_first: bool = False
-    subject: Literal["damper"] = "damper"
+    subject: Subject = "damper"
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"
@@ -301,4 +307,7 @@ class Calibration:
     @property
     def tests(self) -> tuple[Series, ...]:
         """Series, one of each test."""
-        return self.series
+        first: dict[str, Series] = {}
+        for one in self.series:
+            first.setdefault(one.of_test, one)
+        return tuple(first.values())

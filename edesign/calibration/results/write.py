@@ -1,4 +1,4 @@
-"""The files of a calibration of a damper: JSON for programs, the law for projects, histories in an archive."""
+"""The files of a calibration: JSON for programs, the corrected model for projects, histories in an archive."""
 
 from __future__ import annotations
 
@@ -22,12 +22,15 @@ from edesign.calibration.results.result import Calibration, Effect, Estimate, La
 from edesign.damper.testing.campaign import Campaign
 from edesign.input_files import spare_inputs
 
-LAW, ARCHIVE = "law.yaml", "calibration.h5"
-NAMES = ("calibration.json", "calibration.html", LAW, ARCHIVE)
-"""Files that are written, in place of earlier ones of the same campaign."""
+JSON, LAW, ARCHIVE = "calibration.json", "law.yaml", "calibration.h5"
+_BESIDE = (JSON, "calibration.html", ARCHIVE)
+NAMES = (*_BESIDE, LAW)
+"""Files that are written with tests of a damper, in place of earlier ones of the same campaign."""
 
 
-def check_files(campaign: Path, title: str, folder: Path, overwrite: bool = False) -> None:
+def check_files(
+    campaign: Path, title: str, folder: Path, overwrite: bool = False, models: Sequence[str] = (LAW,)
+) -> None:
     """Refuse to write over inputs, and over laws and archives that are no results of this campaign.
 
     Args:
@@ -35,13 +38,15 @@ def check_files(campaign: Path, title: str, folder: Path, overwrite: bool = Fals
         title: of the calibration.
         folder: where the files go.
         overwrite: whether results of other campaigns, and laws that edesign did not write, may be replaced.
+        models: names of all files of the corrected model that may be written.
 
     Raises:
         InputError: a file of the calibration would stand in the place of something else.
         ArchiveError: likewise, of an archive.
     """
-    spare_inputs(*(folder / name for name in NAMES))
-    check_own_yaml(folder / LAW, campaign, overwrite)
+    spare_inputs(*(folder / name for name in (*_BESIDE, *models)))
+    for name in models:
+        check_own_yaml(folder / name, campaign, overwrite)
     check_owner(folder / ARCHIVE, _root(campaign, title, folder), overwrite)
 
 
@@ -59,19 +64,41 @@ def write_files(found: Calibration, campaign: Campaign, folder: Path) -> list[Pa
     Raises:
         ArchiveError: one cannot be written.
     """
+    return write_calibration(found, campaign.path, campaign.text, {LAW: law_text(found, campaign)}, folder)
+
+
+def write_calibration(
+    found: Calibration, campaign: Path, text: str, models: Mapping[str, str], folder: Path
+) -> list[Path]:
+    """Write calibration.json, files of the corrected model and calibration.h5; each appears when it is whole.
+
+    Args:
+        found: by the calibration.
+        campaign: the campaign file.
+        text: of it.
+        models: text of each file of the corrected model by name.
+        folder: where the files go.
+
+    Returns:
+        The files.
+
+    Raises:
+        ArchiveError: one cannot be written.
+    """
     make_folder(folder)
     told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
-    write_text(told, folder / NAMES[0])
-    write_yaml(law_text(found, campaign), folder / LAW, campaign.path)
-    root = _root(campaign.path, found.title, folder)
+    write_text(told, folder / JSON)
+    for name, model in models.items():
+        write_yaml(model, folder / name, campaign)
+    root = _root(campaign, found.title, folder)
     root.attributes |= {"verdict": found.verdict, "search": found.ending}
-    root.add("calibration", (), told, "", NAMES[0])
-    root.add("campaign", (), campaign.text, "", "the campaign file")
+    root.add("calibration", (), told, "", JSON)
+    root.add("campaign", (), text, "", "the campaign file")
     with ArchiveWriter(folder / ARCHIVE, root) as writer:
         for name, group in archive_groups(found).items():
             writer.write(name, group)
         writer.finish({"status": "completed"})
-    return [folder / NAMES[0], folder / LAW, folder / ARCHIVE]
+    return [folder / name for name in (JSON, *models, ARCHIVE)]
 
 
 def _root(campaign: Path, title: str, folder: Path) -> Group:
@@ -80,7 +107,7 @@ def _root(campaign: Path, title: str, folder: Path) -> Group:
 
 
 def archive_groups(found: Calibration) -> dict[str, Group]:
-    """Return histories of every test: motion, measured and predicted force; by the name of the group.
+    """Return histories of every test or channel: motion, what was measured and predicted; by the name of the group.
 
     Args:
         found: by the calibration.
@@ -93,9 +120,11 @@ def archive_groups(found: Calibration) -> dict[str, Group]:
         group.add("time", ("sample",), series.time, "s", "time")
         group.add("displacement", ("sample",), series.displacement, "m", "displacement, freed from noise")
         group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
-        group.add("measured_force", ("sample",), series.measured, "N", "measured force")
-        for stage, force in series.predicted.items():
-            group.add(f"{stage}_force", ("sample",), force, "N", f"force predicted by the {stage} law")
+        what, unit = series.quantity, series.unit
+        group.add(f"measured_{what}", ("sample",), series.measured, unit, f"measured {what}")
+        for stage, values in series.predicted.items():
+            words = f"{what} predicted by the {stage} {'law' if found.subject == 'damper' else 'building'}"
+            group.add(f"{stage}_{what}", ("sample",), values, unit, words)
         group.coords["sample"] = Variable(("sample",), np.arange(series.time.size), "1", "sample")
         groups[f"tests/{series.name}"] = group
     return groups
@@ -110,6 +139,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
     better = None if found.other_law is None else _finite_values(asdict(found.other_law))
     return {
         "title": found.title,
+        "subject": found.subject,
         "law": found.law,
         "verdict": found.verdict,
         "law_kind": {"fitted_first": found.fitted_first, "better": better},
@@ -125,6 +155,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
                 "fit": found.errors[stage].fit,
                 "validate": found.errors[stage].validate,
                 "tests": dict(found.errors[stage].tests),
+                **({"channels": dict(channels)} if (channels := found.errors[stage].channels) else {}),
             }
             for stage in STAGES
         },
@@ -144,9 +175,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
             "largest_so_far": _finite(found.next_test.largest),
         },
         "law_held": found.law_held,
-        "extremes": "lasting" if found.lasting else "fresh",
-        "gamma_T_of": found.gamma_of,
-        "starts": _starts(found),
+        **_of_a_damper(found),
         "law_file": _law_file(found.law_file),
         "parameters": {
             stage: {name: _estimate(value) for name, value in found.parameters[stage].items()} for stage in STAGES
@@ -180,6 +209,17 @@ def _law_file(law: LawFile) -> dict[str, Any]:
         "told": list(law.told),
         "lacking": list(law.lacking),
         "withheld": law.withheld,
+    }
+
+
+def _of_a_damper(found: Calibration) -> dict[str, Any]:
+    """What only tests of a damper have."""
+    if found.subject != "damper":
+        return {}
+    return {
+        "extremes": "lasting" if found.lasting else "fresh",
+        "gamma_T_of": found.gamma_of,
+        "starts": _starts(found),
     }
 
 

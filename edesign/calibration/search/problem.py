@@ -26,7 +26,7 @@ class Effect:
         starts: (k, p) values, SI, to start from: a grid over what acts non-linearly, at a typical size.
         linear: whether what it does is proportional to its size, about no effect at zero.
         own: whether it adds shares that are each test's own.
-        data: what the problem needs to predict with it.
+        data: what the problem needs to predict with it, with its `title`, `signature` and `constants`.
         cost: of a prediction, in those of the base model.
     """
 

@@ -100,6 +100,16 @@ class FormInStructure:
     constants: Values
     parameters: tuple[str, ...]
 
+    @property
+    def title(self) -> str:
+        """What the form is, for people."""
+        return self.form.title
+
+    @property
+    def signature(self) -> str:
+        """What it leaves in the residual of a model without it, for people."""
+        return self.form.signature
+
     def values(self, numbers: Iterable[float]) -> Values:
         """Return all values of the act by name, those of the parameters first.
 
