@@ -15,7 +15,6 @@ from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.campaign import Campaign
-from edesign.errors import InputError
 
 Progress = Callable[[str], None]
 

@@ -80,9 +80,7 @@ class Evidence:
             best = self.fitting.fit(final.effects, final.fit.values, best.noise) or best
         return Posterior.of(self.fitting, self.found, best)
 
-    def told(
-        self, steps: Steps, withheld: str, corrected: float
-    ) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
+    def told(self, steps: Steps, withheld: str, corrected: float) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
         """Return the effects of the corrected model, and those that were found and are no part of it.
 
         Args:

@@ -135,7 +135,8 @@ def _building(file: StructureFile) -> Building:
     damping = Damping()
     if block.damping is not None:
         first, second = block.damping.modes
-        damping = Damping(block.damping.type, block.damping.ratio, (first, second))
+        share = block.damping.share or 0.0
+        damping = Damping(block.damping.type, block.damping.ratio, (first, second), block.damping.other, share)
     return Building(
         np.array(block.floor_masses),
         np.array((*below, *block.storey_stiffness)),

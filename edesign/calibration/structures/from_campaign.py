@@ -1,49 +1,16 @@
-"""From a campaign of records to the problem, and what a search finds in it."""
+"""From a campaign of records to its problem: what the loop cannot begin with is refused."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass
-from typing import Literal
-
 import numpy as np
 
-from edesign.calibration.search.search import Found, Progress, Search
-from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.errors import InputError
 from edesign.estimation.model import PredictionError
 
-Stage = Literal["declared", "refit", "corrected"]
 _ABSURD = 30.0  # ratio of measured to predicted motion beyond which a unit is wrong, not a building
 _OPPOSITE = -0.5  # median correlation of measured and predicted channels below which a sign is wrong
-
-
-@dataclass(frozen=True, eq=False)
-class StructureCalibration:
-    """What a search found in records of a structure.
-
-    Attributes:
-        problem: of the records.
-        found: by the search.
-        predicted: channels (t, channels), SI, of all tests by stage.
-    """
-
-    problem: StructureProblem
-    found: Found
-    predicted: Mapping[Stage, tuple[np.ndarray, ...]]
-
-    def nrms(self, stage: Stage, *tests: int) -> float:
-        """Return the root of the squared errors of all scaled channels over their squares.
-
-        Args:
-            stage: of the model.
-            tests: their indices.
-        """
-        measured = [self.problem.flat(i, self.problem.tests[i].values) for i in tests]
-        left = [y - self.problem.flat(i, self.predicted[stage][i]) for i, y in zip(tests, measured, strict=True)]
-        return float(np.sqrt(sum(float(r @ r) for r in left) / sum(float(y @ y) for y in measured)))
 
 
 def structure_problem(campaign: StructureCampaign, threads: int | None = None) -> StructureProblem:
@@ -67,29 +34,19 @@ def structure_problem(campaign: StructureCampaign, threads: int | None = None) -
             f"{campaign.path}: tests: none has `use: validate`; the error before and after is reported on tests that "
             "nothing was fitted to, so that one is the least"
         )
-    problem = StructureProblem(campaign.building, campaign.isolation, campaign.refit, campaign.tests, threads)
+    problem = blank_problem(campaign, threads)
     _check_channels(problem, campaign)
     return problem
 
 
-def calibrate_structure(
-    problem: StructureProblem, settings: SearchSettings = SETTINGS, progress: Progress = lambda _: None
-) -> StructureCalibration:
-    """Search what the declared building lacks.
+def blank_problem(campaign: StructureCampaign, threads: int | None = None) -> StructureProblem:
+    """Return the problem of a campaign that was checked, or needs no check.
 
     Args:
-        problem: of the records.
-        settings: numbers of the search.
-        progress: told what is done.
+        campaign: records, and the declared building.
+        threads: of predictions, at most so many; None: as many as there are processors.
     """
-    found = Search(problem.thinned(), settings, progress).run()
-    fits = {"refit": found.base, "corrected": found.best}
-    plain = problem.model((), ("fit", "validate"))
-    predicted: dict[Stage, tuple[np.ndarray, ...]] = {"declared": tuple(plain.histories(_centres(problem)))}
-    for stage, one in fits.items():
-        model = problem.model(one.effects, ("fit", "validate"))
-        predicted[stage] = tuple(model.histories(one.fit.values))  # type: ignore[index]
-    return StructureCalibration(problem, found, predicted)
+    return StructureProblem(campaign.building, campaign.isolation, campaign.refit, campaign.tests, threads)
 
 
 def _centres(problem: StructureProblem) -> np.ndarray:

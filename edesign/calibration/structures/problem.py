@@ -41,7 +41,7 @@ STIFFNESS, DAMPING = "storey_stiffness", "storey_damping"
 _STIFFNESS_KNOWN = 0.3  # standard deviation of the logarithm of a declared stiffness or force
 _DAMPING_KNOWN = 0.7
 """The same of damping: that of measured ratios about what codes say (Cruz and Miranda 2017, Earthquake Spectra 33)."""
-_LEAST_NOISE = 2e-3  # of a test's rms: steps of records, and forces of links linear in them, leave so much
+LEAST_NOISE = 2e-3  # of a test's rms: steps of records, and forces of links linear in them, leave so much
 _PER_CYCLE = 16  # samples of a channel that are compared, in a cycle of a sine with its root mean squares
 _FARTHEST = 1e3  # times a declared value, or a part of it
 _INSIDE = 1e-6  # of a size, from a bound that is not allowed
@@ -107,7 +107,7 @@ class StructureProblem:
         found = []
         for i, size in zip(self.used_for("fit"), self.sizes, strict=True):
             noise = self.channel_noise(i) / self._scales(self.tests[i].channels)
-            found.append(max(float(np.sqrt(np.mean(noise**2))), _LEAST_NOISE * size))
+            found.append(max(float(np.sqrt(np.mean(noise**2))), LEAST_NOISE * size))
         return tuple(found)
 
     @cached_property

@@ -51,11 +51,15 @@ class DampingBlock(Model):
         type: kind of damping: all modes alike, two modes, or proportional to stiffness or mass.
         ratio: ratio of critical damping.
         modes: the two modes of `rayleigh`.
+        other: a second kind, which has a share of the damping.
+        share: share of the second kind, more than nothing and at most 100 %.
     """
 
     type: DampingKind
     ratio: PositiveRatio
     modes: Annotated[tuple[Mode, ...], Field(min_length=2, max_length=2)] = (1, 2)
+    other: DampingKind | None = None
+    share: PositiveRatio | None = None
 
 
 class StructureBlock(Model):
@@ -160,6 +164,7 @@ def check_structure(file: StructureFile, problems: Problems) -> None:
             problems.at_value(("structure", key), f"{len(given)} values; {floors} floors have {storeys} storeys{above}")
     if storeys and block.damping is None:
         problems.under(("structure",), "damping", "this key is missing, for example `{type: modal, ratio: 2 %}`")
+    _check_damping(block.damping, problems)
     if block.base == "isolated" and file.law is None:
         problems.under((), "law", "an isolated building needs the law of its isolation layer")
     if block.base == "isolated" and file.law is not None and file.law.parameters is None:
@@ -176,3 +181,18 @@ def check_structure(file: StructureFile, problems: Problems) -> None:
         given = given or any(header is not None for header in headers or ())
     if not given:
         problems.at_key(("channels",), "no floor is measured: `floor_accelerations` or `floor_displacements` is needed")
+
+
+def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
+    """Check that a second kind of damping is another one, and that its share is one."""
+    if damping is None:
+        return
+    at = ("structure", "damping")
+    if damping.other is None and damping.share is not None:
+        problems.at_value((*at, "share"), "a share needs the second kind of damping, the key `other`")
+    if damping.other is not None and damping.share is None:
+        problems.under(at, "share", "the share of the second kind of damping is missing, for example `30 %`")
+    if damping.other == damping.type:
+        problems.at_value((*at, "other"), f"the damping is of the kind `{damping.type}` already")
+    if damping.share is not None and damping.share > 1.0:
+        problems.at_value((*at, "share"), f"a share of {100.0 * damping.share:g} % is more than all")

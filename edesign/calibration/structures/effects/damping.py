@@ -38,6 +38,8 @@ def _friction(p: Values, building: Building) -> list[Link]:
 
 def _is_another(kind: DampingKind) -> Callable[[StructureSizes], bool]:
     def is_another(s: StructureSizes) -> bool:
+        if s.building.damping.other is not None:
+            return False  # a mixture is declared already
         # of one mode all kinds are the same; Rayleigh's has the ratio in two of them, as modal damping has
         both, storeys = {kind, s.building.damping.kind}, len(s.building.storeys)
         return storeys > 1 and len(both) > 1 and (storeys > 2 or both != {"modal", "rayleigh"})

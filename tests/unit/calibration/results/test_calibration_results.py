@@ -11,8 +11,8 @@ from kelvin_voigt_campaign import C, K, campaign, lawful
 
 from edesign.calibration import calibrate
 from edesign.calibration.results import outcome
+from edesign.calibration.results.evidence import verdict_of
 from edesign.calibration.results.law_file import law_text
-from edesign.calibration.results.outcome import _verdict
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.write import calibration_json
 from edesign.calibration.search.models import FittedModel
@@ -111,7 +111,7 @@ def test_what_people_read_names_the_effect_and_the_file(hard):
     ],
 )
 def test_words_of_verdicts(reached, effects, ending, word):
-    assert _verdict(reached, effects, ending) == word
+    assert verdict_of(reached, effects, ending) == word
 
 
 def test_effects_that_predict_validation_tests_worse_are_hypotheses_and_in_no_law_file(
