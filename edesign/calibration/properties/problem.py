@@ -182,6 +182,16 @@ class PropertyModel:
             found.append(here if positive else PredictionError("a modulus is not positive"))
         return found
 
+    def forces(self, values: np.ndarray) -> Sequence[np.ndarray] | PredictionError:
+        """Return the force (n,) N of the test of each row, in their order, as it is before it is read.
+
+        Args:
+            values: (p,) SI.
+        """
+        law, steady, _ = self._of(values)
+        (forces,) = self.problem.inner.prediction.predict([(law, steady)], self.rows.tolist())
+        return forces
+
     def properties(self, values: np.ndarray) -> PropertyRows:
         """Return the properties of all rows; nan of rows of other groups.
 

@@ -142,7 +142,7 @@ def _law_file(problem: DamperProblem, model: FittedModel, stage: Stage) -> LawFi
     base, every = len(problem.base), list(model.fit.values)
     values = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
     amendments: list[Amendment] = []
-    temperature: GammaT | FerryShift | None = _own_temperature(problem)
+    temperature: GammaT | FerryShift | None = own_temperature(problem)
     told: list[str] = []
     lacking: list[str] = []
     left: list[Effect] = []
@@ -167,8 +167,12 @@ def _law_file(problem: DamperProblem, model: FittedModel, stage: Stage) -> LawFi
     return LawFile(stage, values, tuple(amendments), temperature, tuple(told), tuple(lacking), validate)
 
 
-def _own_temperature(problem: DamperProblem) -> GammaT | None:
-    """The change with temperature that the law has by itself, as the tests were predicted with it."""
+def own_temperature(problem: DamperProblem) -> GammaT | None:
+    """Return the change with temperature that the law has by itself, as the tests were predicted with it.
+
+    Args:
+        problem: of the tests.
+    """
     gamma = GammaT(of=problem.gamma_of)
     away = any(one.temperature != REFERENCE_C for one in problem.experiments)
     return gamma if problem.law.name in gamma.laws and away else None
@@ -186,7 +190,7 @@ def law_text(found: Calibration, campaign: Campaign) -> str:
     if file.amendments:
         data["effects"] = write_effects(file.amendments)
     if file.temperature is not None:
-        data["temperature_law"] = _temperature_block(file.temperature)
+        data["temperature_law"] = temperature_block(file.temperature)
     specimen = campaign.specimen
     if specimen is not None:
         data["prototype"] = {
@@ -209,16 +213,8 @@ def _head(found: Calibration) -> list[str]:
         f"{title}, calibrated by {len(found.series)} tests of {found.title}: {found.verdict_words}",
         f"the law {which[file.stage]}: NRMS of the validation tests {100 * file.validate:.3g} %, as declared "
         f"{100 * found.errors['declared'].validate:.3g} %, noise {100 * found.noise_floor:.3g} %",
+        *law_lines(found),
     ]
-    if file.withheld:
-        lines.append(f"not the corrected law: {file.withheld}")
-    elif file.lacking:
-        lines.append(
-            f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
-            f"{100 * found.errors['corrected'].validate:.3g} %"
-        )
-    lines += [f"told, no part of the damper: {text}" for text in file.told]
-    lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
     names = {one.name for one in file.amendments}
     if found.lasting or any(one.label == "extremes.lasting" for one in found.effects):
         lines.append("extremes soften it from test to test for good: the parameters are those of a virgin damper")
@@ -228,11 +224,35 @@ def _head(found: Calibration) -> list[str]:
         lines.append("it begins cold: heat that lasts from test to test is no part of it")
     if "ageing" in names:
         lines.append("it has aged as much as in the last test")
+    return lines
+
+
+def law_lines(found: Calibration) -> list[str]:
+    """Return what a law file says of itself in comments: what it lacks, what is no part of it, what is held.
+
+    Args:
+        found: by the calibration.
+    """
+    file, lines = found.law_file, list[str]()
+    if file.withheld:
+        lines.append(f"not the corrected law: {file.withheld}")
+    elif file.lacking:
+        lines.append(
+            f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
+            f"{100 * found.errors['corrected'].validate:.3g} %"
+        )
+    lines += [f"told, no part of the damper: {text}" for text in file.told]
+    lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
     lines += [f"{name} is held: {why}" for name, why in found.held.items()]
     return lines
 
 
-def _temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
+def temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
+    """Return a change with temperature as the block `temperature_law` of a law file.
+
+    Args:
+        law: of the change.
+    """
     if isinstance(law, FerryShift):
         return {"ferry": {"p1": law.p1, "p2": f"{law.p2:.12g} K", "reference": f"{law.reference:g} degC"}}
     block: dict[str, object] = {"gamma_T": {f"{t:.12g} degC": gamma for t, gamma in law.table}}

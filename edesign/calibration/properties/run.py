@@ -1,0 +1,195 @@
+"""Calibrate a damper law by a table of its moduli: from the campaign to what the user gets."""
+
+from __future__ import annotations
+
+import math
+import time as clock
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+
+from edesign.calibration.properties.campaign import PropertyCampaign
+from edesign.calibration.properties.corrected import table_law
+from edesign.calibration.properties.from_campaign import EVERY, property_problem
+from edesign.calibration.properties.left import relative, shape_of
+from edesign.calibration.properties.next_test import next_test
+from edesign.calibration.properties.problem import PropertyProblem
+from edesign.calibration.residual.series import STAGES, Errors, Stage
+from edesign.calibration.results.evidence import (
+    Evidence,
+    Progress,
+    Steps,
+    depths_of,
+    searched,
+    share_left,
+    verdict_of,
+    why_withheld,
+)
+from edesign.calibration.results.fit import Kept, kept, law_estimates, unbounded
+from edesign.calibration.results.floor import MOST, worst_of
+from edesign.calibration.results.law_file import carried
+from edesign.calibration.results.result import Calibration
+from edesign.calibration.search.models import FittedModel
+from edesign.calibration.search.search import Found
+from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.damper.fitting.identifiable import HELD, why_held
+from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
+from edesign.estimation.model import PredictionError
+
+
+@dataclass(frozen=True, eq=False)
+class PropertyCalibration:
+    """What a calibration found in a table of moduli.
+
+    Attributes:
+        found: errors as mean squares of relative errors of G', G_eq and loss factor, effects, verdict, the law.
+        campaign: table, law and groups of rows.
+        rows: properties of all rows by stage.
+        repeats: how well rows repeat: relative standard deviation of a property.
+    """
+
+    found: Calibration
+    campaign: PropertyCampaign
+    rows: Mapping[Stage, PropertyRows]
+    repeats: float
+
+
+def calibrate_properties(
+    campaign: PropertyCampaign,
+    settings: SearchSettings = SETTINGS,
+    threads: int = 2,
+    progress: Progress = lambda _: None,
+) -> PropertyCalibration:
+    """Find what the declared law lacks, and correct it.
+
+    An interrupt (Ctrl-C) ends the search, and what it has found is returned with the ending `interrupted`.
+
+    Args:
+        campaign: the table, and the declared law.
+        settings: numbers of the search, its effort among them.
+        threads: of predictions, at most so many. Results do not depend on it.
+        progress: told what is done.
+
+    Raises:
+        InputError: no law is declared, or it cannot predict the table.
+        KeyboardInterrupt: before the law was fitted.
+    """
+    begin = clock.perf_counter()
+    quick = property_problem(campaign, threads=threads)
+    progress("fitting the law alone")
+    found = searched(quick, settings, progress, f"{campaign.path}: law")
+    steps = Steps(progress, found.ending)
+    progress("predicting all rows")
+    problem = property_problem(campaign, CYCLES, SAMPLES, threads)
+    final = kept(unbounded(quick, settings), found.best)
+    declared = np.array([one.centre for one in quick.inner.base])
+    rows: dict[Stage, PropertyRows] = {
+        "declared": problem.model((), EVERY).properties(declared),
+        "refit": problem.model((), EVERY).properties(found.base.fit.values),
+        "corrected": problem.model(final.model.effects, EVERY).properties(final.model.fit.values),
+    }
+    return _Outcome(campaign, quick, problem, found, settings, final, rows).calibration(steps, begin)
+
+
+@dataclass(frozen=True, eq=False)
+class _Outcome:
+    """What the models of a search say about all rows.
+
+    Attributes:
+        campaign: table, law and groups of rows.
+        quick, problem: with the cycles of the search, and of measured tests.
+        found: by the search.
+        settings: of the search.
+        kept: the model with effects.
+        rows: properties of all rows by stage; corrected: with the effects.
+    """
+
+    campaign: PropertyCampaign
+    quick: PropertyProblem
+    problem: PropertyProblem
+    found: Found
+    settings: SearchSettings
+    kept: Kept
+    rows: Mapping[Stage, PropertyRows]
+
+    def calibration(self, steps: Steps, begin: float) -> PropertyCalibration:
+        """Return all of it for people and files; `begin`: when it began, s."""
+        quick, found, campaign = self.quick, self.found, self.campaign
+        errors = {stage: self._errors(self.rows[stage]) for stage in STAGES}
+        rows, withheld = dict(self.rows), why_withheld(self.kept.model, errors)
+        with_effects = errors["corrected"].validate
+        final = found.base if withheld else self.kept.model
+        if withheld:
+            errors["corrected"], rows["corrected"] = errors["refit"], rows["refit"]
+        evidence = Evidence(unbounded(quick, self.settings), found, self.kept, self._validate, self._why_not_carried)
+        effects, hypotheses = evidence.told(steps, withheld, with_effects)
+        floor = quick.repeats**2
+        corrected = errors["corrected"]
+        worst = worst_of([(g.name, corrected.tests[g.name], floor, 3 * g.rows.size) for g in campaign.groups])
+        reached = worst is None and max(corrected.fit, corrected.validate) <= MOST * floor
+        further = steps.take(
+            "asking which further test would tell more", lambda: next_test(quick, evidence.posterior), None
+        )
+        inner = quick.inner
+        told = Calibration(
+            title=campaign.title or campaign.specimen.name,
+            law=inner.law.name,
+            verdict=verdict_of(reached, bool(effects), steps.ending),
+            ending=steps.ending,
+            errors=errors,
+            noise_floor=floor,
+            noise_floor_fit=floor,
+            effects=effects,
+            hypotheses=hypotheses,
+            parameters={
+                "declared": law_estimates(inner, None),
+                "refit": law_estimates(inner, found.base),
+                "corrected": law_estimates(inner, final),
+            },
+            law_held=not inner.base,
+            series=(),
+            unexplained_share=0.0 if reached else share_left(errors, floor),
+            unexplained_shape="" if reached else shape_of(rows["corrected"], campaign.table),
+            models=evidence.posterior.compared() if steps.ending != "interrupted" else (),
+            depths=depths_of(found),
+            forms=len(quick.effects),
+            effort=found.effort,
+            most_effort=self.settings.effort,
+            next_test=further,
+            law_file=table_law(self.problem, final, found.base, withheld),
+            worst=worst,
+            held=self._held(),
+            subject="table",
+            seconds=clock.perf_counter() - begin,
+        )
+        return PropertyCalibration(told, campaign, rows, quick.repeats)
+
+    def _errors(self, rows: PropertyRows) -> Errors:
+        squares = np.mean([r**2 for r in relative(rows, self.campaign.table).values()], axis=0)
+        groups = self.campaign.groups
+        fit, validate = (
+            float(np.mean(squares[np.concatenate([g.rows for g in groups if g.use == use])])) for use in EVERY
+        )
+        return Errors(fit, validate, {group.name: float(np.mean(squares[group.rows])) for group in groups})
+
+    def _validate(self, model: FittedModel) -> float:
+        try:
+            return self._errors(self.problem.model(model.effects, EVERY).properties(model.fit.values)).validate
+        except PredictionError:
+            return math.nan
+
+    def _why_not_carried(self, model: FittedModel, index: int) -> str:
+        effect = model.effects[index]
+        if effect.kind != "damper":
+            return "it is no part of the damper"
+        if effect.name == "arrangement":
+            return ""
+        own = np.array([model.fit.values[i] for i in model.places(index)])
+        return "law files have no such form" if carried(self.quick.inner, effect, own) is None else ""
+
+    def _held(self) -> dict[str, str]:
+        inner = self.quick.inner
+        fitted = {one.name for one in inner.base}
+        names = HELD.get(inner.law.name, {}) if inner.refit else {}
+        return {name: why_held(inner.law, name) for name in names if name not in fitted}
