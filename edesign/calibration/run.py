@@ -41,9 +41,7 @@ def calibrate(
     progress("preparing the tests")
     problem = damper_problem(campaign, threads)
     progress("fitting the law alone")
-    found = searched(problem, settings, progress, f"{campaign.path}: law")
-    if found.ending == "interrupted":
-        progress("interrupted: going on with what was found so far; interrupt again to leave it at the rate of the search")
+    found = searched(problem, settings, progress, campaign.path, "law")
     steps = Steps(progress, found.ending)
     calibration = Outcome.of(campaign, found, settings, steps).calibration(steps)
     return replace(calibration, seconds=clock.perf_counter() - begin)

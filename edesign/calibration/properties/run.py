@@ -78,7 +78,7 @@ def calibrate_properties(
     begin = clock.perf_counter()
     quick = property_problem(campaign, threads=threads)
     progress("fitting the law alone")
-    found = searched(quick, settings, progress, f"{campaign.path}: law")
+    found = searched(quick, settings, progress, campaign.path, "law")
     steps = Steps(progress, found.ending)
     progress("predicting all rows")
     problem = property_problem(campaign, CYCLES, SAMPLES, threads)

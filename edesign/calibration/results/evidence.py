@@ -6,6 +6,7 @@ import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from pathlib import Path
 from typing import TypeVar
 
 from edesign.calibration.residual.series import Errors, Stage
@@ -143,27 +144,31 @@ class Evidence:
         )
 
 
-def searched(problem: Problem, settings: SearchSettings, progress: Progress, what: str) -> Found:
+def searched(problem: Problem, settings: SearchSettings, progress: Progress, campaign: Path, model: str) -> Found:
     """Return what a search finds.
 
     Args:
         problem: of the tests.
         settings: of the search.
         progress: told what is done.
-        what: place of the declared model in a campaign file, for people.
+        campaign: the campaign file.
+        model: what is declared in it, for people.
 
     Raises:
         InputError: the declared model cannot predict the tests, or the effort is too little to fit it.
         KeyboardInterrupt: before it was fitted.
     """
     try:
-        return Search(problem, settings, progress).run()
+        found = Search(problem, settings, progress).run()
     except ValueError as error:
-        raise InputError(f"{what}: {error}") from error
+        raise InputError(f"{campaign}: {model}: {error}") from error
     except EffortSpentError:
         raise InputError(
-            f"--effort {settings.effort:g}: too little to fit the declared model alone; {SETTINGS.effort:g} are usual"
+            f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
         ) from None
+    if found.ending == "interrupted":
+        progress("interrupted: going on with what was found so far; interrupt again to leave out what can be")
+    return found
 
 
 def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:

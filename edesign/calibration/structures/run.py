@@ -64,7 +64,7 @@ def calibrate_structure(
     begin = clock.perf_counter()
     problem = structure_problem(campaign, threads)
     progress("fitting the building alone")
-    found = searched(problem.thinned(), settings, progress, f"{campaign.path}: structure")
+    found = searched(problem.thinned(), settings, progress, campaign.path, "structure")
     steps = Steps(progress, found.ending)
     progress("predicting all tests")
     return _Outcome.of(campaign, problem, found, settings).calibration(steps, begin)
