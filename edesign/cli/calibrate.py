@@ -15,6 +15,7 @@ import typer
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 
 if TYPE_CHECKING:
+    from edesign.calibration.search.settings import SearchSettings
     from edesign.report.page.render import Page
     from edesign.report.pdf.paper import PrintOptions
     from edesign.report.tables.table import Table
@@ -42,7 +43,7 @@ def calibrate(
             "--effort",
             "-e",
             min=1.0,
-            help="Predictions of all tests, weighted by what effects cost, after which the search of tests of a damper "
+            help="Predictions of all tests, weighted by what effects cost, after which the search "
             "ends unfinished. The same on every machine; 20 000 if not said.",
             show_default=False,
         ),
@@ -109,19 +110,14 @@ class _Search:
     folder: Path
     overwrite: bool
 
-    def unlimited(self, what: str) -> tuple[int, Callable[[str], None]]:
-        """Return workers and listener of a search without a limit."""
-        from edesign.errors import InputError
+    @property
+    def settings(self) -> SearchSettings:
+        """Numbers of the search."""
+        from dataclasses import replace
 
-        if self.effort is not None:
-            raise InputError(f"--effort: a search with {what} has no limit; leave it out (it limits tests of dampers)")
-        return self.workers, self.tell
+        from edesign.calibration.search.settings import SETTINGS
 
-    def check(self, campaign: Path, title: str) -> None:
-        """Check that the files of the calibration take the place of nothing else, rather than after the search."""
-        from edesign.calibrate.files import check_files
-
-        check_files(campaign, title, self.folder, self.overwrite)
+        return SETTINGS if self.effort is None else replace(SETTINGS, effort=self.effort)
 
 
 @dataclass(frozen=True)
@@ -139,40 +135,17 @@ class _Found:
 
 def _run(campaign: Path, search: _Search) -> _Found:
     """Calibrate with the tests of a damper, the records of a structure, or the rows of a property table."""
-    from edesign.calibrate.properties.campaign import is_property_campaign
-    from edesign.calibrate.structure.campaign import is_structure_campaign, load_structure_campaign
+    from edesign.calibration.properties.campaign import is_property_campaign
+    from edesign.calibration.structures.campaign import is_structure_campaign
 
     if is_property_campaign(campaign):
         return _properties(campaign, search)
-
-    if not is_structure_campaign(campaign):
-        return _damper(campaign, search)
-
-    from edesign.calibrate.files import write_files
-    from edesign.calibrate.structure.run import calibrate_structure
-    from edesign.calibrate.write import calibration_json
-    from edesign.report.calibration.tables import tables_of, verdict_text
-    from edesign.report.page.calibration import calibration_page
-
-    loaded = load_structure_campaign(campaign)
-    search.check(campaign, loaded.title or loaded.name)
-    found = calibrate_structure(loaded, *search.unlimited("records of a structure"))
-    return _Found(
-        lambda folder: write_files(found, loaded, folder),
-        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
-        lambda: calibration_json(found),
-        lambda: tables_of(found),
-        lambda: verdict_text(found),
-        found.ending == "interrupted",
-    )
+    return _structure(campaign, search) if is_structure_campaign(campaign) else _damper(campaign, search)
 
 
 def _damper(campaign: Path, search: _Search) -> _Found:
-    from dataclasses import replace
-
     from edesign.calibration.results.write import calibration_json, check_files, write_files
     from edesign.calibration.run import calibrate as run
-    from edesign.calibration.search.settings import SETTINGS
     from edesign.damper.testing.campaign import load_campaign
     from edesign.report.calibration.damper_tables import other_law_text, tables_of, verdict_text
     from edesign.report.page.calibration import calibration_page
@@ -181,8 +154,7 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     for note in loaded.notes:
         search.tell(note)
     check_files(campaign, loaded.label, search.folder, search.overwrite)
-    settings = SETTINGS if search.effort is None else replace(SETTINGS, effort=search.effort)
-    found = run(loaded, settings, search.workers, search.tell)
+    found = run(loaded, search.settings, search.workers, search.tell)
     return _Found(
         lambda folder: write_files(found, loaded, folder),
         lambda: calibration_page(found, workers=search.workers, document=loaded.document),
@@ -194,21 +166,43 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     )
 
 
+def _structure(campaign: Path, search: _Search) -> _Found:
+    from edesign.calibration.results.write import calibration_json
+    from edesign.calibration.structures.campaign import load_structure_campaign
+    from edesign.calibration.structures.run import calibrate_structure
+    from edesign.calibration.structures.write import check_structure_files, write_structure_files
+    from edesign.report.calibration.damper_tables import tables_of, verdict_text
+    from edesign.report.page.calibration import calibration_page
+
+    loaded = load_structure_campaign(campaign)
+    check_structure_files(campaign, loaded.title or loaded.name, search.folder, search.overwrite)
+    found = calibrate_structure(loaded, search.settings, search.workers, search.tell)
+    return _Found(
+        lambda folder: write_structure_files(found, loaded, folder),
+        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
+        lambda: calibration_json(found),
+        lambda: tables_of(found),
+        lambda: verdict_text(found),
+        found.ending == "interrupted",
+    )
+
+
 def _properties(campaign: Path, search: _Search) -> _Found:
-    from edesign.calibrate.properties.campaign import load_property_campaign
-    from edesign.calibrate.properties.run import calibrate_properties
-    from edesign.calibrate.properties.write import property_calibration_json, write_property_files
+    from edesign.calibration.properties.campaign import load_property_campaign
+    from edesign.calibration.properties.run import calibrate_properties
+    from edesign.calibration.properties.write import property_calibration_json, write_property_files
+    from edesign.calibration.results.write import check_files
     from edesign.report.calibration.properties import property_tables, property_verdict
     from edesign.report.page.property_calibration import property_calibration_page
 
     loaded = load_property_campaign(campaign)
-    search.check(campaign, loaded.title or loaded.specimen.name)
-    found = calibrate_properties(loaded, *search.unlimited("property tables"))
+    check_files(campaign, loaded.title or loaded.specimen.name, search.folder, search.overwrite)
+    found = calibrate_properties(loaded, search.settings, search.workers, search.tell)
     return _Found(
         lambda folder: write_property_files(found, folder),
         lambda: property_calibration_page(found),
         lambda: property_calibration_json(found),
         lambda: property_tables(found),
-        lambda: property_verdict(found),
+        lambda: "\n".join(property_verdict(found)),
         found.found.ending == "interrupted",
     )

@@ -124,7 +124,7 @@ KINDS = {
         SchemaKind(
             name="structure_campaign",
             title="campaign file of a structure",
-            module="edesign.calibrate.structure.structure_file",
+            module="edesign.calibration.structures.structure_file",
             model="StructureFile",
             keys=("structure", "channels"),
             files=("structure_campaign.yaml",),
@@ -133,7 +133,7 @@ KINDS = {
         SchemaKind(
             name="property_campaign",
             title="campaign file of a property table",
-            module="edesign.calibrate.properties.campaign",
+            module="edesign.calibration.properties.campaign",
             model="PropertyCampaignFile",
             keys=("properties", "specimen"),
             files=("property_campaign.yaml",),

@@ -1,4 +1,4 @@
-"""What a calibration of a damper found: a verdict in words, and tables for the terminal and the page."""
+"""What a calibration found: a verdict in words, and tables for the terminal and the page."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ import numpy as np
 
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES as EVERY_STAGE
-from edesign.calibration.results.result import Calibration, Effect, Estimate
+from edesign.calibration.results.result import Calibration, Effect, Estimate, Subject
 from edesign.damper.amendment_kinds import kind_if_known
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
-from edesign.report.calibration.tables import each_test_table, errors_table, starts_table
+from edesign.report.calibration.tables import MODELS, each_test_table, errors_table, starts_table
 from edesign.report.calibration.units import interval_text, percent, plus_minus, practical, value_text
 from edesign.report.tables.table import Table, formatted
 
@@ -21,7 +21,8 @@ _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _LEAST = 1e-4  # probability that is told as a number
 _NOTHING = "nothing known"
-_ALONE = "the law alone"
+_TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
+_MEASURED: dict[Subject, str] = {"damper": "force", "structure": "motion", "table": "moduli"}
 
 
 def tables_of(calibration: Calibration) -> list[Table]:
@@ -94,7 +95,7 @@ def hypotheses_table(calibration: Calibration) -> Table:
         calibration: what was found.
     """
     table = Table(
-        "Hypotheses: found, no part of the law",
+        f"Hypotheses: found, no part of the {MODELS[calibration.subject]}",
         ("effect", "parameters", "why"),
         left=3,
         name="hypotheses",
@@ -111,27 +112,31 @@ def models_table(calibration: Calibration) -> Table:
         calibration: what was found.
     """
     columns = ("effects of the model", "fitted tests: NRMS [%]", "behind", "probability")
-    table = Table("Models that were compared", columns, left=1, name="models")
+    table, model = Table("Models that were compared", columns, left=1, name="models"), MODELS[calibration.subject]
     for one in calibration.models:
         behind = "-" if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
-        table.rows.append([" + ".join(one.effects) or _ALONE, percent(one.nrms), behind, _probability(one.probability)])
+        table.rows.append(
+            [" + ".join(one.effects) or f"the {model} alone", percent(one.nrms), behind, _probability(one.probability)]
+        )
     if table.rows:
         table.notes += [
-            "behind: log density of tests left out by which the corrected law is ahead, with its standard error",
+            "behind: log density of tests left out by which the corrected model is ahead, with its standard error",
             searched(calibration),
         ]
     return table
 
 
 def law_table(calibration: Calibration) -> Table:
-    """Return the parameters of the law at each stage with 95 % intervals.
+    """Return the parameters of the law or the building at each stage with 95 % intervals.
 
     Args:
         calibration: what was found.
     """
-    law = LAWS[calibration.law]
+    law, structure = LAWS.get(calibration.law), calibration.subject == "structure"
+    titles = ["Building"] if structure else []
+    titles += [f"Law {calibration.law}: {law.title}"] if law is not None else []
     columns = ("parameter", "unit", "declared", "refitted", "95 % interval", "corrected", "95 % interval")
-    table = Table(f"Law {calibration.law}: {law.title}", columns)
+    table = Table(", and ".join(titles), columns)
     stages = {stage: calibration.parameters[stage] for stage in EVERY_STAGE}
     for name in stages["declared"]:
         shown = {stage: practical(found[name], found) for stage, found in stages.items()}
@@ -139,6 +144,8 @@ def law_table(calibration: Calibration) -> Table:
         for one in (shown["refit"], shown["corrected"]):
             row += [value_text(one), interval_text(one)]
         table.rows.append(row)
+    if structure:
+        table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
     if calibration.law_held:
         table.notes.append("the campaign has the declared parameters held (`refit: false`)")
     table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
@@ -181,7 +188,10 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
         [_found(calibration), *ended(calibration)],
         [_errors(calibration), *_worst(calibration)],
         [_file(calibration)],
-        [f"A hypothesis, no part of the law: {effect_text(one.effect)}; {one.why}." for one in calibration.hypotheses],
+        [
+            f"A hypothesis, no part of the {MODELS[calibration.subject]}: {effect_text(one.effect)}; {one.why}."
+            for one in calibration.hypotheses
+        ],
         _open(calibration),
         _conditions(calibration),
     ]
@@ -227,7 +237,7 @@ def name_of(name: str) -> str:
     Args:
         name: of the effect, or label.
     """
-    return _ALONE if name == "none" else name if "." in name else name.replace("_", " ")
+    return "the model alone" if name == "none" else name if "." in name else name.replace("_", " ")
 
 
 def ended(calibration: Calibration) -> list[str]:
@@ -248,11 +258,12 @@ def ended(calibration: Calibration) -> list[str]:
 
 def _found(calibration: Calibration) -> str:
     effects = "; and ".join(effect_text(effect) for effect in calibration.effects)
+    tests = _TESTS[calibration.subject]
     again = "" if calibration.law_held else " once its parameters are fitted again"
     return {
-        "none": f"None: no effect is missing from the law {calibration.law}{again}.",
-        "explained": f"Explained: the tests show {effects}. Only noise is left.",
-        "partly_explained": f"Partly explained: the tests show {effects}. More than noise is left.",
+        "none": f"None: no effect is missing from {_model(calibration)}{again}.",
+        "explained": f"Explained: the {tests} show {effects}. Only noise is left.",
+        "partly_explained": f"Partly explained: the {tests} show {effects}. More than noise is left.",
         "nothing_found": "Nothing found: something is missing, and no effect known here passes the rule of adoption.",
         "not_searched": "Not searched: something is missing, and the search ended before all effects were tried.",
     }[calibration.verdict]
@@ -260,11 +271,17 @@ def _found(calibration: Calibration) -> str:
 
 def _errors(calibration: Calibration) -> str:
     declared, refit, corrected = (calibration.errors[stage].validate for stage in EVERY_STAGE)
+    name = MODELS[calibration.subject]
     model = (
-        "the corrected law" if calibration.effects else "the law" if calibration.law_held else "the law fitted again"
+        f"the corrected {name}"
+        if calibration.effects
+        else f"the {name}"
+        if calibration.law_held
+        else f"the {name} fitted again"
     )
     texts = [
-        f"In tests that nothing was fitted to, {model} misses {percent(math.sqrt(corrected), 2)} % of the force (rms; "
+        f"In {_TESTS[calibration.subject]} that nothing was fitted to, {model} misses "
+        f"{percent(math.sqrt(corrected), 2)} % of the {_MEASURED[calibration.subject]} (rms; "
         f"NRMS {percent(corrected)} %), as declared it misses {percent(math.sqrt(declared), 2)} %"
     ]
     if calibration.effects and not calibration.law_held:
@@ -274,7 +291,9 @@ def _errors(calibration: Calibration) -> str:
         texts.append(" The declared parameters predict these tests better than fitted ones do.")
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)
-        texts.append(f" Of the error of the refitted law above that {share} % is left: {calibration.unexplained_shape}")
+        texts.append(
+            f" Of the error of the refitted {name} above that {share} % is left: {calibration.unexplained_shape}"
+        )
     return "".join(texts)
 
 
@@ -289,7 +308,9 @@ def _worst(calibration: Calibration) -> list[str]:
 
 
 def _file(calibration: Calibration) -> str:
-    """What law.yaml has."""
+    """What law.yaml has; of a structure what structure.yaml and law.yaml lack."""
+    if calibration.subject == "structure":
+        return _structure_file(calibration)
     file = calibration.law_file
     carried = " and ".join(one.label for one in file.amendments)
     what = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}[file.stage]
@@ -307,6 +328,23 @@ def _file(calibration: Calibration) -> str:
     return f"{text}."
 
 
+def _structure_file(calibration: Calibration) -> str:
+    """What structure.yaml has, and what stands in comments of it."""
+    lacking = calibration.law_file.lacking
+    text = "structure.yaml has the building as " + ("corrected" if calibration.effects else "fitted again")
+    if calibration.law_held and not calibration.effects:
+        text = "structure.yaml has the building as declared"
+    if lacking:
+        text += f", but no key of it, or of a law, carries {', '.join(lacking)}: comments tell"
+    if calibration.law_file.told:
+        text += "; what the instruments did is no part of it"
+    return f"{text}."
+
+
+def _model(calibration: Calibration) -> str:
+    return "the building" if calibration.subject == "structure" else f"the law {calibration.law}"
+
+
 def _open(calibration: Calibration) -> list[str]:
     """Look-alikes, the next test, and effects that held-out tests do not bear out."""
     texts = []
@@ -316,7 +354,8 @@ def _open(calibration: Calibration) -> list[str]:
                 f"{name_of(name)} ({_probability(p)})" for name, p in effect.indistinguishable_from.items()
             )
             texts.append(
-                f"These tests cannot tell {name_of(effect.name)} ({_probability(effect.probability)} probable) "
+                f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} "
+                f"({_probability(effect.probability)} probable) "
                 f"from {alike}."
             )
     with_it = calibration.errors["corrected"].validate
@@ -347,6 +386,8 @@ def _conditions(calibration: Calibration) -> list[str]:
         texts.append(f"In {', '.join(lasting)} what went before matters longer than half of the test.")
     if calibration.lasting:
         texts.append("The softening of the law by its largest deformation and velocity lasts from test to test.")
+    if calibration.subject != "damper":
+        return texts
     degrees = {one.name: (one.use, float(np.mean(one.temperature))) for one in calibration.tests}
     fitted = [warm for use, warm in degrees.values() if use == "fit"]
     beyond = [

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibrate.result import Effect as EffectOfStructure
 from edesign.calibration.residual.series import Series
 from edesign.calibration.results.result import Effect
 from edesign.report.calibration.view import COLOURS, View
@@ -124,7 +123,7 @@ def effect_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
         yield "effects", caption, _effects_figure(view, shown)
 
 
-def _values(effect: Effect | EffectOfStructure) -> Values | None:
+def _values(effect: Effect) -> Values | None:
     """Parameters of an effect that can be drawn, SI; None of others."""
     if (effect.name, effect.form) not in _SHAPES:
         return None
@@ -132,7 +131,7 @@ def _values(effect: Effect | EffectOfStructure) -> Values | None:
 
 
 @styled
-def _effects_figure(view: View, shown: list[tuple[Effect | EffectOfStructure, Values]]) -> Figure:
+def _effects_figure(view: View, shown: list[tuple[Effect, Values]]) -> Figure:
     figure, cells = grid_figure(len(shown), 2, 3.4, 2.4)
     for axis, (effect, values) in zip(cells, shown, strict=True):
         shape = _SHAPES[(effect.name, effect.form)]

@@ -7,19 +7,18 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibrate.properties.result import PropertyCalibration
-from edesign.calibrate.properties.shape import relative
+from edesign.calibration.properties.left import relative
+from edesign.calibration.properties.run import PropertyCalibration
 from edesign.damper.testing.steady_state import PropertyRows
-from edesign.report.calibration.effect_tables import effect_name, effect_tables
-from edesign.report.calibration.tables import (
-    NOT_SEARCHED,
-    STAGES,
-    effect_text,
-    ended,
-    hypothesis_text,
-    law_parameters_table,
-    worst_text,
+from edesign.report.calibration.damper_tables import (
+    effect_parameters_table,
+    effects_table,
+    hypotheses_table,
+    law_table,
+    models_table,
+    verdict_paragraphs,
 )
+from edesign.report.calibration.tables import STAGES
 from edesign.report.calibration.units import percent
 from edesign.report.damper.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.tables.table import Table
@@ -27,23 +26,22 @@ from edesign.report.tables.table import Table
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-_VERDICTS = {
-    "none": "No effect is missing from the law.",
-    "explained": "Explained: ",
-    "partly_explained": "Partly explained: ",
-    "unexplained": "Unexplained: something is missing, and no effect known here explains it.",
-    "not_searched": NOT_SEARCHED,
-}
-
 
 def property_tables(calibration: PropertyCalibration) -> list[Table]:
     """All tables, in the order of a report on a terminal."""
     return [
         property_errors_table(calibration),
         each_group_table(calibration),
-        *effect_tables(calibration.found),
-        law_parameters_table(calibration.found),
+        *property_effect_tables(calibration),
+        law_table(calibration.found),
     ]
+
+
+def property_effect_tables(calibration: PropertyCalibration) -> list[Table]:
+    """Effects, their parameters, hypotheses and the models that were compared; those without rows left out."""
+    found = calibration.found
+    tables = effects_table(found), effect_parameters_table(found), hypotheses_table(found), models_table(found)
+    return [table for table in tables if table.rows]
 
 
 def property_errors_table(calibration: PropertyCalibration) -> Table:
@@ -57,7 +55,7 @@ def property_errors_table(calibration: PropertyCalibration) -> Table:
             each = [float(np.sqrt(np.mean(r[rows] ** 2))) for r in residuals.values()]
             table.rows.append([label, words, *map(percent, each), percent(float(np.sqrt(np.mean(np.square(each)))))])
     table.notes.append(
-        f"rows repeat to {percent(calibration.noise)} %, as their smoothness over frequency and strain shows"
+        f"rows repeat to {percent(calibration.repeats)} %, as their smoothness over frequency and strain shows"
     )
     return table
 
@@ -76,28 +74,9 @@ def each_group_table(calibration: PropertyCalibration) -> Table:
     return table
 
 
-def property_verdict(calibration: PropertyCalibration) -> str:
-    """The verdict in a plain paragraph."""
-    found = calibration.found
-    declared, refit, corrected = (percent(float(np.sqrt(found.errors[stage].validate))) for stage in STAGES)
-    texts = [_VERDICTS[found.verdict] + "; and ".join(effect_text(effect) for effect in found.effects)]
-    if found.effects:
-        texts[0] += "."
-    texts.append(
-        f"The rms relative error of properties held out is {declared} % as declared, {refit} % with the law alone "
-        f"fitted again, {corrected} % corrected; rows repeat to {percent(calibration.noise)} %."
-    )
-    texts += [*worst_text(found.worst), *ended(found), *map(hypothesis_text, found.hypotheses)]
-    if found.unexplained_shape:
-        texts.append(f"What is left: {found.unexplained_shape}")
-    for effect in found.effects:
-        if effect.indistinguishable_from:
-            alike = " or ".join(effect_name(name) for name in effect.indistinguishable_from)
-            texts.append(f"This table cannot tell {effect_name(effect.name)} from {alike}.")
-    if found.next_test is not None:
-        names = " from ".join(effect_name(name) for name in found.next_test.separates)
-        texts.append(f"To tell {names}: {found.next_test.text}.")
-    return " ".join(texts)
+def property_verdict(calibration: PropertyCalibration) -> tuple[str, ...]:
+    """The verdict in plain paragraphs."""
+    return verdict_paragraphs(calibration.found)
 
 
 def property_calibration_figures(calibration: PropertyCalibration) -> Iterator[tuple[str, str, Figure]]:

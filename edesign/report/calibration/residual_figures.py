@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibrate.result import Stage
 from edesign.calibration.residual.against import Dependence
 from edesign.calibration.residual.harmonics import HIGHEST, Harmonics, harmonics
 from edesign.calibration.residual.maps import ResidualMap, residual_map
+from edesign.calibration.residual.series import Stage
 from edesign.report.calibration.view import COLOURS, View, excess
 from edesign.report.drawing.style import grid_figure, label_outer, new_figure, styled
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.calibrate.result import Series
+from edesign.calibration.residual.series import Series
 from edesign.report.calibration.units import scale_of
 from edesign.report.calibration.view import COLOURS, MEASURED, View, outline
 from edesign.report.drawing.captions import file_name

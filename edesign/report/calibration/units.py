@@ -6,24 +6,13 @@ import math
 import re
 from collections.abc import Mapping
 from functools import cache
-from typing import TypeVar
 
-from edesign.calibrate.result import Calibration as CalibrationOfStructure
-from edesign.calibrate.result import Estimate as EstimateOfStructure
 from edesign.calibration.residual.series import Series
-from edesign.calibration.results.result import Calibration, Estimate
+from edesign.calibration.results.result import Estimate
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.project.notation.units import Kind, parse_quantity
 from edesign.report.tables.table import NumberText, formatted, number
-
-Calibrated = Calibration | CalibrationOfStructure
-"""Of a damper, or of a structure."""
-
-Number = Estimate | EstimateOfStructure
-"""Of a damper, or of a structure."""
-
-N = TypeVar("N", Estimate, EstimateOfStructure)
 
 UNKNOWN = "not determined"
 _AS_THEY_ARE = ("", "degC", "K", "1/K")
@@ -46,7 +35,7 @@ def percent(ratio: float, digits: int = 3) -> str:
     return number(ratio, digits, 1e-2) if math.isfinite(ratio) else "-"
 
 
-def practical(estimate: N, siblings: Mapping[str, N]) -> N:
+def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
     """An estimate in kN, mm, ms or s in place of SI.
 
     Args:
@@ -75,12 +64,12 @@ def _with_numbers(unit: str, exponents: Mapping[str, float]) -> str:
     return _EXPONENT.sub(lambda match: f"^{exponents.get(match[1], match[1])!r}", unit)
 
 
-def value_text(estimate: Number) -> str:
+def value_text(estimate: Estimate) -> str:
     """The value with the digits that its standard error leaves."""
     return _with_places(estimate.value, estimate.standard_error)
 
 
-def error_text(estimate: Number) -> str:
+def error_text(estimate: Estimate) -> str:
     """The standard error; "held" of a value that was not searched."""
     error = estimate.standard_error
     if not math.isfinite(error):
@@ -88,7 +77,7 @@ def error_text(estimate: Number) -> str:
     return _with_places(error, error) if error > 0.0 else "held"
 
 
-def interval_text(estimate: Number) -> str:
+def interval_text(estimate: Estimate) -> str:
     """The 95 % interval, or why there is none."""
     error = estimate.standard_error
     if estimate.untold:
@@ -100,7 +89,7 @@ def interval_text(estimate: Number) -> str:
     return " to ".join(_with_places(end, error) for end in estimate.interval)
 
 
-def plus_minus(estimate: Number) -> str:
+def plus_minus(estimate: Estimate) -> str:
     """Value, standard error and unit: 4.00 ± 0.10 ms."""
     unit = f" {estimate.unit}" if estimate.unit else ""
     error = error_text(estimate)

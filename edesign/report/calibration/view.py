@@ -14,8 +14,8 @@ from edesign.calibration.residual.pool import Pool
 from edesign.calibration.residual.record import FEWEST, Residual
 from edesign.calibration.residual.series import Series, Stage
 from edesign.calibration.residual.whiteness import effective_samples
+from edesign.calibration.results.result import Calibration
 from edesign.report.calibration.tables import label_of
-from edesign.report.calibration.units import Calibrated
 from edesign.report.drawing.style import AFTER, BEFORE, MEAN, VARIANTS
 from edesign.report.drawing.thin_out import thin_out
 
@@ -37,7 +37,7 @@ class View:
         workers: processes that draw.
     """
 
-    calibration: Calibrated
+    calibration: Calibration
     workers: int = 1
 
     @cached_property

@@ -132,7 +132,7 @@ def property_campaign_summary(path: Path) -> dict[str, str]:
     Raises:
         InputError: it is wrong.
     """
-    from edesign.calibrate.properties.campaign import load_property_campaign
+    from edesign.calibration.properties.campaign import load_property_campaign
 
     campaign = load_property_campaign(path)
     uses = Counter(group.use for group in campaign.groups)

@@ -97,13 +97,11 @@ def structure_campaign_summary(path: Path) -> dict[str, str]:
     Raises:
         InputError: it, or a record, is wrong, or there are too few of them.
     """
-    from edesign.calibrate.structure.campaign import load_structure_campaign
-    from edesign.calibrate.structure.check import check_channels, check_tests
-    from edesign.calibrate.structure.problem import StructureProblem
+    from edesign.calibration.structures.campaign import load_structure_campaign
+    from edesign.calibration.structures.from_campaign import structure_problem
 
     campaign = load_structure_campaign(path)
-    check_tests(campaign)
-    check_channels(StructureProblem.of(campaign), campaign)
+    structure_problem(campaign)
     building, uses = campaign.building, Counter(test.use for test in campaign.tests)
     channels = {channel.label: None for test in campaign.tests for channel in test.channels}
     return {

@@ -8,19 +8,17 @@ from pathlib import Path
 from edesign._version import __version__
 from edesign.calibration.results.result import Calibration
 from edesign.project.document import Document
-from edesign.report.calibration.units import Calibrated
 from edesign.report.calibration.view import View
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.document import check_page_path, write_html
 from edesign.report.page.render import Cover, Page, render
-from edesign.report.page.sections import calibration as structure
-from edesign.report.page.sections import damper_calibration as damper
+from edesign.report.page.sections.damper_calibration import SECTIONS
 
 NO_DOCUMENT = Document()
 
 
 def write_calibration_page(
-    calibration: Calibrated,
+    calibration: Calibration,
     path: Path,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
@@ -47,7 +45,7 @@ def write_calibration_page(
 
 
 def calibration_page_text(
-    calibration: Calibrated,
+    calibration: Calibration,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
     document: Document = NO_DOCUMENT,
@@ -58,7 +56,7 @@ def calibration_page_text(
 
 
 def calibration_page(
-    calibration: Calibrated,
+    calibration: Calibration,
     tell: Callable[[str], None] = lambda line: None,
     workers: int = 1,
     document: Document = NO_DOCUMENT,
@@ -66,7 +64,7 @@ def calibration_page(
     """Return the report as data; arguments as `write_calibration_page`."""
     view = View(calibration, workers)
     made = []
-    for section in damper.SECTIONS if isinstance(calibration, Calibration) else structure.SECTIONS:
+    for section in SECTIONS:
         found = section(view)
         tell(f"section {found.title}")
         made.append(found)
@@ -83,6 +81,6 @@ def calibration_page(
     return Page(cover, tuple(section for section in made if section))
 
 
-def _model(calibration: Calibrated) -> str:
+def _model(calibration: Calibration) -> str:
     law = f"law {calibration.law}" if calibration.law else ""
     return ", ".join(filter(None, ("building", law))) if calibration.subject == "structure" else law

@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from edesign._version import __version__
-from edesign.calibrate.properties.result import PropertyCalibration
-from edesign.report.calibration.effect_tables import effect_tables
+from edesign.calibration.properties.run import PropertyCalibration
+from edesign.report.calibration.damper_tables import law_table, searched
 from edesign.report.calibration.properties import (
     each_group_table,
     property_calibration_figures,
+    property_effect_tables,
     property_errors_table,
     property_verdict,
 )
-from edesign.report.calibration.tables import law_parameters_table
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
 from edesign.report.page.section import Picture, Section
@@ -27,11 +27,16 @@ def property_calibration_page(calibration: PropertyCalibration) -> Page:
     residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))
     properties = tuple(picture for name, picture in pictures.items() if name.startswith("properties"))
     sections = (
-        Section("verdict", "Verdict", (property_verdict(calibration),), (property_errors_table(calibration),)),
-        Section("effects", "Effects, and how sure they are", (), tuple(effect_tables(found))),
+        Section("verdict", "Verdict", property_verdict(calibration), (property_errors_table(calibration),)),
+        Section(
+            "effects",
+            "Effects, and how sure they are",
+            (f"The search took {searched(found)}.",),
+            tuple(property_effect_tables(calibration)),
+        ),
         Section("residuals", "Residuals before and after", (), (each_group_table(calibration), *residuals)),
         Section("properties", "Properties", (), properties),
-        Section("law", "Parameters of the law", (), (law_parameters_table(found),)),
+        Section("law", "Parameters of the law", (), (law_table(found),)),
     )
     cover = Cover(
         title=found.title,

@@ -1,11 +1,11 @@
-"""The sections of the report of a calibration of a damper."""
+"""The sections of the report of a calibration of a damper or a structure."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
 from edesign._version import __version__
-from edesign.calibration.results.result import Calibration
+from edesign.calibration.results.result import Subject
 from edesign.report.calibration.damper_tables import (
     effect_parameters_table,
     effects_table,
@@ -19,11 +19,12 @@ from edesign.report.calibration.damper_tables import (
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.history_figures import error_figures, loop_figures, residual_figures
 from edesign.report.calibration.residual_figures import dependence_figures, harmonic_figures, map_figures
-from edesign.report.calibration.tables import NRMS_NOTES, each_test_table, errors_table, starts_table
+from edesign.report.calibration.structure_figures import history_figures, peak_figures, spectrum_figures
+from edesign.report.calibration.tables import MODELS, NRMS_NOTES, each_test_table, errors_table, starts_table
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.view import View
 from edesign.report.page.section import Facts, Headline, Headlines, Part, Section
-from edesign.report.page.sections.calibration import pictures, tests_table
+from edesign.report.page.sections.calibration import channels_table, pictures, tests_table
 from edesign.report.tables.table import Table
 
 _VERDICTS = {
@@ -33,12 +34,22 @@ _VERDICTS = {
     "nothing_found": ("Nothing found", "no effect known here explains what is left", "bad"),
     "not_searched": ("Not searched", "the search ended before all effects were tried", "bad"),
 }
+_OWN: dict[Subject, str] = {
+    "damper": "; shares that are each test's own, such as the phase of hum, are taken from that test",
+    "structure": "",
+}
+_NOISE: dict[Subject, str] = {
+    "damper": "of each test the larger one of the noise of its channels and of what does not repeat from cycle to "
+    "cycle or in a test made again; and what 0.2 K of the thermometer change",
+    "structure": "of each channel its broadband noise, at least 0.2 % of its rms: steps of records and of the "
+    "integration leave so much",
+}
 _FILES = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}
 
 
 def verdict(view: View) -> Section:
     """Return what a reader should know who reads nothing else."""
-    found = _found(view)
+    found = view.calibration
     word, detail, state = _VERDICTS[found.verdict]
     declared, corrected = (found.errors[stage].validate for stage in ("declared", "corrected"))
     effects = ", ".join(name_of(effect.name) for effect in found.effects)
@@ -53,7 +64,8 @@ def verdict(view: View) -> Section:
         Headline(
             effects or "-",
             "Effects found",
-            f"{f'kind: {kinds}' if kinds else 'none was adopted'}; law.yaml has {_FILES[file.stage]}",
+            (f"kind: {kinds}" if kinds else "none was adopted")
+            + (f"; law.yaml has {_FILES[file.stage]}" if found.subject == "damper" else ""),
             "bad" if file.lacking else "",
         ),
     )
@@ -69,7 +81,7 @@ def errors(view: View) -> Section:
 
 def effects(view: View) -> Section:
     """Return effects, their parameters with intervals, and the models that were compared."""
-    found = _found(view)
+    found = view.calibration
     tables = (effects_table(found), effect_parameters_table(found), hypotheses_table(found), models_table(found))
     parts: list[Part] = [table for table in tables if table.rows]
     text = () if found.effects else ("No effect was adopted.",)
@@ -78,7 +90,7 @@ def effects(view: View) -> Section:
 
 def open_questions(view: View) -> Section:
     """Return what is left, look-alikes, and the test that would separate them."""
-    found = _found(view)
+    found = view.calibration
     rows = [
         ("Left", found.unexplained_shape or f"only noise, an NRMS of {percent(found.noise_floor)} %"),
         *(
@@ -102,7 +114,10 @@ def open_questions(view: View) -> Section:
 
 
 def residuals(view: View) -> Section:
-    """Return loops and residuals before and after."""
+    """Return loops and residuals before and after; of a structure histories and spectra of its channels."""
+    if view.calibration.subject == "structure":
+        of_records = (peak_figures, history_figures, spectrum_figures)
+        return Section("residual", "Records before and after", (), pictures(view, *of_records))
     makers = (loop_figures, residual_figures, dependence_figures, harmonic_figures, map_figures)
     return Section("residual", "Residual before and after", (), pictures(view, *makers))
 
@@ -110,7 +125,7 @@ def residuals(view: View) -> Section:
 def campaign(view: View) -> Section:
     """Return what was measured, and the error of each test."""
     tables: tuple[Table, ...] = (
-        tests_table(view.calibration),
+        (channels_table if view.calibration.subject == "structure" else tests_table)(view.calibration),
         each_test_table(view.calibration),
         starts_table(view.calibration),
     )
@@ -118,32 +133,25 @@ def campaign(view: View) -> Section:
 
 
 def law(view: View) -> Section:
-    """Return the parameters of the law before and after."""
-    return Section("law", "The law", (), (law_table(_found(view)),))
+    """Return the parameters of the law or the building before and after."""
+    title = "The building" if view.calibration.subject == "structure" else "The law"
+    return Section("law", title, (), (law_table(view.calibration),))
 
 
 def provenance(view: View) -> Section:
     """Return how the numbers were made."""
-    found = _found(view)
-    samples = sum(one.time.size for one in found.series)
+    found = view.calibration
+    samples, model = sum(one.time.size for one in found.series), MODELS[found.subject]
     rows = (
         ("edesign", __version__),
         ("Measured", f"{len(found.tests)} tests, {samples:,} samples"),
         ("Time taken", f"{found.seconds:.1f} s"),
         ("Search", searched(found)),
         ("NRMS", NRMS_NOTES[found.subject].removeprefix("NRMS: ")),
-        ("As declared", "the law with the parameters it was given; no fit"),
-        ("Refitted", "the same law fitted to the tests for fitting, without effects"),
-        (
-            "Corrected",
-            "the law with the effects found, fitted to the tests for fitting; shares that are each test's own, "
-            "such as the phase of hum, are taken from that test",
-        ),
-        (
-            "Noise floor",
-            "of each test the larger one of the noise of its channels and of what does not repeat from cycle to cycle "
-            "or in a test made again; and what 0.2 K of the thermometer change",
-        ),
+        ("As declared", f"the {model} with the parameters it was given; no fit"),
+        ("Refitted", f"the same {model} fitted to the tests for fitting, without effects"),
+        ("Corrected", f"the {model} with the effects found, fitted to the tests for fitting{_OWN[found.subject]}"),
+        ("Noise floor", _NOISE[found.subject]),
         (
             "Interval",
             "95 %: by the scatter within tests, for residuals as correlated as they are, or by that from test to test "
@@ -153,7 +161,7 @@ def provenance(view: View) -> Section:
             "Adoption",
             "an effect is adopted if tests left out of the fit are predicted better, by more than 4 in log density and "
             "than twice the error of that; its interval must not hold zero, and the validation tests must not be "
-            "predicted worse than by the refitted law",
+            f"predicted worse than by the refitted {model}",
         ),
         (
             "Probability",
@@ -161,11 +169,6 @@ def provenance(view: View) -> Section:
         ),
     )
     return Section("provenance", "Provenance and definitions", (), (Facts(rows),))
-
-
-def _found(view: View) -> Calibration:
-    assert isinstance(view.calibration, Calibration)
-    return view.calibration
 
 
 SECTIONS: tuple[Callable[[View], Section], ...] = (
