@@ -25,7 +25,7 @@ def effects(
 ) -> None:
     """Print the effects that `edesign calibrate` looks for, or the forms and parameters of one."""
     from edesign.archive.files import check_csv_name
-    from edesign.calibrate.effect_list import effects_named, known_effects
+    from edesign.calibration.effect_list import effects_named, known_effects
     from edesign.report.calibration.known_effects import effect_tables, effects_data, effects_tables, write_effects_csv
     from edesign.report.tables.text import print_tables
 

@@ -15,14 +15,14 @@ import yaml
 
 from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
-from edesign.calibration.dampers.effect import FormInCampaign
+from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.predictions import errors_of, predicted
 from edesign.calibration.results.result import Calibration, LawFile
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
-from edesign.damper.amendment_kinds import kind_if_known
+from edesign.damper.amendment_kinds import AmendmentKind, kind_if_known
 from edesign.damper.amendments import Amendment
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
@@ -49,6 +49,30 @@ class Carried:
 
     amendments: tuple[Amendment, ...] = ()
     temperature: GammaT | FerryShift | None = None
+
+
+def form_in_law_files(form: EffectForm) -> bool:
+    """Return whether law files carry a form of an effect, of some law at least.
+
+    Args:
+        form: of the library.
+    """
+    acts = [act for act in form.acts if not isinstance(act, Rest | LastingExtremes)]
+    if form.kind != "damper" or not acts:
+        return False
+    if any(isinstance(act, LawParameters) for act in acts):
+        return form.name == "temperature_law"
+    return all(isinstance(act, AmendmentAct) and _kind(form, act) is not None for act in acts)
+
+
+def parameters_in_law_files(form: EffectForm) -> dict[str, str]:
+    """Return the meanings of the parameters of a form that law files have, by name.
+
+    Args:
+        form: of the library.
+    """
+    kinds = [kind for act in form.amendments if (kind := _kind(form, act)) is not None]
+    return {one.name: one.meaning for kind in kinds for one in kind.parameters}
 
 
 def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carried | None:
@@ -79,20 +103,28 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
 def _amendment(
     problem: DamperProblem, of: FormInCampaign, act: AmendmentAct, p: Mapping[str, float]
 ) -> Amendment | None:
-    name, _, form = act.equation.partition(".")
+    kind = _kind(of.form, act)
+    if kind is None:
+        return None
     if act.equation == _CONSTANT:
-        name, form = of.form.name, of.form.form.removesuffix(f"_{act.placement.value}")
         p = {**p, "T0": REFERENCE_C, "n": float(problem.experiments[-1].order)}
     elif act.more is not None:
         p = {**p, **act.more(p)}
-    kind = kind_if_known(name, form)
-    if kind is None or kind.constant != (act.equation == _CONSTANT):
-        return None
+    name, _, form = kind.name.partition(".")
     try:
         values = {one.name: p[one.name] for one in kind.parameters if one.name in p}
         return Amendment(name, form, values, act.placement.value)
     except InputError:  # a parameter, or a placement, that law files refuse
         return None
+
+
+def _kind(form: EffectForm, act: AmendmentAct) -> AmendmentKind | None:
+    """Kind by which law files know what an act does; None: they know none."""
+    name, _, equation = act.equation.partition(".")
+    if act.equation == _CONSTANT:
+        name, equation = form.name, form.form.removesuffix(f"_{act.placement.value}")
+    kind = kind_if_known(name, equation)
+    return kind if kind is not None and kind.constant == (act.equation == _CONSTANT) else None
 
 
 def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[str, float]) -> Carried | None:

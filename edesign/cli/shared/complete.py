@@ -61,7 +61,7 @@ def _sections() -> Iterable[str]:
 
 
 def _effects() -> Iterable[str]:
-    from edesign.calibrate.effect_list import known_effects
+    from edesign.calibration.effect_list import known_effects
 
     return (effect.name for effect in known_effects())
 

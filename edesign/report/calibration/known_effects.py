@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from edesign.archive.csv_files import Cell, write_csv_file
-from edesign.calibrate.effect_list import EffectForm, EffectParameter, KnownEffect
+from edesign.calibration.effect_list import KnownEffect, KnownForm, KnownParameter
 from edesign.damper.law import Parameter
 from edesign.damper.parameters import practical_unit
 from edesign.report.tables.table import Table
@@ -26,12 +26,13 @@ def effects_tables(effects: tuple[KnownEffect, ...]) -> list[Table]:
 
 def effect_tables(effect: KnownEffect) -> list[Table]:
     """Return the forms of an effect with their parameters, and what those mean that law files carry."""
-    columns = ("form", "what", "parameters", "law file")
-    forms = Table(f"{effect.name}: forms, in {effect.tests}", columns, left=4, sentences=(1, 2))
+    columns = ("form", "what", "acts on", "parameters", "law file")
+    forms = Table(f"{effect.name}: forms, in {effect.tests}", columns, left=5, sentences=(1, 2, 3))
     forms.rows = [
         [
             form.form,
             form.title,
+            ", ".join(form.placements) or "-",
             ", ".join(f"{one.name} [{_unit(one)}]" for one in form.parameters) or "-",
             "yes" if form.in_law_files else "-",
         ]
@@ -49,8 +50,8 @@ def effect_tables(effect: KnownEffect) -> list[Table]:
     parameters.rows = [
         [form.form, one.name, _unit(one), one.meaning]
         for form in effect.forms
-        if form.in_law_files
         for one in form.parameters
+        if form.in_law_files and one.meaning
     ]
     return [forms, parameters] if parameters.rows else [forms]
 
@@ -80,20 +81,22 @@ def write_effects_csv(effects: tuple[KnownEffect, ...], path: Path) -> None:
         [effect.name, effect.tests, effect.kind, form.form, form.title, form.in_law_files, one.name, one.unit]
         for effect in effects
         for form in effect.forms
-        for one in form.parameters or (EffectParameter("", ""),)
+        for one in form.parameters or (KnownParameter("", ""),)
     ]
     write_csv_file(["effect", "tests", "of", "form", "what", "law_file", "parameter", "unit"], rows, path)
 
 
-def _form(form: EffectForm) -> dict[str, Any]:
+def _form(form: KnownForm) -> dict[str, Any]:
     return {
         "form": form.form,
         "title": form.title,
+        "placements": list(form.placements),
+        "laws": list(form.laws),
         "law_file": form.in_law_files,
         "source": form.source,
         "parameters": [{"name": one.name, "unit": one.unit, "meaning": one.meaning} for one in form.parameters],
     }
 
 
-def _unit(parameter: EffectParameter) -> str:
+def _unit(parameter: KnownParameter) -> str:
     return practical_unit(Parameter(parameter.name, "", parameter.unit)) or "-"
