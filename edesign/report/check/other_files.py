@@ -101,7 +101,7 @@ def structure_campaign_summary(path: Path) -> dict[str, str]:
     from edesign.calibration.structures.from_campaign import structure_problem
 
     campaign = load_structure_campaign(path)
-    structure_problem(campaign)
+    structure_problem(campaign)  # refuses too few tests, and channels of a wrong unit or sign
     building, uses = campaign.building, Counter(test.use for test in campaign.tests)
     channels = {channel.label: None for test in campaign.tests for channel in test.channels}
     return {

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from edesign.calibrate.noise import smooth
+from edesign.calibration.signals.noise import smooth
 from edesign.core.errors import CoreError
 from edesign.errors import InputError
 from edesign.project.reading.problems import unknown_name
