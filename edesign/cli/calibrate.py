@@ -54,7 +54,7 @@ def calibrate(
     from edesign.archive.files import check_folder
     from edesign.errors import Interrupted
     from edesign.one_thread import one_thread
-    from edesign.report.tables.text import print_tables
+    from edesign.report.tables.text import filled, print_tables
 
     folder = campaign.parent if output is None else output
     options = print_options(pdf, paper, appendix=False)
@@ -79,10 +79,10 @@ def calibrate(
     if json_output:
         print(json.dumps(found.json(), indent=1, allow_nan=False))
     elif not quiet:
-        if found.first:
-            print(f"{found.first}\n")
         print_tables(found.tables())
-        print(found.verdict())
+        for paragraph in found.verdict().splitlines():
+            print(f"\n{filled(paragraph)}")
+        print()
         for path in written:
             print(f"written: {path}")
     if found.interrupted:
@@ -130,7 +130,6 @@ class _Found:
     tables: Callable[[], list[Table]]
     verdict: Callable[[], str]
     interrupted: bool
-    first: str = ""  # what must be said before all else
 
 
 def _run(campaign: Path, search: _Search) -> _Found:
@@ -147,7 +146,7 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     from edesign.calibration.results.write import calibration_json, check_files, write_files
     from edesign.calibration.run import calibrate as run
     from edesign.damper.testing.campaign import load_campaign
-    from edesign.report.calibration.damper_tables import other_law_text, tables_of, verdict_text
+    from edesign.report.calibration.damper_tables import tables_of, verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded = load_campaign(campaign)
@@ -162,7 +161,6 @@ def _damper(campaign: Path, search: _Search) -> _Found:
         lambda: tables_of(found),
         lambda: verdict_text(found),
         found.ending == "interrupted",
-        other_law_text(found),
     )
 
 

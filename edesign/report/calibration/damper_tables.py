@@ -14,11 +14,12 @@ from edesign.damper.amendment_kinds import kind_if_known
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.tables import MODELS, each_test_table, errors_table, starts_table
-from edesign.report.calibration.units import interval_text, percent, plus_minus, practical, value_text
+from edesign.report.calibration.units import UNKNOWN, interval_text, percent, plus_minus, practical, value_text
 from edesign.report.tables.table import Table, formatted
 
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
+_ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _LEAST = 1e-4  # probability that is told as a number
 _NOTHING = "nothing known"
 _TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
@@ -50,8 +51,8 @@ def effects_table(calibration: Calibration) -> Table:
     Args:
         calibration: what was found.
     """
-    columns = ("effect", "name", "kind", "validation NRMS without it [%]", "gain", "probability", "cannot be told from")
-    table = Table("Effects found", columns, left=3, name="effects_found")
+    columns = ("effect", "name", "kind", "without it [%]", "gain", "probability", "cannot be told from")
+    table = Table("Effects found", columns, left=3, name="effects_found", sentences=(0, 6))
     with_it = calibration.errors["corrected"].validate
     for one in calibration.effects:
         alike = ", ".join(f"{name_of(name)} ({_probability(p)})" for name, p in one.indistinguishable_from.items())
@@ -62,7 +63,7 @@ def effects_table(calibration: Calibration) -> Table:
         table.notes.append(f"{name_of(one.name)} shows as: {one.signature}")
     if table.rows:
         table.notes += [
-            f"without it: the others fitted again; with it {percent(with_it)} %",
+            f"without it: NRMS of the validation tests, the others fitted again; with it {percent(with_it)} %",
             "gain: log density of tests left out of the fit, with its standard error; an effect is adopted if it is "
             "more than 4 and than twice its error",
             "probability: of the effect among all models that the search compared, whatever stands beside it",
@@ -77,14 +78,17 @@ def effect_parameters_table(calibration: Calibration) -> Table:
         calibration: what was found.
     """
     columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
-    table = Table("Parameters of the effects", columns, left=2, name="parameters_of_the_effects")
+    told = any(_known(effect) for effect in calibration.effects)
+    table = Table("Parameters of the effects", columns if told else columns[:-1], left=2, sentences=len(columns) - 1)
+    table.name = "parameters_of_the_effects"
     for effect in calibration.effects:
-        known = _known(effect)
-        for name, estimate in _parameters(effect).items():
-            shown = practical(estimate, _parameters(effect))
+        known, own = _known(effect), _parameters(effect)
+        for name, estimate in own.items():
+            shown = practical(estimate, own)
             meaning = known[name].meaning if name in known else "-"
-            row = [effect.label, name, value_text(shown), interval_text(shown), shown.unit or "-", meaning]
-            table.rows.append(row)
+            row = [effect.label, name, value_text(shown), _interval(shown), shown.unit or "-", meaning]
+            table.rows.append(row if told else row[:-1])
+        table.notes += _untold(own, f"{effect.label}: ")
     return table
 
 
@@ -142,10 +146,12 @@ def law_table(calibration: Calibration) -> Table:
         shown = {stage: practical(found[name], found) for stage, found in stages.items()}
         row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
         for one in (shown["refit"], shown["corrected"]):
-            row += [value_text(one), interval_text(one)]
+            row += [value_text(one), _interval(one)]
         table.rows.append(row)
     if structure:
         table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
+    for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
+        table.notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
     if calibration.law_held:
         table.notes.append("the campaign has the declared parameters held (`refit: false`)")
     table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
@@ -160,11 +166,11 @@ def searched(calibration: Calibration) -> str:
     """
     depths = calibration.depths
     if not depths:
-        return f"no effect was screened to the end ({calibration.effort:,.0f} weighted evaluations)"
+        return f"no effect was screened to the end; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
     screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
     return (
         f"{len(depths)} round{'' if len(depths) == 1 else 's'} over up to {screened} of {calibration.forms} forms of "
-        f"effects, {fitted} models fitted ({calibration.effort:,.0f} weighted evaluations)"
+        f"effects, {fitted} models fitted; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
     )
 
 
@@ -187,6 +193,7 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
         [other_law_text(calibration)],
         [_found(calibration), *ended(calibration)],
         [_errors(calibration), *_worst(calibration)],
+        _doubts(calibration),
         [_file(calibration)],
         [
             f"A hypothesis, no part of the {MODELS[calibration.subject]}: {effect_text(one.effect)}; {one.why}."
@@ -250,7 +257,7 @@ def ended(calibration: Calibration) -> list[str]:
         return []
     how = {
         "interrupted": "was interrupted",
-        "effort_spent": f"ended with its effort of {calibration.most_effort:g} evaluations (--effort)",
+        "effort_spent": f"ended with its effort of {calibration.most_effort:g} (--effort)",
     }[calibration.ending]
     more = "there may be more effects, and others like these" if calibration.effects else "effects may have been missed"
     return [f"The search {how}: {more}. So far: {searched(calibration)}."]
@@ -292,7 +299,7 @@ def _errors(calibration: Calibration) -> str:
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)
         texts.append(
-            f" Of the error of the refitted {name} above that {share} % is left: {calibration.unexplained_shape}"
+            f" Of what the refitted {name} misses beyond that, {share} % is left. {calibration.unexplained_shape}"
         )
     return "".join(texts)
 
@@ -305,6 +312,36 @@ def _worst(calibration: Calibration) -> list[str]:
         f"{worst.name} leaves most: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its noise floor of "
         f"{percent(worst.floor)} %."
     ]
+
+
+def _doubts(calibration: Calibration) -> list[str]:
+    """What makes effects doubtful that predict well: numbers at their bounds, a law that is another one beside them."""
+    texts = []
+    for effect in calibration.effects:
+        at = [name for name, one in effect.parameters.items() if one.untold.startswith("at its")]
+        if at:
+            texts.append(
+                f"{', '.join(at)} of {effect.label} {'is' if len(at) == 1 else 'are'} at the end of what is likely: a "
+                "simpler form would do, or it stands for something that is not known here."
+            )
+    if calibration.effects:
+        own, alone = (calibration.parameters[stage] for stage in ("corrected", "refit"))
+        far = {
+            name: own[name].value / alone[name].value
+            for name in own
+            if own[name].value * alone[name].value > 0.0 and own[name].standard_error and not own[name].untold
+        }
+        moved = [f"{name} is {_times(x)}" for name, x in far.items() if max(x, 1.0 / x) > _ANOTHER]
+        if moved:
+            texts.append(
+                f"With the effects the {MODELS[calibration.subject]} is another one: {', '.join(moved)} that of the one "
+                "fitted alone. Check that against what is known of it, before the effects are believed."
+            )
+    return texts
+
+
+def _times(ratio: float) -> str:
+    return f"{ratio:.2g} times"
 
 
 def _file(calibration: Calibration) -> str:
@@ -403,6 +440,20 @@ def _conditions(calibration: Calibration) -> list[str]:
     return texts
 
 
+def _interval(estimate: Estimate) -> str:
+    """The 95 % interval; why there is none stands below the table."""
+    return UNKNOWN if estimate.untold else interval_text(estimate)
+
+
+def _untold(estimates: Mapping[str, Estimate], of: str) -> list[str]:
+    """Why the tests do not determine parameters, one line for each reason."""
+    reasons: dict[str, list[str]] = {}
+    for name, one in estimates.items():
+        if one.untold:
+            reasons.setdefault(one.untold, []).append(name)
+    return [f"{of}{', '.join(names)} not determined, {why}" for why, names in reasons.items()]
+
+
 def _probability(p: float) -> str:
     if not math.isfinite(p):
         return "-"
@@ -411,8 +462,15 @@ def _probability(p: float) -> str:
 
 def _numbers(effect: Effect, most: int) -> str:
     parameters = dict(list(effect.parameters.items())[:most])
-    shown = {name: plus_minus(practical(value, effect.parameters)) for name, value in parameters.items()}
-    return ", ".join(f"{name} = {text}" for name, text in shown.items())
+    shown = {name: practical(value, effect.parameters) for name, value in parameters.items()}
+    return ", ".join(f"{name} = {_in_text(one)}" for name, one in shown.items())
+
+
+def _in_text(estimate: Estimate) -> str:
+    """A number in a sentence, without its reason if it is not determined."""
+    if estimate.untold:
+        return f"{value_text(estimate)} {estimate.unit}".rstrip() + f" ({UNKNOWN})"
+    return plus_minus(estimate)
 
 
 def _known(effect: Effect) -> Mapping[str, Parameter]:

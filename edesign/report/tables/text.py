@@ -7,6 +7,7 @@ import textwrap
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import replace
 from itertools import zip_longest
+from shutil import get_terminal_size
 from typing import TextIO
 
 from edesign.report.tables.table import Table
@@ -46,6 +47,19 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: 
 def wrapped(text: str) -> list[str]:
     """Return a text as lines of a page."""
     return textwrap.wrap(text, PAPER)
+
+
+def filled(text: str, stream: TextIO | None = None, widest: int = WIDEST) -> str:
+    """Return a paragraph in lines no longer than the terminal, or than `widest` where the stream is none.
+
+    Args:
+        text: the paragraph.
+        stream: where it is printed; None: standard output.
+        widest: characters of a line.
+    """
+    stream = sys.stdout if stream is None else stream
+    width = min(get_terminal_size().columns, widest) if stream.isatty() else widest
+    return "\n".join(_whole_words(text, max(width, NARROWEST)))
 
 
 def in_facts(label: str, text: str, indent: int, width: int) -> list[str]:

@@ -76,7 +76,7 @@ def test_an_effort_that_is_spent_is_told(tmp_path: Path, capsys: pytest.CaptureF
     assert (told["verdict"], told["search"]) == ("not_searched", "effort_spent")
     assert told["coverage"]["effort"] < 100.0 and told["coverage"]["most_effort"] == 60.0
     said = capsys.readouterr().out
-    assert "ended with its effort of 60 evaluations (--effort)" in said and "effects may have been missed" in said
+    assert "ended with its effort of 60 (--effort)" in said and "effects may have been missed" in said
 
 
 def test_the_folder_of_the_campaign_and_no_page(tmp_path: Path) -> None:
