@@ -3,8 +3,7 @@
 `search` holds what a problem owes the search for effects, `signals` what is known of measured channels. Problems are
 `dampers`, tests of dampers, `properties`, tables of their moduli, and `structures`, records of buildings; `residual` is
 what a model leaves of tests. Parameters, priors and fits are those of `estimation`. `results` makes of what a search
-found what the user gets. `run.py` does all of it for tests of dampers: `calibrate(campaign)`. It will take the place of
-`edesign.calibrate`, which the command `edesign calibrate` calls as long as it is better on some data.
+found what the user gets. `run.py` does all of it for tests of dampers: `calibrate(campaign)`.
 """
 
 from __future__ import annotations

@@ -36,7 +36,9 @@ def calibrate(
     overwrite: Annotated[
         bool, typer.Option("--overwrite", help="Replace laws and results that are not of this campaign.")
     ] = False,
-    workers: Annotated[int, typer.Option("--workers", "-w", min=1, help="Processes, or threads.")] = 2,
+    workers: Annotated[
+        int, typer.Option("--workers", "-w", min=1, help="Threads of predictions; results do not depend on it.")
+    ] = 2,
     effort: Annotated[
         float | None,
         typer.Option(
@@ -156,7 +158,7 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     found = run(loaded, search.settings, search.workers, search.tell)
     return _Found(
         lambda folder: write_files(found, loaded, folder),
-        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
+        lambda: calibration_page(found, document=loaded.document),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),
@@ -177,7 +179,7 @@ def _structure(campaign: Path, search: _Search) -> _Found:
     found = calibrate_structure(loaded, search.settings, search.workers, search.tell)
     return _Found(
         lambda folder: write_structure_files(found, loaded, folder),
-        lambda: calibration_page(found, workers=search.workers, document=loaded.document),
+        lambda: calibration_page(found, document=loaded.document),
         lambda: calibration_json(found),
         lambda: tables_of(found),
         lambda: verdict_text(found),

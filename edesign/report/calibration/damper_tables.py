@@ -334,8 +334,8 @@ def _doubts(calibration: Calibration) -> list[str]:
         moved = [f"{name} is {_times(x)}" for name, x in far.items() if max(x, 1.0 / x) > _ANOTHER]
         if moved:
             texts.append(
-                f"With the effects the {MODELS[calibration.subject]} is another one: {', '.join(moved)} that of the one "
-                "fitted alone. Check that against what is known of it, before the effects are believed."
+                f"With the effects the {MODELS[calibration.subject]} is another one: {', '.join(moved)} that of the "
+                "one fitted alone. Check that against what is known of it, before the effects are believed."
             )
     return texts
 

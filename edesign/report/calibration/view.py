@@ -34,11 +34,9 @@ class View:
 
     Attributes:
         calibration: what was found.
-        workers: processes that draw.
     """
 
     calibration: Calibration
-    workers: int = 1
 
     @cached_property
     def stages(self) -> dict[Stage, str]:

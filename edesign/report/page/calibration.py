@@ -21,7 +21,6 @@ def write_calibration_page(
     calibration: Calibration,
     path: Path,
     tell: Callable[[str], None] = lambda line: None,
-    workers: int = 1,
     document: Document = NO_DOCUMENT,
 ) -> Path:
     """Write the report of a calibration.
@@ -30,7 +29,6 @@ def write_calibration_page(
         calibration: what was found.
         path: the page, whole or not at all.
         tell: called with a line for each section.
-        workers: processes that draw.
         document: for the cover.
 
     Returns:
@@ -41,28 +39,26 @@ def write_calibration_page(
         ArchiveError: it cannot be written.
     """
     check_page_path(path)
-    return write_html(calibration_page(calibration, tell, workers, document), path)
+    return write_html(calibration_page(calibration, tell, document), path)
 
 
 def calibration_page_text(
     calibration: Calibration,
     tell: Callable[[str], None] = lambda line: None,
-    workers: int = 1,
     document: Document = NO_DOCUMENT,
 ) -> str:
     """Return the report as HTML; arguments as `write_calibration_page`."""
-    page = calibration_page(calibration, tell, workers, document)
+    page = calibration_page(calibration, tell, document)
     return render(page.cover, page.sections)
 
 
 def calibration_page(
     calibration: Calibration,
     tell: Callable[[str], None] = lambda line: None,
-    workers: int = 1,
     document: Document = NO_DOCUMENT,
 ) -> Page:
     """Return the report as data; arguments as `write_calibration_page`."""
-    view = View(calibration, workers)
+    view = View(calibration)
     made = []
     for section in SECTIONS:
         found = section(view)

@@ -1,10 +1,9 @@
-"""What sections of the report of a calibration are made of: figures side by side, tables of what was measured."""
+"""What sections of the report of a calibration are made of: figures, tables of what was measured."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibrate.side_by_side import side_by_side
 from edesign.calibration.results.result import Calibration
 from edesign.report.calibration.figures import Figures
 from edesign.report.calibration.tables import label_of
@@ -45,9 +44,5 @@ def tests_table(found: Calibration) -> Table:
 
 
 def pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
-    """Return the figures of makers, drawn side by side."""
-
-    def drawn(maker: Figures) -> list[Picture]:
-        return [picture_of(*item) for item in maker(view)]
-
-    return tuple(picture for own in side_by_side(drawn, makers, view.workers) for picture in own)
+    """Return the figures of makers, in their order."""
+    return tuple(picture_of(*item) for maker in makers for item in maker(view))
