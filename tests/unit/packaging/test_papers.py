@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 import edesign
-from edesign.calibrate.dampers.effects import MODULES
+from edesign.calibration.dampers.effects import TABLES
 from edesign.ground_motion.formats.read import FORMATS
 
 ROOT = Path(__file__).parents[3]
@@ -70,9 +70,7 @@ def test_links_and_files_that_are_named_are_there(name: str) -> None:
 def test_contributing_names_what_a_newcomer_must_change() -> None:
     """The lists that it names are those of the code."""
     paper = text("CONTRIBUTING.md")
-    assert (
-        MODULES and FORMATS and all(f"`{name}`" in paper for name in ("MODULES", "FORMATS", "_READERS", "FileFormat"))
-    )
+    assert TABLES and FORMATS and all(f"`{name}`" in paper for name in ("TABLES", "FORMATS", "_READERS", "FileFormat"))
 
 
 def test_contributing_lists_the_layers_that_are_checked() -> None:

@@ -9,8 +9,8 @@ from typing import Any
 
 import pytest
 
-from edesign.calibrate.properties.campaign import load_property_campaign
-from edesign.calibrate.structure.campaign import load_structure_campaign
+from edesign.calibration.properties.campaign import load_property_campaign
+from edesign.calibration.structures.campaign import load_structure_campaign
 from edesign.damper.testing.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project import load_project

@@ -11,8 +11,8 @@ from pathlib import Path
 
 import pytest
 
-from edesign.calibrate.properties.campaign import load_property_campaign
-from edesign.calibrate.structure.campaign import load_structure_campaign
+from edesign.calibration.properties.campaign import load_property_campaign
+from edesign.calibration.structures.campaign import load_structure_campaign
 from edesign.damper.law_file import read_law_file
 from edesign.damper.testing.campaign import load_campaign
 from edesign.damper.testing.measured_files import read_test

@@ -7,8 +7,17 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibrate.problem import Use
-from edesign.calibrate.result import Calibration, Effect, Errors, Estimate, NextTest, Series, Stage
+from edesign.calibration.residual.series import Errors, Series, Stage
+from edesign.calibration.results.result import (
+    Calibration,
+    ComparedModel,
+    Effect,
+    Estimate,
+    LawFile,
+    NextTest,
+    SearchDepth,
+)
+from edesign.damper.testing.measured_histories import Use
 
 K, C = 2.0e6, 4.0e4  # N/m, N s/m
 GAIN = 0.05
@@ -36,41 +45,49 @@ def nrms(series: Sequence[Series], stage: Stage) -> float:
     return squared / sum(float(np.sum(one.measured**2)) for one in series)
 
 
-def gain(error: float = 5e-4, alike: tuple[str, ...] = ("refit",)) -> Effect:
+def estimate(value: float, error: float, unit: str, untold: str = "") -> Estimate:
+    """A number with the interval of a normal distribution, two standard errors to each side."""
+    return Estimate(value, error, unit, (value - 2.0 * error, value + 2.0 * error), untold)
+
+
+def gain(error: float = 5e-4) -> Effect:
     """The effect that the data hide."""
     return Effect(
         name="gain",
         form="force",
         kind="instrument",
         title="gain of the force channel",
-        amendment="",
-        parameters={"g": Estimate(GAIN, error, "")},
+        signature="proportional to the force itself",
+        parameters={"g": estimate(GAIN, error, "")},
         fixed={},
         delta_validate=1.1e-4,
-        evidence="removes 99.0 % of the excess over noise in tests left out; 2 of 2 better",
-        share=0.99,
-        indistinguishable_from=alike,
+        gain=120.0,
+        gain_error=9.0,
+        probability=0.97,
+        indistinguishable_from={},
+        not_carried="it is no part of the damper",
     )
 
 
 def lag() -> Effect:
     """An effect with a time: 4 ms."""
-    estimate = Estimate(0.004, 1e-4, "s")
     text = "lag between the channels of force and displacement"
-    return replace(gain(alike=()), name="lag", form="delay", title=text, parameters={"lag": estimate})
+    return replace(gain(), name="lag", form="delay", title=text, parameters={"lag": estimate(0.004, 1e-4, "s")})
 
 
 def payne() -> Effect:
     """An effect of the damper, with lengths and times."""
     parameters = {
-        "d": Estimate(0.2, 0.01, ""),
-        "a0": Estimate(0.003, 2e-4, "m"),
-        "m": Estimate(1.0, 0.1, ""),
-        "tau_a": Estimate(5.0, 0.5, "s"),
+        "d": estimate(0.2, 0.01, ""),
+        "a0": estimate(0.003, 2e-4, "m"),
+        "m": estimate(1.0, 0.1, ""),
+        "tau_a": estimate(5.0, 0.5, "s"),
     }
     title = "softening with amplitude of the whole force"
-    base = gain(alike=("mullins", "self_heating"))
-    return replace(base, name="payne", form="whole", kind="damper", title=title, parameters=parameters)
+    alike = {"mullins": 0.02, "self_heating": 5e-5}
+    base = replace(gain(), signature="the secant stiffness falls with the amplitude", indistinguishable_from=alike)
+    carried = replace(base, kind="damper", not_carried="")
+    return replace(carried, name="payne", form="whole", title=title, parameters=parameters)
 
 
 def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE) -> Calibration:
@@ -84,20 +101,33 @@ def calibration(effects: tuple[Effect, ...] | None = None, noise: float = NOISE)
         for stage in stages
     }
     floors = [one.noise**2 / float(np.mean(one.measured**2)) for one in series]
-    exact = {"k": Estimate(K, 0.0, "N/m"), "c": Estimate(C, 0.0, "N*s/m")}
-    refit = {"k": Estimate(1.04 * K, 3e3, "N/m"), "c": Estimate(1.04 * C, 250.0, "N*s/m")}
+    exact = {"k": Estimate.held(K, "N/m"), "c": Estimate.held(C, "N*s/m")}
+    refit = {"k": estimate(1.04 * K, 3e3, "N/m"), "c": estimate(1.04 * C, 250.0, "N*s/m")}
+    found = (gain(),) if effects is None else effects
+    labels = tuple(one.label for one in found)
     return Calibration(
         title="two sines",
         law="kelvin_voigt",
         errors=errors,
         noise_floor=floors[1],
         noise_floor_fit=floors[0],
-        effects=(gain(),) if effects is None else effects,
+        effects=found,
+        hypotheses=(),
         verdict="explained",
+        ending="complete",
         unexplained_share=0.0,
         unexplained_shape="",
         next_test=None,
-        refused=(("inertia.mass", "removes 3.1 % of the excess over noise in tests left out"),),
+        models=(
+            ComparedModel(labels, 4.3e-5, 0.0, 0.0, 0.97),
+            ComparedModel(("inertia.mass",), 8.1e-5, 31.0, 4.0, 2e-14),
+            ComparedModel((), 1.3e-4, 120.0, 9.0, 0.0),
+        ),
+        depths=(SearchDepth((), 90, 14, labels), SearchDepth(labels, 89, 12, ())),
+        forms=93,
+        effort=1462.3,
+        most_effort=20_000.0,
+        law_file=LawFile("corrected", {"k": K, "c": C}, (), None, ("gain.force (instrument)",), (), floors[1]),
         parameters={"declared": exact, "refit": refit, "corrected": exact},
         law_held=True,
         series=series,
@@ -115,7 +145,7 @@ def nothing_found() -> Calibration:
     return replace(found, verdict="none", series=series, errors=errors)
 
 
-def unexplained() -> Calibration:
+def more_is_left() -> Calibration:
     """Nothing explains the gain: what the refitted law leaves is left."""
     found = calibration(())
     predicted = [dict(one.predicted) | {"corrected": one.predicted["refit"]} for one in found.series]
@@ -124,12 +154,13 @@ def unexplained() -> Calibration:
     shape = "0.0091 % of the squared force is left, 85 % of it structure in the band of the motion."
     return replace(
         found,
-        verdict="unexplained",
+        verdict="nothing_found",
         series=series,
         errors=errors,
         unexplained_share=1.0,
         unexplained_shape=shape,
         law_held=False,
+        law_file=replace(found.law_file, stage="refit", told=()),
         parameters=dict(found.parameters) | {"corrected": found.parameters["refit"]},
     )
 
