@@ -52,7 +52,7 @@ class DampingBlock(Model):
         ratio: ratio of critical damping.
         modes: the two modes of `rayleigh`.
         other: a second kind, which has a share of the damping.
-        share: share of the second kind, more than nothing and at most 100 %.
+        share: share of the second kind, at most 100 %.
     """
 
     type: DampingKind
@@ -184,7 +184,7 @@ def check_structure(file: StructureFile, problems: Problems) -> None:
 
 
 def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
-    """Check that a second kind of damping is another one, and that its share is one."""
+    """Check that a second kind of damping is another one, and has a share."""
     if damping is None:
         return
     at = ("structure", "damping")
@@ -194,5 +194,3 @@ def _check_damping(damping: DampingBlock | None, problems: Problems) -> None:
         problems.under(at, "share", "the share of the second kind of damping is missing, for example `30 %`")
     if damping.other == damping.type:
         problems.at_value((*at, "other"), f"the damping is of the kind `{damping.type}` already")
-    if damping.share is not None and damping.share > 1.0:
-        problems.at_value((*at, "share"), f"a share of {100.0 * damping.share:g} % is more than all")

@@ -11,8 +11,8 @@ import yaml
 from typer.testing import CliRunner
 
 from edesign.archive.reader import open_archive
-from edesign.calibrate.structure.campaign import load_structure_campaign
-from edesign.calibrate.structure.problem import StructureProblem
+from edesign.calibration.structures.campaign import load_structure_campaign
+from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.cli.main import app, main
 from edesign.damper.law_file import read_law_file, resolve
 
@@ -86,12 +86,15 @@ def test_from_the_command_to_the_files(folder: Path) -> None:
     told = json.loads((folder / "out" / "calibration.json").read_text())
     (effect,) = told["effects"]
     assert (effect["name"], effect["form"], effect["kind"]) == ("isolation_softening", "bouc_wen", "structure")
-    assert effect["parameters"]["F"]["value"] == pytest.approx(STRENGTH, rel=0.1)
+    assert (told["verdict"], told["subject"]) == ("explained", "structure")
+    low, high = effect["parameters"]["F"]["interval"]
+    assert effect["parameters"]["F"]["value"] == pytest.approx(STRENGTH, rel=0.1) and low < STRENGTH < high
     error = told["error"]["corrected"]
     assert error["validate"] < 0.02 * told["error"]["refit"]["validate"]
     assert set(error["tests"]) == {"small", "large", "other"}
     assert "other: acceleration of floor 1" in error["channels"]
-    assert "smooth hysteresis in the isolation layer" in text
+    assert "Explained: the tests show smooth hysteresis in the isolation layer" in text
+    assert "structure.yaml has the building as corrected" in text and "law.yaml has" not in text
 
     # the files say the same building again: a linear layer beside an ideally plastic Bouc-Wen one
     beside = resolve(*read_law_file(folder / "out" / "law_beside_bouc_wen.yaml"), None)
@@ -102,8 +105,8 @@ def test_from_the_command_to_the_files(folder: Path) -> None:
     written = yaml.safe_load((folder / "out" / "structure.yaml").read_text())
     again = yaml.safe_load(CAMPAIGN) | written
     (folder / "again.yaml").write_text(yaml.safe_dump(again))
-    problem = StructureProblem.of(load_structure_campaign(folder / "again.yaml"))
-    declared = {u.name: value for u, value in zip(problem.base, problem.declared, strict=True)}
+    problem = blank_problem(load_structure_campaign(folder / "again.yaml"))
+    declared = {one.name: one.centre for one in problem.base}
     assert declared == pytest.approx({name: layer.values[name] for name in "kc"}, rel=1e-5)
 
     page = (folder / "out" / "calibration.html").read_text()
