@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from itertools import combinations
 
 import numpy as np
 
@@ -24,7 +23,7 @@ _GAIN = 1.2  # times the largest difference so far: less is no reason for a furt
 
 
 def next_test(problem: PropertyProblem, posterior: Posterior) -> NextTest | None:
-    """Return the test in which the models that are left differ most.
+    """Return the test in which the model that stands differs most from one that the table leaves.
 
     It has rows beyond the table, or the loops of rows that the table has. Differences are mean squares: of properties
     over those of the best model, and of forces (NRMS) for loops.
@@ -37,17 +36,16 @@ def next_test(problem: PropertyProblem, posterior: Posterior) -> NextTest | None
         None: one model alone is left, or no test would tell them apart better than the table, and from how rows repeat.
     """
     chosen = posterior.rivals()[:_MOST_MODELS]
-    weights = posterior.probabilities[list(chosen)]
-    models = [posterior.models[i] for i in chosen]
+    one = posterior.best
     best: tuple[float, NextTest] | None = None
-    for i, k in combinations(range(len(models)), 2):
-        one, other = models[i], models[k]
+    for i in chosen[1:]:
+        other = posterior.models[i]
         try:
             so_far = max(_in_properties(problem, one, other))
         except PredictionError:
             continue
         for text, difference in _tests(problem, one, other):
-            told = float(weights[i] * weights[k]) * difference
+            told = min(posterior.odds(i), 1.0) * difference
             if difference < max(_GAIN * so_far, problem.repeats**2) or (best is not None and told <= best[0]):
                 continue
             best = told, NextTest(text, (one.label, other.label), difference, so_far)

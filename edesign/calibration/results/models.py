@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
@@ -109,26 +110,36 @@ class Posterior:
     def alike(self, name: str) -> dict[str, float]:
         """Return what the tests cannot tell from an effect of the best model: other effects in its place.
 
-        They stand in probable models that are not surely behind the best one, by the rule of adoption.
+        They stand in models that are not surely behind the best one, by the rule of adoption. A richer model that is
+        ahead, though not surely, takes nothing off them.
 
         Args:
             name: of the effect.
 
         Returns:
-            Probability of each by name, the most probable first.
+            Probability of each by name beside the best model, the most probable first.
         """
         found: dict[str, float] = {}
         for i, model in enumerate(self.models):
-            more, p = model.names - self.best.names, float(self.probabilities[i])
-            if name in model.names or not more or p < LEAST or self.behind(i).sure:
+            more, odds = model.names - self.best.names, self.odds(i)
+            if name in model.names or not more or odds < LEAST or self.behind(i).sure:
                 continue
             other = " and ".join(sorted(more))
-            found[other] = found.get(other, 0.0) + p
-        return dict(sorted(found.items(), key=lambda one: -one[1]))
+            found[other] = found.get(other, 0.0) + odds
+        return {name: odds / (1.0 + odds) for name, odds in sorted(found.items(), key=lambda one: -one[1])}
+
+    def odds(self, i: int) -> float:
+        """Return the odds of a model beside the best one.
+
+        Args:
+            i: index of the model.
+        """
+        behind = self.behind(i).total
+        return 0.0 if math.isnan(behind) else math.exp(min(-behind, _FAR))
 
     def rivals(self) -> tuple[int, ...]:
         """Indices of the probable models with other effects than the best one, which is the first."""
-        far = [p < LEAST or self.behind(i).sure for i, p in enumerate(self.probabilities)]
+        far = [self.odds(i) < LEAST or self.behind(i).sure for i in range(len(self.models))]
         return (0, *(i for i, m in enumerate(self.models) if m.names != self.best.names and not far[i]))
 
     def compared(self) -> tuple[ComparedModel, ...]:

@@ -148,7 +148,7 @@ def law_table(calibration: Calibration) -> Table:
         for one in (shown["refit"], shown["corrected"]):
             row += [value_text(one), _interval(one)]
         table.rows.append(row)
-    if structure:
+    if "storey_stiffness" in stages["declared"]:
         table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
     for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
         table.notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
