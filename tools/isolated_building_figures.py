@@ -10,8 +10,8 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from edesign.calibrate.structure.campaign import load_structure_campaign
-from edesign.calibrate.structure.run import calibrate_structure
+from edesign.calibration.structures.campaign import load_structure_campaign
+from edesign.calibration.structures.run import calibrate_structure
 from edesign.report.calibration.figures import calibration_figures
 
 WANTED = {"peaks": "peaks", "history-ICA50": "history"}
