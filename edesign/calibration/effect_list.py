@@ -142,7 +142,8 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
         known = listed.get(name)
         if known is None:
             carried = isinstance(form, EffectForm) and form_in_law_files(form)
-            meanings = parameters_in_law_files(form) if carried else {}
+            known_there = parameters_in_law_files(form) if carried else {}
+            meanings = {name: one.meaning for name, one in known_there.items()}
             listed[name] = KnownForm(
                 name,
                 _NUMBERED.sub("N", form.title),

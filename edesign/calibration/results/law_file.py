@@ -25,6 +25,7 @@ from edesign.calibration.search.problem import Effect
 from edesign.damper.amendment_kinds import AmendmentKind, kind_if_known
 from edesign.damper.amendments import Amendment
 from edesign.damper.effects_file import write_effects
+from edesign.damper.law import Parameter
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.temperature import LINEAR_LAWS, REFERENCE_C, FerryShift, GammaT
@@ -65,14 +66,14 @@ def form_in_law_files(form: EffectForm) -> bool:
     return all(isinstance(act, AmendmentAct) and _kind(form, act) is not None for act in acts)
 
 
-def parameters_in_law_files(form: EffectForm) -> dict[str, str]:
-    """Return the meanings of the parameters of a form that law files have, by name.
+def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
+    """Return the parameters that law files have of a form, by name.
 
     Args:
         form: of the library.
     """
     kinds = [kind for act in form.amendments if (kind := _kind(form, act)) is not None]
-    return {one.name: one.meaning for kind in kinds for one in kind.parameters}
+    return {one.name: one for kind in kinds for one in kind.parameters}
 
 
 def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carried | None:

@@ -25,7 +25,7 @@ from edesign.calibration.search.models import FittedModel
 from edesign.damper.history import spline_velocity
 from edesign.estimation.model import PredictionError
 
-_RATE, _PER_CYCLE = 60.0, 40  # samples of the tests thought of, per second and per cycle
+_RATE, _PER_CYCLE = 60.0, (40, 600)  # samples of the tests thought of, per second; least and most per cycle
 _FREQUENCIES = 5  # from the lowest to the highest of the tests
 _SHARES = (0.1, 0.25, 0.5, 1.0)  # of the largest displacement
 _CYCLES = 12
@@ -172,13 +172,14 @@ def _motions(reach: Reach) -> Iterator[tuple[str, Motion]]:
 
 def _sine(amplitude: float, frequency: float) -> Motion:
     """Cycles that grow over the first two."""
-    time = np.arange(0.0, _CYCLES / frequency, 1.0 / max(_RATE, _PER_CYCLE * frequency))
+    least, most = _PER_CYCLE
+    time = np.arange(0.0, _CYCLES / frequency, 1.0 / min(max(_RATE, least * frequency), most * frequency))
     grow = 0.5 * (1.0 - np.cos(np.pi * np.clip(0.5 * frequency * time, 0.0, 1.0)))
     return _motion(time, amplitude * grow * np.sin(2.0 * np.pi * frequency * time))
 
 
 def _hold(displacement: float, ramp: float) -> Motion:
-    time = np.arange(0.0, _HOLD, ramp / 20.0)
+    time = np.arange(0.0, ramp + _HOLD, ramp / 20.0)
     return _motion(time, displacement * 0.5 * (1.0 - np.cos(np.pi * np.clip(time / ramp, 0.0, 1.0))))
 
 

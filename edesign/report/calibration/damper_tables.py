@@ -7,10 +7,11 @@ from collections.abc import Mapping
 
 import numpy as np
 
+from edesign.calibration.dampers.effects import TABLES
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES as EVERY_STAGE
+from edesign.calibration.results.law_file import parameters_in_law_files
 from edesign.calibration.results.result import Calibration, Effect, Estimate, Subject
-from edesign.damper.amendment_kinds import kind_if_known
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.tables import MODELS, each_test_table, errors_table, starts_table
@@ -20,6 +21,7 @@ from edesign.report.tables.table import Table, formatted
 _TOLD = 2  # parameters of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
+_WHOLE = 1e3  # from here on numbers in sentences are whole
 _LEAST = 1e-4  # probability that is told as a number
 _NOTHING = "nothing known"
 _TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
@@ -127,6 +129,11 @@ def models_table(calibration: Calibration) -> Table:
             "behind: log density of tests left out by which the corrected model is ahead, with its standard error",
             searched(calibration),
         ]
+    if any(one.behind < 0.0 for one in calibration.models):
+        table.notes.append(
+            "a model that is ahead was not adopted where its lead in the search was not sure: more than 4, and than "
+            "twice its error"
+        )
     return table
 
 
@@ -309,8 +316,8 @@ def _worst(calibration: Calibration) -> list[str]:
     if worst is None:
         return []
     return [
-        f"{worst.name} leaves most: an NRMS of {percent(worst.error)} %, {worst.times:.3g} times its noise floor of "
-        f"{percent(worst.floor)} %."
+        f"{worst.name} leaves most: an NRMS of {percent(worst.error)} %, {_rounded(worst.times)} times its noise "
+        f"floor of {percent(worst.floor)} %."
     ]
 
 
@@ -416,7 +423,7 @@ def _conditions(calibration: Calibration) -> list[str]:
     if longest > 0.0:
         texts.append(
             f"{', '.join(started)} {'starts' if len(started) == 1 else 'start'} away from rest: the force of the first "
-            f"{longest:.2g} s depends on what went before, and is not judged."
+            f"{_rounded(longest)} s depends on what went before, and is not judged."
         )
     lasting = [name for name, one in started.items() if not one.dies_away]
     if lasting:
@@ -438,6 +445,10 @@ def _conditions(calibration: Calibration) -> list[str]:
             "other temperatures."
         )
     return texts
+
+
+def _rounded(number: float) -> str:
+    return f"{number:.3g}" if number < _WHOLE else f"{number:.0f}"
 
 
 def _interval(estimate: Estimate) -> str:
@@ -475,11 +486,8 @@ def _in_text(estimate: Estimate) -> str:
 
 def _known(effect: Effect) -> Mapping[str, Parameter]:
     """What law files know of the parameters of a form."""
-    form = effect.form
-    for ending in ("_inside", "_springs", "_dashpots"):
-        form = form.removesuffix(ending)
-    kind = kind_if_known(effect.name, form)
-    return {parameter.name: parameter for parameter in kind.parameters} if kind is not None else {}
+    forms = (form for table in TABLES for form in table.FORMS if form.label == effect.label)
+    return next((parameters_in_law_files(form) for form in forms), {})
 
 
 def _parameters(effect: Effect) -> dict[str, Estimate]:
