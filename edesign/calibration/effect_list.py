@@ -16,6 +16,8 @@ from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.results.law_file import form_in_law_files, parameters_in_law_files
 from edesign.calibration.structures.building import Building, Damping
+from edesign.calibration.structures.corrected import STRUCTURE, where_carried
+from edesign.calibration.structures.effect import StructureForm
 from edesign.calibration.structures.effects import forms as structure_forms
 from edesign.calibration.structures.sizes import StructureSizes
 from edesign.errors import InputError
@@ -141,8 +143,8 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
         name, placement = _placed(form)
         known = listed.get(name)
         if known is None:
-            carried = isinstance(form, EffectForm) and form_in_law_files(form)
-            known_there = parameters_in_law_files(form) if carried else {}
+            carried = form_in_law_files(form) if isinstance(form, EffectForm) else _by_layer(form)
+            known_there = parameters_in_law_files(form) if carried and isinstance(form, EffectForm) else {}
             meanings = {name: one.meaning for name, one in known_there.items()}
             listed[name] = KnownForm(
                 name,
@@ -160,6 +162,11 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
     return KnownEffect(
         first.name, tests, getattr(first, "kind", "instrument"), signatures, tuple(listed.values()), page
     )
+
+
+def _by_layer(form: Any) -> bool:
+    """Whether a law file of an isolation layer carries a form of an effect of a structure."""
+    return isinstance(form, StructureForm) and where_carried(form) not in ("", STRUCTURE)
 
 
 def _placed(form: Any) -> tuple[str, str]:

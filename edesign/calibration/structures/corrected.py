@@ -15,7 +15,7 @@ from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.campaign import StructureCampaign
-from edesign.calibration.structures.effect import ChangedBuilding, FormInStructure
+from edesign.calibration.structures.effect import ChangedBuilding, FormInStructure, StructureForm
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.damper.amendments import Amendment
 from edesign.damper.effects_file import write_effects
@@ -49,11 +49,11 @@ _CHANGED = ("partitions", "mass_error", "damping")
 _LINKS = ("partitions.lost", "damping.friction")  # no key of a campaign says so
 
 
-def where_carried(effect: Effect | FoundEffect) -> str:
+def where_carried(effect: Effect | FoundEffect | StructureForm) -> str:
     """Return the file that carries an effect of the building; "" if none does.
 
     Args:
-        effect: of a model, or found.
+        effect: of a model, found, or of the library.
     """
     if effect.label in _BESIDE:
         return _BESIDE[effect.label][0]

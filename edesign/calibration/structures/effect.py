@@ -85,6 +85,11 @@ class StructureForm:
     constants: Callable[[StructureSizes], Values] = field(default=lambda _: {})
     shown: Callable[[StructureSizes], bool] = field(default=lambda _: True)
 
+    @property
+    def label(self) -> str:
+        """Name and form."""
+        return f"{self.name}.{self.form}"
+
 
 @dataclass(frozen=True, eq=False)
 class FormInStructure:
