@@ -80,9 +80,10 @@ def calibrate_properties(
     progress("fitting the law alone")
     found = searched(quick, settings, progress, campaign.path, "law")
     steps = Steps(progress, found.ending)
+    fitting = unbounded(quick, settings)
+    final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
     progress("predicting all rows")
     problem = property_problem(campaign, CYCLES, SAMPLES, threads)
-    final = kept(unbounded(quick, settings), found.best)
     declared = np.array([one.centre for one in quick.inner.base])
     rows: dict[Stage, PropertyRows] = {
         "declared": problem.model((), EVERY).properties(declared),

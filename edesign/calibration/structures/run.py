@@ -66,8 +66,7 @@ def calibrate_structure(
     progress("fitting the building alone")
     found = searched(problem.thinned(), settings, progress, campaign.path, "structure")
     steps = Steps(progress, found.ending)
-    progress("predicting all tests")
-    return _Outcome.of(campaign, problem, found, settings).calibration(steps, begin)
+    return _Outcome.of(campaign, problem, found, settings, steps).calibration(steps, begin)
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,8 +92,12 @@ class _Outcome:
     noise: tuple[np.ndarray, ...]
 
     @staticmethod
-    def of(campaign: StructureCampaign, problem: StructureProblem, found: Found, settings: SearchSettings) -> _Outcome:
-        final = kept(unbounded(found.base.problem, settings), found.best)
+    def of(
+        campaign: StructureCampaign, problem: StructureProblem, found: Found, settings: SearchSettings, steps: Steps
+    ) -> _Outcome:
+        fitting = unbounded(found.base.problem, settings)
+        final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
+        steps.progress("predicting all tests")
         centres = np.array([one.centre for one in problem.base])
         histories: dict[Stage, Sequence[np.ndarray]] = {
             "declared": problem.model((), _EVERY).histories(centres),

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import yaml
 from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
@@ -15,6 +16,8 @@ from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.structures.building import Building, Damping
 from edesign.calibration.structures.campaign import Isolation, StructureCampaign
+from edesign.calibration.structures.corrected import corrected_texts
+from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.record import Channel, StructureTest
 from edesign.calibration.structures.run import calibrate_structure
 
@@ -109,7 +112,12 @@ def isolated(strength: float = 0.0, yielding: float = 0.004) -> Made:
 
 
 def calibrated(made: Made, on_layer: bool = False, late: int = 0, declared: float = 1.0) -> Calibration:
-    """What the search says of a building declared as MASSES, STOREYS (times a factor) and LAYER."""
+    """What the search says of a campaign."""
+    return calibrate_structure(campaign_of(made, on_layer, late, declared), threads=1)
+
+
+def campaign_of(made: Made, on_layer: bool = False, late: int = 0, declared: float = 1.0) -> StructureCampaign:
+    """Records of a building declared as MASSES, STOREYS (times a factor) and LAYER."""
     random = np.random.default_rng(8)
     n, tests = made.masses.size, []
     for seed, (name, size) in enumerate(SIZES.items()):
@@ -122,8 +130,7 @@ def calibrated(made: Made, on_layer: bool = False, late: int = 0, declared: floa
     stiffness = np.array([0.0, STOREYS[1]]) if on_layer else declared * STOREYS[:n]
     building = Building(MASSES[:n], stiffness, Damping("modal", RATIO), np.zeros(n), on_layer)
     law = Isolation("kelvin_voigt", LAYER, ("k", "c")) if on_layer else None
-    campaign = StructureCampaign("blind", building, law, True, tuple(tests), Path("none"))
-    return calibrate_structure(campaign, threads=1)
+    return StructureCampaign("blind", building, law, True, tuple(tests), Path("none"))
 
 
 def sizes(found: Calibration) -> dict[str, float]:
@@ -145,21 +152,28 @@ def test_nothing_is_found_in_a_building_as_declared(on_layer: bool) -> None:
 
 
 @pytest.mark.parametrize(
-    ("made", "label", "value"),
+    ("made", "label", "value", "key", "expected"),
     [
-        (fixed(springs=STOREYS * [1.0, 1.4, 1.0]), "partitions.storey_2", 0.4),
-        (on_soft_ground(), "flexible_base.sway", 1.0 / 2.5e8),
-        (fixed(masses=MASSES * [1.0, 1.0, 1.3]), "mass_error.floor_3", 0.3),
-        (damped_by_stiffness(), "damping.stiffness", 1.0),
+        (fixed(springs=STOREYS * [1.0, 1.4, 1.0]), "partitions.storey_2", 0.4, "storey_stiffness", [90.0, 112.0, 60.0]),
+        # the storeys as declared: no key has the ground
+        (on_soft_ground(), "flexible_base.sway", 1.0 / 2.5e8, "storey_stiffness", [90.0, 80.0, 60.0]),
+        (fixed(masses=MASSES * [1.0, 1.0, 1.3]), "mass_error.floor_3", 0.3, "floor_masses", [100.0, 100.0, 104.0]),
+        (damped_by_stiffness(), "damping.stiffness", 1.0, "damping", [3.0, 100.0]),
     ],
     ids=["partitions", "flexible_base", "mass_error", "damping"],
 )
-def test_what_a_building_hides(made: Made, label: str, value: float) -> None:
-    found = calibrated(made)
+def test_what_a_building_hides(made: Made, label: str, value: float, key: str, expected: list[float]) -> None:
+    campaign = campaign_of(made)
+    found = calibrate_structure(campaign, threads=1)
     assert found.verdict == "explained"
     # the damping of few cycles is less sure than frequencies are
     assert sizes(found) == {label: pytest.approx(value, rel=0.05)}
     assert _left(found, "corrected") == pytest.approx(NOISE, rel=0.1)
+    text = corrected_texts(found, campaign, blank_problem(campaign))["structure.yaml"]
+    block = yaml.safe_load(text)["structure"][key]
+    told = [block["ratio"], block["share"]] if key == "damping" else block
+    assert [float(one.split()[0]) for one in told] == pytest.approx(expected, rel=0.05)
+    assert ("in no file: flexible_base.sway" in text) == (label == "flexible_base.sway")
 
 
 def test_what_an_isolation_layer_hides() -> None:

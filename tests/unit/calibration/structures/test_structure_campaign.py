@@ -121,6 +121,8 @@ def test_file_becomes_si(folder: Path) -> None:
     assert campaign.building.masses.tolist() == [1e5, 1e5, 8e4]
     assert campaign.building.stiffness.tolist() == [0.0, 2e8, 1.5e8]
     assert campaign.isolation is not None and campaign.isolation.values == {"k": 3e6, "c": 2e5}
+    mixed = load(folder, ISOLATED.replace("ratio: 3 %}", "ratio: 3 %, other: mass, share: 20 %}")).building.damping
+    assert (mixed.kind, mixed.other, mixed.share) == ("modal", "mass", 0.2)
     small, large = campaign.tests
     assert (small.name, large.name) == ("small", "large")
     assert (small.use, large.use, small.title, small.step) == ("fit", "validate", "small", pytest.approx(STEP))
@@ -147,7 +149,12 @@ def test_file_becomes_si(folder: Path) -> None:
         (ISOLATED, "ratio: 3 %}", "ratio: 3 %, other: mass}", "damping.share: the share of the second kind"),
         (ISOLATED, "ratio: 3 %}", "ratio: 3 %, share: 20 %}", "damping.share: a share needs the second kind"),
         (ISOLATED, "ratio: 3 %}", "ratio: 3 %, other: modal, share: 20 %}", "of the kind `modal` already"),
-        (ISOLATED, "ratio: 3 %}", "ratio: 3 %, other: mass, share: 120 %}", "a ratio greater than 0 and at most 1 is allowed"),
+        (
+            ISOLATED,
+            "ratio: 3 %}",
+            "ratio: 3 %, other: mass, share: 120 %}",
+            "greater than 0 and at most 1",
+        ),
         (ISOLATED, "[u1, null, null]", "[u1]", "1 headers for 3 floors"),
         (ISOLATED, "a3]", "a33]", "small.csv:1: there is no column `a33`; did you mean `a3`"),
         (ISOLATED, "acceleration: g", "acceleration: mm", "length"),
