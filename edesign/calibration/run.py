@@ -15,10 +15,12 @@ from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.campaign import Campaign
+from edesign.one_thread import one_thread
 
 Progress = Callable[[str], None]
 
 
+@one_thread()
 def calibrate(
     campaign: Campaign, settings: SearchSettings = SETTINGS, threads: int = 2, progress: Progress = lambda _: None
 ) -> Calibration:

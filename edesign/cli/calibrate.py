@@ -55,7 +55,6 @@ def calibrate(
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
     from edesign.archive.files import check_folder
     from edesign.errors import Interrupted
-    from edesign.one_thread import one_thread
     from edesign.report.tables.text import filled, print_tables
 
     folder = campaign.parent if output is None else output
@@ -72,8 +71,7 @@ def calibrate(
             print(f"{time.monotonic() - begin:6.1f} s  {what}", file=sys.stderr, flush=True)
 
     tell("reading the tests")
-    with one_thread():
-        found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))
+    found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))
     written = found.write(folder)
     if page or pdf:
         tell("drawing the report")

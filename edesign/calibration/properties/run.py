@@ -36,6 +36,7 @@ from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.damper.fitting.identifiable import HELD, why_held
 from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
 from edesign.estimation.model import PredictionError
+from edesign.one_thread import one_thread
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,6 +56,7 @@ class PropertyCalibration:
     repeats: float
 
 
+@one_thread()
 def calibrate_properties(
     campaign: PropertyCampaign,
     settings: SearchSettings = SETTINGS,

@@ -13,7 +13,7 @@ import numpy as np
 
 from edesign._version import __version__
 from edesign.archive.dataset import Group, Variable
-from edesign.archive.files import check_own_yaml, make_folder, source_file, write_text, write_yaml
+from edesign.archive.files import check_file, check_own_yaml, make_folder, source_file, write_text, write_yaml
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
 from edesign.calibration.residual.series import STAGES
@@ -42,9 +42,12 @@ def check_files(
 
     Raises:
         InputError: a file of the calibration would stand in the place of something else.
-        ArchiveError: likewise, of an archive.
+        ArchiveError: likewise, of an archive; or a file cannot be written.
     """
-    spare_inputs(*(folder / name for name in (*_BESIDE, *models)))
+    files = [folder / name for name in (*_BESIDE, *models)]
+    spare_inputs(*files)
+    for file in files:
+        check_file(file)
     for name in models:
         check_own_yaml(folder / name, campaign, overwrite)
     check_owner(folder / ARCHIVE, _root(campaign, title, folder), overwrite)

@@ -36,11 +36,13 @@ from edesign.damper.fitting.identifiable import HELD, why_held
 from edesign.damper.laws import law as law_of
 from edesign.damper.testing.measured_histories import Use
 from edesign.estimation.model import PredictionError
+from edesign.one_thread import one_thread
 
 _EVERY: tuple[Use, ...] = ("fit", "validate")
 _TEMPERATURE = 20.0  # degC; records of structures have none, and no effect of a structure asks for it
 
 
+@one_thread()
 def calibrate_structure(
     campaign: StructureCampaign,
     settings: SearchSettings = SETTINGS,

@@ -85,6 +85,14 @@ def test_the_folder_of_the_campaign_and_no_page(tmp_path: Path) -> None:
     assert (tmp_path / "calibration.json").exists() and not (tmp_path / "calibration.html").exists()
 
 
+def test_what_cannot_be_written_is_told_before_the_search(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    campaign(tmp_path)
+    (tmp_path / "out" / "calibration.json").mkdir(parents=True)
+    assert _run(tmp_path, "--output", str(tmp_path / "out")) == 4
+    error = capsys.readouterr().err
+    assert "calibration.json: cannot be written: it is a folder" in error and "fitting the law" not in error
+
+
 def _flip(row: list[str]) -> list[str]:
     return [row[0], row[1], str(-float(row[2]))]
 

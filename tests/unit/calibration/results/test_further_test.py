@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from damper_problems import problem
 
+from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.results.fit import unbounded
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.models import Posterior
@@ -73,3 +74,15 @@ def test_a_test_made_again_tells_what_does_not_repeat():
     # 750 samples of white noise: 4 standard errors of 1/sqrt(2 n)
     assert floor.noise[:2] == pytest.approx((200.0, 200.0), rel=0.11)
     assert floor.noise[2:] == (10.0, 10.0)
+
+
+def test_tests_thought_of_have_no_more_samples_the_slower_they_are():
+    """A thousand times as slow as the tests that were made: a cycle has at most 600 samples."""
+    tests = problem()
+    slow = [
+        replace(one, motion=Motion(1e3 * m.time, m.displacement, 1e-3 * m.velocity, 1e-6 * m.acceleration))
+        for one in tests.experiments
+        for m in (one.motion,)
+    ]
+    cycles = [one for text, one in _tests(tests.with_experiments(slow)) if "cycles" in text]
+    assert cycles and max(one.motion.time.size for one in cycles) <= 12 * 600 + 1
