@@ -117,7 +117,7 @@ class Posterior:
             name: of the effect.
 
         Returns:
-            Probability of each by name beside the best model, the most probable first.
+            Probability of each by name beside the best model, at most one half, the most probable first.
         """
         found: dict[str, float] = {}
         for i, model in enumerate(self.models):
@@ -125,7 +125,7 @@ class Posterior:
             if name in model.names or not more or odds < LEAST or self.behind(i).sure:
                 continue
             other = " and ".join(sorted(more))
-            found[other] = found.get(other, 0.0) + odds
+            found[other] = min(found.get(other, 0.0) + odds, 1.0)
         return {name: odds / (1.0 + odds) for name, odds in sorted(found.items(), key=lambda one: -one[1])}
 
     def odds(self, i: int) -> float:

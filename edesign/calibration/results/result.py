@@ -74,8 +74,8 @@ class Effect:
         delta_validate: NRMS of the validation tests without it, the others fitted again, minus that with it.
         gain, gain_error: by how much better tests left out are predicted with it (log density), and the error of that.
         probability: of an effect of this name, over all models of the search.
-        indistinguishable_from: probability, beside the corrected model, of others that explain the tests as well in its
-            place, by name.
+        indistinguishable_from: probability, beside the corrected model and at most one half, of others that explain the
+            tests as well in its place, by name.
         not_carried: why no law file carries it, for people; "" if one does.
     """
 

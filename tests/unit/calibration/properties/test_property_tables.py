@@ -12,13 +12,17 @@ from scipy.integrate import quad
 from edesign.calibration.properties.campaign import load_property_campaign
 from edesign.calibration.properties.corrected import table_law
 from edesign.calibration.properties.from_campaign import property_problem
+from edesign.calibration.properties.next_test import next_test
 from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.repeatability import QUANTITIES, repeatability
 from edesign.calibration.properties.run import PropertyCalibration, calibrate_properties
 from edesign.calibration.properties.write import write_property_files
 from edesign.calibration.residual.series import Stage
+from edesign.calibration.results.fit import unbounded
+from edesign.calibration.results.models import Posterior
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
+from edesign.calibration.search.settings import SETTINGS
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
@@ -28,6 +32,7 @@ from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
 from edesign.damper.thesis_tables import predicted
 from edesign.errors import InputError
 from edesign.estimation.least_squares import Fit
+from edesign.estimation.left_out import Difference
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import coordinates_of
@@ -212,6 +217,29 @@ def test_a_power_of_the_velocity(tmp_path: Path) -> None:
     assert _left(found, "refit") > 3.0 * NOISE
 
 
+def _at(problem: PropertyProblem, effects: tuple[Effect, ...], values: np.ndarray) -> FittedModel:
+    """A model with given values."""
+    model = problem.model(effects)
+    z = coordinates_of(model.parameters, values)
+    return FittedModel(problem, effects, Fit(model, Noise.white(problem.deviations), z, (), (), 0))
+
+
+def test_the_next_test_is_where_models_differ_more_than_in_the_table(thesis: PropertyProblem) -> None:
+    """Softening with the amplitude: moduli are means over a cycle, which its loop is not."""
+    payne = (_effect(thesis, "payne.whole"),)
+    centres = [one.centre for one in thesis.inner.base]
+    plain, softer = _at(thesis, (), np.array(centres)), _at(thesis, payne, np.array([*centres, 0.3, 2e-4, 1.0, 5.0]))
+    # what the search says of the two, in place of scores: that it cannot tell them apart
+    searched = {(): Difference(0.0, 0.0), ("payne.whole",): Difference(-1.0, 2.0)}
+    fitting = unbounded(thesis, SETTINGS)
+    found = next_test(thesis, Posterior(fitting, plain, plain, (plain, softer), searched))
+    assert found is not None and found.separates == ("none", "payne.whole")
+    assert found.text.startswith("record the loop, force over displacement, of ")
+    assert found.difference > 1.2 * found.largest
+    sure = {**searched, ("payne.whole",): Difference(-30.0, 2.0)}
+    assert next_test(thesis, Posterior(fitting, plain, plain, (plain, softer), sure)) is None
+
+
 def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
     """What a law file carries, through the core alone, against the model of the search; readings are left out."""
     chosen = (
@@ -222,9 +250,7 @@ def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:
     effects = tuple(_effect(thesis, label) for label, _ in chosen)
     centres = [one.centre for one in thesis.inner.base]
     values = np.array([*centres, *(value for _, own in chosen for value in own)])
-    model = thesis.model(effects)
-    start = Fit(model, Noise.white(thesis.deviations), coordinates_of(model.parameters, values), (), (), 0)
-    found = table_law(thesis, *(FittedModel(thesis, effects, start),) * 2)
+    found = table_law(thesis, *(_at(thesis, effects, values),) * 2)
     assert [one.label for one in found.amendments] == ["payne.whole", "relaxation_branch.maxwell"]
     assert found.told == (f"peak_reading.share (instrument): {effects[2].data.title}",)
     row = int(np.flatnonzero((thesis.table.strain == 0.3) & (thesis.table.temperature_C == 20.0))[2])

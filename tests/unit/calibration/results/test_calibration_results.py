@@ -12,6 +12,7 @@ from kelvin_voigt_campaign import C, K, campaign, lawful
 from edesign.calibration import calibrate
 from edesign.calibration.results import outcome
 from edesign.calibration.results.evidence import verdict_of
+from edesign.calibration.results.floor import worst_of
 from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.write import calibration_json
@@ -169,3 +170,11 @@ def test_a_law_without_a_spring_is_told_to_be_another(tmp_path: Path):
     # noise alone is left: 60 N of some 10 kN
     assert found.other_law.validate < 2.0 * found.noise_floor
     assert verdict_text(found).startswith(f"Another law does better: {found.other_law.law}")
+
+
+def test_the_worst_part_is_that_farthest_over_its_own_floor() -> None:
+    # 1.4 times its floor is noise, with however many values; of few values more is
+    parts = [("quiet", 1.4e-4, 1e-4, 5000), ("few", 2.2e-4, 1e-4, 12), ("many", 2.6e-4, 1e-4, 5000)]
+    found = worst_of(parts)
+    assert found is not None and (found.name, found.times) == ("many", pytest.approx(2.6))
+    assert worst_of(parts[:2]) is None
