@@ -141,7 +141,7 @@ def test_a_search_without_effort_says_so(tmp_path: Path, monkeypatch: pytest.Mon
     monkeypatch.setattr(outcome, "other_law", lambda *_: None)
     found = calibrate(tests, replace(SETTINGS, effort=60.0), threads=1)
     assert (found.verdict, found.ending) == ("not_searched", "effort_spent")
-    assert "ended with its effort of 60 evaluations (--effort)" in verdict_text(found)
+    assert "ended with its effort of 60 (--effort)" in verdict_text(found)
 
 
 def test_an_interrupt_keeps_what_was_found(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
