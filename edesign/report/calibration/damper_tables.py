@@ -81,8 +81,10 @@ def effect_parameters_table(calibration: Calibration) -> Table:
     """
     columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
     told = any(_known(effect) for effect in calibration.effects)
-    table = Table("Parameters of the effects", columns if told else columns[:-1], left=2, sentences=len(columns) - 1)
-    table.name = "parameters_of_the_effects"
+    heads = columns if told else columns[:-1]
+    table = Table(
+        "Parameters of the effects", heads, left=2, sentences=len(columns) - 1, name="parameters_of_the_effects"
+    )
     for effect in calibration.effects:
         known, own = _known(effect), _parameters(effect)
         for name, estimate in own.items():
