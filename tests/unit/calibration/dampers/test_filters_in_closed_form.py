@@ -1,12 +1,12 @@
-"""Forces that a law relaxes or a channel filters, against closed forms."""
+"""Systems of first and second order that a force passes, against closed forms."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from edesign.calibrate.dampers.inside import relaxed_factor, relaxed_force, swung_force
-from edesign.calibrate.dampers.trial import Motion
+from edesign.calibration.dampers.filters import relaxed, swung
+from edesign.calibration.dampers.motion import Motion
 
 
 def _motion(time: np.ndarray) -> Motion:
@@ -28,7 +28,7 @@ def test_a_cubic_force_is_relaxed_exactly(tau: float) -> None:
     # of a long tau the polynomial cancels: integrals of the force over powers of tau do not
     series = (time**4 / 4.0 - time**2) / tau - (time**5 / 20.0 - time**3 / 3.0) / tau**2
     expected = series if tau > 1e3 else particular(time) - particular(0.0) * np.exp(-time / tau)
-    found = relaxed_force(_motion(time), time**3 - 2.0 * time, tau)
+    found = relaxed(_motion(time), time**3 - 2.0 * time, tau)
     np.testing.assert_allclose(found, expected, atol=1e-11 * np.max(np.abs(expected)))  # rounding
 
 
@@ -39,12 +39,4 @@ def test_a_second_order_channel_rings_as_in_closed_form() -> None:
     wd = w * np.sqrt(1.0 - zeta**2)
     swings = 2.0 * zeta / w * np.cos(wd * time) - (1.0 - 2.0 * zeta**2) / wd * np.sin(wd * time)
     expected = time - 2.0 * zeta / w + np.exp(-zeta * w * time) * swings
-    np.testing.assert_allclose(swung_force(_motion(time), time, f, zeta), expected, atol=1e-12)
-
-
-def test_a_lasting_factor_is_a_part_of_the_force() -> None:
-    # (factor - 1)(F + tau F') relaxed is (factor - 1) F for a factor that does not change
-    time = _uneven()
-    force = np.sin(7.0 * time)
-    found = relaxed_factor(_motion(time), np.full(time.size, 0.7), force, 0.05)
-    np.testing.assert_allclose(found, -0.3 * force, atol=1e-15)
+    np.testing.assert_allclose(swung(_motion(time), time, f, zeta), expected, atol=1e-12)

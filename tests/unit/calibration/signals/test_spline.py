@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.interpolate import CubicSpline
 
-from edesign.calibrate.spline import Spline
+from edesign.calibration.signals.spline import Spline
 
 
 @pytest.mark.parametrize("n", [2, 3, 4, 5, 200])

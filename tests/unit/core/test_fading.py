@@ -1,4 +1,4 @@
-"""Histories that drive effects: what fades."""
+"""Histories that fade step by step."""
 
 from __future__ import annotations
 
