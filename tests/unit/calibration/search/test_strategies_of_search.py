@@ -1,0 +1,182 @@
+"""What each strategy of the search is for: a problem whose truth is missed, or is added to, without it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from curve_problem import DRAG, OWN, CurveProblem, effect
+
+from edesign.calibration.search.models import Fitting
+from edesign.calibration.search.problem import Effect
+from edesign.calibration.search.search import Found, Search
+from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.estimation.left_out import score
+from edesign.estimation.noise import Noise
+from edesign.estimation.parameters import Parameter
+
+TESTS, SAMPLES = 5, 300
+Columns = list[np.ndarray]
+
+
+def found(problem: CurveProblem, **settings: float) -> Found:
+    """Return what the search finds."""
+    return Search(problem, SearchSettings(**settings)).run()
+
+
+def columns(seed: int) -> Columns:
+    """White noise of size one in each test."""
+    random = np.random.default_rng(seed)
+    return [random.standard_normal(SAMPLES) for _ in range(TESTS)]
+
+
+def linear(name: str, shape: Columns, form: str = "x") -> Effect:
+    """An effect that adds so many times a column."""
+    return effect(name, form, lambda p, i, u, v: p[0] * shape[i])
+
+
+def positive(name: str, shape: Columns) -> Effect:
+    """The same with a size that is never nothing."""
+    size = Parameter("a", "", 1e-6, 1e3, 0.3, 2.0, True)
+    return Effect(name, "x", "damper", (size,), ((0.3,), (1.0,)), False, False, lambda p, i, u, v: p[0] * shape[i])
+
+
+def proxy_of_two() -> tuple[Effect, Effect, Effect]:
+    """Two effects, and a third that does nearly what both do together: alone it is better than each of them."""
+    first, second, own = columns(1), columns(2), columns(3)
+    both = [a + b + 0.3 * c for a, b, c in zip(first, second, own, strict=True)]
+    return linear("first", first), linear("second", second), positive("proxy", both)
+
+
+def varying(shape: Columns) -> Columns:
+    """A column whose size is another one in each test, and of no certain sign."""
+    return [a * x for a, x in zip((0.5, -0.4, 0.5, -0.4, 0.4), shape, strict=True)]
+
+
+def test_an_effect_that_the_others_make_needless_goes() -> None:
+    first, second, proxy = proxy_of_two()
+    problem = CurveProblem(effects=(first, second, proxy), truth=((first, (0.3,)), (second, (0.3,))))
+    # pairs would find the two at once
+    result = found(problem, pairs=0)
+    assert result.depths[0].adopted is not None and result.depths[0].adopted.names == {"proxy"}
+    assert result.best.names == {"first", "second"} and result.best.at_floor
+
+
+def test_an_effect_gives_its_place_to_a_better_one() -> None:
+    first, second, proxy = proxy_of_two()
+    problem = CurveProblem(effects=(first, second, proxy), truth=((first, (0.3,)), (second, (0.3,))))
+    # two effects at most: none can be added beside the proxy and the one that is found next
+    assert found(problem, pairs=0, depth=2).best.names == {"first", "second"}
+
+
+def test_an_effect_of_which_each_test_says_otherwise_is_none() -> None:
+    shape = columns(4)
+    varies, same = linear("varies", varying(shape)), positive("same", shape)
+    result = found(CurveProblem(effects=(same,), truth=((varies, (1.0,)),)))
+    (tried,) = result.depths[0].tried
+    assert tried.difference.total > 4.0 and result.best.effects == ()
+
+
+def test_the_best_model_may_be_unsure_and_another_one_sure() -> None:
+    shape = columns(4)
+    varies, same, small = linear("varies", varying(shape)), positive("same", shape), linear("small", columns(5))
+    problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
+    result = found(problem)
+    first, *others = result.depths[0].tried
+    assert "same" in first.model.names and not first.difference.sure
+    assert result.best.names == {"small"} and "small.x" in [one.model.label for one in others]
+
+
+def test_a_size_that_two_tests_do_not_tell_from_nothing_is_none() -> None:
+    """0.10 and 0.16: Student's t of one degree of freedom has its 95 % at 12.7 standard errors."""
+    shape = columns(6)
+    truth = linear("x", [a * x for a, x in zip((0.10, 0.16), shape, strict=False)])
+    alike = linear("x", [a * x for a, x in zip((0.129, 0.131), shape, strict=False)])
+    one = linear("x", shape)
+    assert found(CurveProblem(effects=(one,), truth=((alike, (1.0,)),), tests=2)).best.names == {"x"}
+    assert found(CurveProblem(effects=(one,), truth=((truth, (1.0,)),), tests=2)).best.effects == ()
+
+
+def test_a_shape_far_from_its_start_is_fitted_to_the_end() -> None:
+    far = effect("friction", "tanh", lambda p, i, u, v: p[0] * np.tanh(v / p[1]), [(1.0, (5.0,))])
+    result = found(CurveProblem(effects=(far, DRAG), truth=((far, (0.2, 0.05)),)))
+    assert result.best.label == "friction.tanh" and result.best.at_floor
+    assert result.best.fit.values[2:] == pytest.approx((0.2, 0.05), rel=0.1)  # 1500 samples with 5 % noise
+
+
+def test_models_are_put_in_order_after_a_rough_fit() -> None:
+    """Five effects are better than the true one at its start, none where it fits."""
+    truth = effect("saw", "x", lambda p, i, u, v: p[0] * np.sin(2.0 * np.pi * p[1] * u), [(1.0, (1.0,))])
+    problem = CurveProblem(effects=(), truth=((truth, (0.2, 1.3)),), noise=0.002)
+    motion = [np.sin(2.0 * np.pi * 1.3 * u) for u, _ in problem.motions]
+    others = [
+        linear(f"like_{k}", [m + 0.7 * c for m, c in zip(motion, columns(10 + k), strict=True)]) for k in range(5)
+    ]
+    assert found(replace(problem, effects=(truth, *others))).best.names == {"saw"}
+
+
+def test_two_forms_of_an_effect_are_tried_before_another_effect_is_taken() -> None:
+    """The first form seems best and is not; another effect fits better than it, the second form better than all."""
+    near = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    free = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (12.0,))])
+    bend = effect("bend", "fourth", lambda p, i, u, v: p[0] * u**3 * np.abs(u))
+    problem = CurveProblem(effects=(near, free, bend), truth=((free, (0.5, 5.0)),), noise=0.002)
+    # one effect at most: none can be added and make the other needless
+    result = found(problem, depth=1)
+    singles = [start.effect.label for start, _ in result.depths[0].screening.singles]
+    assert singles == ["bend.fourth", "hardening.cubic", "hardening.power"]
+    assert result.best.label == "hardening.power"
+
+
+def test_an_equation_that_is_better_where_it_fits_takes_the_place_of_the_one_that_was_found() -> None:
+    rough = [effect("hardening", f"power_{n}", lambda p, i, u, v, n=n: p[0] * np.abs(u) ** n * u) for n in (2, 3, 5)]
+    free = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (12.0,))])
+    problem = CurveProblem(effects=(*rough, free, DRAG), truth=((free, (0.5, 4.5)),), noise=0.002)
+    result = found(problem)
+    assert [start.effect.label for start, _ in result.depths[0].screening.singles].index("hardening.power") > 1
+    assert result.best.label == "hardening.power" and result.best.at_floor
+
+
+def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
+    cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * (u**3 + 0.04 * np.sin(2.0 * np.pi * u) * u**2))
+    bend = effect("bend", "sine", lambda p, i, u, v: p[0] * np.sin(2.0 * np.pi * u) * u**2)
+    problem = CurveProblem(effects=(cubic, bend), truth=((truth, (1.0,)),), noise=0.005)
+    assert found(problem).best.names == {"hardening"}
+    assert found(problem, unlike=0.0).best.names == {"hardening", "bend"}
+
+
+def test_effects_are_screened_beside_what_is_each_tests_own() -> None:
+    """What the second effect does is a constant mostly, of which each test has one of its own."""
+    lifted = effect("lifted", "x", lambda p, i, u, v: p[0] * (20.0 + np.sin(7.0 * u)))
+    problem = CurveProblem(effects=(OWN, lifted), truth=((lifted, (0.03,)),), zeros=2.0)
+    assert found(problem).best.names == {"zero", "lifted"}
+
+
+def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
+    """One test alone goes far enough to tell size and exponent."""
+    power = effect(
+        "hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (4.0,))], spread=0.1
+    )
+    problem = CurveProblem(effects=(power,), truth=((power, (0.3, 6.0)),), tests=4)
+    sizes = (0.45, 0.5, 0.4, 1.2)
+    problem.__dict__["motions"] = [
+        (a * u / np.max(np.abs(u)), a * v / np.max(np.abs(u))) for a, (u, v) in zip(sizes, problem.motions, strict=True)
+    ]
+    fitting, noise = Fitting(problem, SETTINGS), Noise.white(problem.deviations)
+    model = fitting.fit((power,), np.array([1.0, 0.3, 0.3, 6.0]), noise)
+    assert model is not None
+    rough, sure = (fitting.score(model, noise, sure=one) for one in (False, True))
+    assert sure.moved > 1.0
+    assert sure.total == score(model.fit, noise, refits=True).total != rough.total
+
+
+@pytest.mark.xfail(reason="a swap takes what the next depth drops, as its size may be nothing, and so on")
+def test_a_search_comes_to_its_end() -> None:
+    """One effect is better than the other by the score, and of a size that may be nothing."""
+    shape = columns(4)
+    varies = linear("varies", [a * x for a, x in zip((0.5, -0.2, 0.6, -0.2, 0.45), shape, strict=True)])
+    same, small = linear("same", shape), linear("small", columns(5))
+    problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
+    assert found(problem, effort=150.0).ending == "complete"
