@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from damper_problems import problem
 
-from edesign.calibration.results.law_file import carried
+from edesign.calibration.results.fit import unbounded
+from edesign.calibration.results.law_file import carried, law_file
+from edesign.calibration.results.result import LawFile
+from edesign.calibration.search.settings import SETTINGS
 from edesign.damper.damper import Damper
 from edesign.damper.temperature import GammaT, at
+from edesign.estimation.noise import Noise
 
 BETWEEN_TESTS = ("mullins", "degradation", "self_heating")  # the first test alone begins as a law file has it
 
@@ -47,3 +53,31 @@ def test_what_no_law_file_has_is_not_carried():
     tests = problem("mgmm", degrees=(20.0, 30.0), threads=1)
     shift = next(one for one in tests.effects if one.label == "temperature_law.shift_in_place")
     assert carried(tests, shift, np.array(shift.starts[0])) is None
+
+
+def with_a_shift_in_place(validating: float) -> LawFile:
+    """The law file of tests of a law that shifts in time with temperature; the last one, 28 degC away, otherwise so."""
+    tests = problem("mgmm", degrees=(20.0, 30.0, 24.0, 48.0), threads=1)
+    shift = next(one for one in tests.effects if one.label == "temperature_law.shift_in_place")
+    values = np.array([*(one.centre for one in tests.base), *shift.starts[0]])
+    (made,) = tests.model((shift,), ("fit", "validate")).forces(values)
+    (plain,) = tests.model((), ("fit", "validate")).forces(values[: -len(shift.starts[0])])
+    made[-1] = plain[-1] + validating * (made[-1] - plain[-1])
+    tests = tests.with_experiments([replace(e, force=f) for e, f in zip(tests.experiments, made, strict=True)])
+    fitting, noise = unbounded(tests, SETTINGS), Noise.white([100.0] * 3)
+    final = fitting.fit((shift,), values, noise)
+    refit = fitting.fit((), values[: len(tests.base)], noise)
+    assert final is not None and refit is not None
+    return law_file(tests, final, refit)
+
+
+def test_where_the_rest_predicts_worse_the_law_file_has_the_refitted_law():
+    found = with_a_shift_in_place(1.0)
+    assert (found.stage, found.lacking) == ("refit", ("temperature_law.shift_in_place",))
+    assert "the validation tests are predicted worse" in found.withheld
+
+
+def test_where_the_rest_predicts_better_the_law_file_says_what_it_lacks():
+    found = with_a_shift_in_place(0.0)  # no shift in the test that validates: the law of the others is the right one
+    assert (found.stage, found.lacking, found.withheld) == ("corrected", ("temperature_law.shift_in_place",), "")
+    assert found.validate < 1e-6

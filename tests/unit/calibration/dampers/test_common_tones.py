@@ -1,0 +1,69 @@
+"""Tones in the force that several tests have in common: known lines of spectra beside noise and harmonics."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.tones import common_tones
+
+W = 2.0 * np.pi
+DURATION = 20.0  # s: a line is as wide as 0.05 Hz, of which a quarter is asked for
+NOISE = 10.0  # N
+
+
+def sine(rate: float, frequency: float, order: int) -> Motion:
+    """A sine of 5 mm, sampled from a time of its own on."""
+    t = np.arange(0.0, DURATION, 1.0 / rate) + 0.37 * order
+    a, w = 5e-3, W * frequency
+    return Motion(t, a * np.sin(w * t), a * w * np.cos(w * t), -a * w**2 * np.sin(w * t))
+
+
+def tones(motions: list[Motion], left: list[np.ndarray]) -> tuple[float, ...]:
+    """Tones of tests of a spring of 1 kN/mm, of which a law leaves something."""
+    of_law = [1e6 * one.displacement for one in motions]
+    return common_tones(motions, [a + b for a, b in zip(of_law, left, strict=True)], of_law)
+
+
+def noise(motions: list[Motion], seed: int) -> list[np.ndarray]:
+    random = np.random.default_rng(seed)
+    return [NOISE * random.standard_normal(one.time.size) for one in motions]
+
+
+def test_hum_below_the_noise_is_found_in_what_several_tests_have_in_common() -> None:
+    motions = [sine(rate, f, i) for i, (rate, f) in enumerate(((120.0, 0.5), (125.0, 1.0), (150.0, 2.0)))]
+    left = noise(motions, 1)
+    for i, (one, residual) in enumerate(zip(motions, left, strict=True)):
+        residual += 0.8 * NOISE * np.sin(W * 49.93 * one.time + i)
+    assert tones(motions, left) == pytest.approx((49.93,), abs=0.25 / DURATION)
+
+
+def test_harmonics_of_the_motion_and_noise_are_no_tones() -> None:
+    motions = [sine(120.0, 2.0, i) for i in range(3)]
+    left = noise(motions, 4)
+    assert tones(motions, left) == ()
+    for one, residual in zip(motions, left, strict=True):
+        residual += sum(200.0 / n * np.sin(W * 2.0 * n * one.time) for n in (1, 3, 5, 7))
+    assert tones(motions, left) == ()
+
+
+def test_a_tone_above_harmonics_of_the_motion_is_found() -> None:
+    # sines of 1, 1.3 and 2 Hz leave their own odd harmonics; below the seventh of 2 Hz no tone is sought
+    frequencies = (1.0, 1.3, 2.0)
+    motions = [sine(200.0, f, i) for i, f in enumerate(frequencies)]
+    left = noise(motions, 9)
+    for one, residual, f in zip(motions, left, frequencies, strict=True):
+        residual += sum(300.0 / n * np.sin(W * f * n * one.time) for n in (3, 5, 7))
+    assert tones(motions, left) == ()
+    for one, residual in zip(motions, left, strict=True):
+        residual += 60.0 * np.sin(W * 17.3 * one.time)
+    assert tones(motions, left) == pytest.approx((17.3,), abs=0.25 / DURATION)
+
+
+def test_tones_are_told_in_the_order_of_their_size() -> None:
+    motions = [sine(200.0, f, i) for i, f in enumerate((0.5, 1.0))]
+    left = noise(motions, 6)
+    for one, residual in zip(motions, left, strict=True):
+        residual += sum(a * np.sin(W * f * one.time) for a, f in ((8.0, 16.7), (24.0, 34.79), (14.0, 51.1)))
+    assert tones(motions, left) == pytest.approx((34.79, 51.1, 16.7), abs=0.25 / DURATION)

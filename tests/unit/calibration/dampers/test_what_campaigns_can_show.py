@@ -1,0 +1,50 @@
+"""Which forms of effects a campaign can show: by its tests, their uses and their temperatures."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+from damper_problems import problem
+
+from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.dampers.sizes import Sizes
+from edesign.damper.testing.measured_histories import Use
+
+
+def labels(tests: DamperProblem, name: str) -> set[str]:
+    """Labels of an effect's forms that are sought in tests."""
+    known = replace(tests, typical=Sizes.of(tests.experiments))
+    return {one.label for one in known.effects if one.name == name}
+
+
+def test_a_gain_that_changes_has_a_form_for_each_place_that_fitted_tests_tell() -> None:
+    tests = problem(tests=6)
+    uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate")
+    tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
+    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in (4, 5)}
+    assert labels(tests, "gain") == {"gain.force", "gain.displacement", *places}
+
+
+@pytest.mark.parametrize(
+    ("degrees", "shown"),
+    [
+        ((20.0, 20.3, 19.6), False),  # readings of one temperature
+        ((20.0, 21.9, 20.0), False),
+        ((20.0, 22.1, 20.0), True),
+        ((20.0, 20.0, 20.0, 40.0), False),  # the last test validates
+    ],
+)
+def test_laws_of_the_temperature_need_tests_at_several(degrees: tuple[float, ...], shown: bool) -> None:
+    tests = problem(tests=4, degrees=degrees)
+    assert bool(labels(tests, "temperature_law")) == shown
+
+
+def test_three_temperatures_tell_no_width_of_a_transition() -> None:
+    """Depth, middle and width are three numbers beside the force at the reference."""
+    for degrees, names in (((20.0, 30.0, 20.4, 35.0, 30.5), ["d", "Tc"]), ((20.0, 30.0, 25.0, 35.0), ["d", "Tc", "w"])):
+        tests = problem(tests=6, degrees=degrees)
+        (transition,) = (one for one in tests.effects if one.label == "temperature_law.transition")
+        assert [one.name for one in transition.parameters] == names
+        if "w" in names:  # no transition is sharper than a thermometer sees, which may be 0.2 K off either way
+            assert transition.parameters[2].lower > 0.4

@@ -1,0 +1,61 @@
+"""No verdict is better than the worst test allows: each test is held against its own noise."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from damper_problems import problem
+
+from edesign.calibration.results.floor import Floor
+from edesign.calibration.results.predictions import errors_of
+
+NOISE = 100.0  # N
+TESTS = 12
+
+
+def floor_and_errors(louder: dict[int, float], seed: int = 1):
+    """Tests of which a law leaves noise, and so many times its power in some of them."""
+    tests = problem(tests=TESTS)
+    random = np.random.default_rng(seed)
+    forces = [one.force for one in tests.experiments]
+    measured = [
+        force + NOISE * np.sqrt(louder.get(i, 1.0)) * random.standard_normal(force.size)
+        for i, force in enumerate(forces)
+    ]
+    noisy = tests.with_experiments(
+        [replace(one, force=f, channel_noise=NOISE) for one, f in zip(tests.experiments, measured, strict=True)]
+    )
+    floor = Floor(noisy, (NOISE,) * TESTS, (np.nan,) * TESTS, (0.0,) * TESTS)
+    return floor, errors_of(noisy, forces)
+
+
+def test_noise_alone_reaches_the_floor():
+    for seed in range(5):
+        floor, errors = floor_and_errors({}, seed)
+        assert floor.reached(errors) and floor.worst(errors) is None
+
+
+@pytest.mark.parametrize("loud", [3, TESTS - 1])
+def test_one_test_among_many_is_found_though_all_together_are_at_the_floor(loud: int):
+    floor, errors = floor_and_errors({loud: 5.0})
+    if loud != TESTS - 1:  # a test that is fitted to: the mean over those has (10 + 5) / 11
+        assert errors.fit < 2.0 * floor.nrms("fit") and errors.validate < 2.0 * floor.nrms("validate")
+    worst = floor.worst(errors)
+    assert worst is not None and worst.name == f"test {loud + 1}"
+    assert worst.times == pytest.approx(5.0, rel=0.21)  # 750 samples: four standard errors of sqrt(2 / n)
+    assert not floor.reached(errors)
+
+
+def test_the_worst_of_two_is_told():
+    floor, errors = floor_and_errors({2: 5.0, 6: 9.0})
+    worst = floor.worst(errors)
+    assert worst is not None and worst.name == "test 7"
+
+
+def test_an_error_of_the_thermometer_is_allowed_for():
+    floor, errors = floor_and_errors({3: 5.0})
+    thermal = [0.0] * TESTS
+    thermal[3] = NOISE**2  # twice its standard deviation: four times its power, beside the noise
+    assert replace(floor, thermal=tuple(thermal)).worst(errors) is None
