@@ -1,4 +1,6 @@
-"""Seconds of `edesign calibrate` for blind campaigns, one at a time, as a user runs it: two processes, with the report.
+"""Time and effort of `edesign calibrate` for blind campaigns, one at a time, as a user runs it, with the report.
+
+The effort is the number of weighted predictions, the same on every machine.
 
 Usage: python -m benchmarks.calibration [--number 23] [--every 2] [--seed 1] [--folder build/blind_bench]
 """
@@ -29,7 +31,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         folder = chosen.folder or Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
-        print("campaign  tests  wall, s  CPU, s  hidden -> found (verdict)")
+        print("campaign  tests  wall, s  CPU, s  effort  hidden -> found (verdict)")
         walls = []
         for planned in plan(chosen.number, chosen.seed)[:: chosen.every]:
             place = generate(planned, chosen.seed, folder)
@@ -39,9 +41,10 @@ def main() -> None:
             hidden = " + ".join(name for name, _ in planned.effects) or "nothing"
             names = " + ".join(effect["name"] for effect in found["effects"]) or "nothing"
             tests, wall = len([*place.glob("*.csv")]), outcome["seconds"]
+            effort = found.get("coverage", {}).get("effort", 0.0)
             walls.append(wall)
             print(
-                f"{planned.name:8}  {tests:5}  {wall:7.1f}  {_cpu() - before:6.1f}  {hidden} -> {names} "
+                f"{planned.name:8}  {tests:5}  {wall:7.1f}  {_cpu() - before:6.1f}  {effort:6.0f}  {hidden} -> {names} "
                 f"({found['verdict']})",
                 flush=True,
             )
