@@ -61,7 +61,7 @@ help:
 	@echo "make lint | types | layers | ctest | pytest     one part of make test; pytest takes ARGS=\"-k name\""
 	@echo "make pytest ARGS=\"-m study\"     tests that run the whole thesis study"
 	@echo "make format    lay out and sort the Python sources (ruff)"
-	@echo "make docs-keys write the reference of all keys, docs/reference/keys, out of the models"
+	@echo "make docs-keys write docs/reference/keys and the tables of docs/reference/effects, out of the models"
 	@echo "make law-parameters  write the parameters of damper laws and amendments for the core, out of edesign/damper"
 	@echo "make clean     remove builds and caches;  make distclean: the environment and .libraries too"
 	@echo "Variables (after a change of flags: make clean): PROJECT=file.yaml FOLDERS=recordings WORKERS=n PYTHON=interpreter VENV=directory EDESIGN_CFLAGS=flags EDESIGN_NO_INSTALL=1"
@@ -223,6 +223,7 @@ law-parameters: setup
 
 docs-keys: setup
 	@$(PY) -m tools.docs_keys
+	@$(PY) -m tools.effect_pages
 
 # The theme tells at each build of its successor: we know (pyproject.toml). With --quiet warnings would not count.
 docs: $(STAMPS)/docs

@@ -1,0 +1,250 @@
+"""Forms of effects of a calibration as rows of tables: where they act, parameters, priors in sizes of a campaign."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from edesign.calibration.dampers.acts import (
+    Amendment,
+    ForceChannel,
+    LastingExtremes,
+    LawParameters,
+    MotionChannel,
+    OwnShares,
+    Placement,
+    Rig,
+)
+from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.dampers.effects import forms as damper_forms
+from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.properties import arrangement, reading
+from edesign.calibration.properties.reading import Reading
+from edesign.calibration.structures.building import Building, Damping, DampingKind
+from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm
+from edesign.calibration.structures.effects import forms as structure_forms
+from edesign.calibration.structures.record import Measure
+from edesign.calibration.structures.sizes import StructureSizes
+from edesign.damper.amendment_kinds import kind_if_known
+from edesign.estimation.parameters import Parameter
+
+_USUAL = Sizes(
+    force=80e3,
+    displacement=0.012,
+    velocity=0.09,
+    acceleration=0.7,
+    rms=30e3,
+    duration=20.0,
+    total=160.0,
+    path=9.0,
+    work=30e3,
+    tests=8,
+    period=1.3,
+    fitted=(True,) * 6 + (False,) * 2,
+    temperatures=(10.0, 30.0),
+    levels=4,
+    tones=(50.0, 120.0),
+)
+"""Of a campaign that shows all effects."""
+
+_SYMBOLS = {
+    **{"F": "force", "u": "displacement", "v": "velocity", "a": "acceleration", "D": "duration", "S": "path"},
+    **{"W": "work", "T": "period", "N": "tests"},
+}
+_STRUCTURE_SYMBOLS = ("K", "d", "T", "dt", "H")
+_SIDES = ("_positive", "_negative")
+_NEAR = 1e-9  # relative: of a number that is a product of powers
+_STEP = 1e-3
+
+
+def _structure(isolated: bool, kind: DampingKind) -> StructureSizes:
+    stiffness, heights = np.full(3, 3e8), np.array([3.0, 6.0, 9.0])
+    building = Building(np.full(3, 4e5), stiffness, Damping(kind, 0.03), np.zeros(3), isolated, heights)
+    measures: frozenset[Measure] = frozenset(("acceleration", "displacement"))
+    return StructureSizes(building, np.full(3, 0.02), 0.7, 0.005, measures, refit=False)
+
+
+@dataclass(frozen=True)
+class Row:
+    """A form of an effect, with all its placements and sides.
+
+    Attributes:
+        form: of the code; the first of those that differ in placement, side, or number alone.
+        name: of the form.
+        where: placements, or what it acts on.
+        parameters: of the form, with the text of their priors.
+        fixed: numbers that the campaign fixes, by name.
+    """
+
+    form: EffectForm | StructureForm | Reading
+    name: str
+    where: tuple[str, ...]
+    parameters: tuple[tuple[Parameter, str, str], ...]
+    fixed: Mapping[str, str]
+
+    @property
+    def title(self) -> str:
+        """What it is, of whatever side or number."""
+        return re.sub(r"(storey|floor|test) \d+$", r"\1 N", self.form.title.replace("the positive side", "one side"))
+
+    @property
+    def laws(self) -> tuple[str, ...]:
+        """Names of the laws that it is made for; (): all."""
+        return getattr(self.form, "laws", ())
+
+    @property
+    def law_file(self) -> str:
+        """What a law file calls it; "" if none carries it."""
+        if not isinstance(self.form, EffectForm) or self.form.kind != "damper":
+            return ""
+        kinds = [one.equation.split(".") for one in self.form.amendments]
+        if any(isinstance(act, LawParameters) for act in self.form.acts):
+            return "key `temperature_law`" if self.form.name == "temperature_law" else ""
+        if len(kinds) != 1:
+            return ""
+        name, form = (self.form.name, self.name) if kinds[0] == ["constant"] else kinds[0]
+        return f"{name}.{form}" if kind_if_known(name, form) else ""
+
+
+def damper_rows() -> list[Row]:
+    """Forms of effects of damper tests, in the order of the code."""
+    found = [_row(form, _USUAL, _of_dampers, _SYMBOLS) for form in damper_forms(_USUAL)]
+    return _merged(found)
+
+
+def structure_rows() -> list[Row]:
+    """Forms of effects of structures, in the order of the code."""
+    rows: dict[str, Row] = {}
+    for isolated, kind in ((False, "rayleigh"), (False, "modal"), (True, "modal")):
+        sizes = _structure(isolated, kind)
+        for form in structure_forms(sizes):
+            rows.setdefault(f"{form.name}.{form.form}", _row(form, sizes, _of_structures, _STRUCTURE_SYMBOLS))
+    names = list(dict.fromkeys(row.form.name for row in rows.values()))
+    return _merged(sorted(rows.values(), key=lambda row: names.index(row.form.name)))
+
+
+def table_rows() -> list[Row]:
+    """Forms of effects that tables of moduli alone show."""
+    every: tuple[EffectForm | Reading, ...] = (*arrangement.FORMS, *reading.FORMS)
+    return [_row(form, _USUAL, _of_dampers, _SYMBOLS) for form in every]
+
+
+def _row(
+    form: Any, sizes: Any, of: Callable[[Any, str, float], Any], symbols: Sequence[str] | Mapping[str, str]
+) -> Row:
+    def text(number: Callable[[Any], float], unit: str) -> str:
+        return _scaled(number, sizes, of, symbols, unit)
+
+    parameters = []
+    for i, one in enumerate(form.parameters(sizes)):
+        centre, spread, lower, upper = (
+            text(lambda s, i=i, name=name: getattr(form.parameters(s)[i], name), one.unit)  # type: ignore[misc]
+            for name in ("centre", "spread", "lower", "upper")
+        )
+        if one.logarithmic:
+            spread = f"{one.spread:.3g}"
+        prior = f"{'ln ' if one.logarithmic else ''}N({centre}, {spread})"
+        parameters.append((one, prior, f"{lower} to {upper}"))
+    constants = getattr(form, "constants", lambda _: {})
+    named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test", name)}
+    fixed = {name: text(lambda s, name=name: constants(s)[name], "") for name in sorted(named)}  # type: ignore[misc]
+    base, where = _placed(form)
+    return Row(form, base, where, tuple(parameters), fixed)
+
+
+def _of_dampers(sizes: Sizes, symbol: str, times: float) -> Sizes:
+    name = _SYMBOLS[symbol]
+    return replace(sizes, **{name: getattr(sizes, name) * times})
+
+
+def _of_structures(s: StructureSizes, symbol: str, times: float) -> StructureSizes:
+    if symbol == "K":
+        return replace(s, building=replace(s.building, stiffness=s.building.stiffness * times))
+    if symbol == "H":
+        return replace(s, building=replace(s.building, heights=s.building.heights * times))  # type: ignore[operator]
+    name = {"d": "drift", "T": "period", "dt": "step"}[symbol]
+    return replace(s, **{name: getattr(s, name) * times})
+
+
+def _scaled(
+    number: Callable[[Any], float], sizes: Any, of: Callable[[Any, str, float], Any], symbols: Any, unit: str
+) -> str:
+    """Return a number as a multiple of what it goes with, as 0.5 F/u; as it is where it goes with nothing alone."""
+    value = number(sizes)
+    if not value or not math.isfinite(value):
+        return f"{value:g}"
+    powers = {}
+    for symbol in symbols:
+        ratio = number(of(sizes, symbol, 1.0 + _STEP)) / value
+        power = round(math.log(ratio) / math.log1p(_STEP)) if ratio > 0.0 else 0
+        if abs(ratio - (1.0 + _STEP) ** power) > _NEAR:
+            return f"{value:.3g} {unit}".strip()
+        if power:
+            powers[symbol] = power
+    factor = value
+    for symbol, power in powers.items():
+        factor /= (_size(sizes, symbol)) ** power
+    over = [_power(s, p) for s, p in powers.items() if p > 0]
+    under = [_power(s, -p) for s, p in powers.items() if p < 0]
+    plain = over and abs(abs(factor) - 1.0) < _NEAR
+    text = ("-" if factor < 0.0 else "") if plain else f"{factor:.3g}{' ' if over else ''}"
+    text += " ".join(over)
+    if under:
+        text += f"/{under[0]}" if len(under) == 1 else f"/({' '.join(under)})"
+    return text if powers else f"{text} {unit}".strip()
+
+
+def _size(sizes: Any, symbol: str) -> float:
+    if isinstance(sizes, Sizes):
+        return float(getattr(sizes, _SYMBOLS[symbol]))
+    own = {"K": sizes.building.stiffness[0], "H": sizes.building.heights[-1], "d": sizes.drift[0]}
+    return float({**own, "T": sizes.period, "dt": sizes.step}[symbol])
+
+
+def _power(symbol: str, power: int) -> str:
+    return symbol if power == 1 else f"{symbol}^{power}"
+
+
+def _placed(form: EffectForm | StructureForm | Reading) -> tuple[str, tuple[str, ...]]:
+    """Return the name of a form without its placement, side and number, and where it acts."""
+    base = re.sub(r"_from_test_\d+$", "_from_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
+    if isinstance(form, Reading):
+        return base, ("what was read",)
+    if isinstance(form, StructureForm):
+        kinds = {ChangedBuilding: "building", Links: "beside storeys"}
+        return base, (kinds.get(type(form.act), "channels"),)
+    in_place = base.endswith("_in_place")
+    base = base.removesuffix("_in_place")
+    placements = {act.placement for act in form.amendments}
+    for one in Placement:
+        if one in placements and base.endswith(f"_{one.value}"):
+            base = base.removesuffix(f"_{one.value}")
+    for side in _SIDES:
+        base = base.removesuffix(side)
+    where = dict.fromkeys(place for act in form.acts if (place := _where(act)))
+    return base, ("in place of gamma_T",) if in_place else tuple(where)
+
+
+def _where(act: object) -> str:
+    if isinstance(act, Amendment):
+        return act.placement.value
+    if isinstance(act, MotionChannel):
+        return "displacement channel" if act.of == "actuator" else "motion of the specimen"
+    if isinstance(act, ForceChannel):
+        return "force channel" if act.of == "channel" else "what moves with the actuator"
+    others = {Rig: "in series", LawParameters: "parameters of the law", OwnShares: "each test's own"}
+    return "from test to test" if isinstance(act, LastingExtremes) else others.get(type(act), "")
+
+
+def _merged(rows: Sequence[Row]) -> list[Row]:
+    found: dict[tuple[str, str], Row] = {}
+    for row in rows:
+        key = row.form.name, row.name
+        known = found.get(key)
+        found[key] = row if known is None else replace(known, where=tuple(dict.fromkeys((*known.where, *row.where))))
+    return list(found.values())
