@@ -177,13 +177,13 @@ def _scaled(
     """Return a number as a multiple of what it goes with, as 0.5 F/u; as it is where it goes with nothing alone."""
     value = number(sizes)
     if not value or not math.isfinite(value):
-        return f"{value:g}"
+        return _digits(value)
     powers = {}
     for symbol in symbols:
         ratio = number(of(sizes, symbol, 1.0 + _STEP)) / value
         power = round(math.log(ratio) / math.log1p(_STEP)) if ratio > 0.0 else 0
         if abs(ratio - (1.0 + _STEP) ** power) > _NEAR:
-            return f"{value:.3g} {unit}".strip()
+            return f"{_digits(value)} {unit}".strip()
         if power:
             powers[symbol] = power
     factor = value
@@ -192,11 +192,15 @@ def _scaled(
     over = [_power(s, p) for s, p in powers.items() if p > 0]
     under = [_power(s, -p) for s, p in powers.items() if p < 0]
     plain = over and abs(abs(factor) - 1.0) < _NEAR
-    text = ("-" if factor < 0.0 else "") if plain else f"{factor:.3g}{' ' if over else ''}"
+    text = ("-" if factor < 0.0 else "") if plain else f"{_digits(factor)}{' ' if over else ''}"
     text += " ".join(over)
     if under:
         text += f"/{under[0]}" if len(under) == 1 else f"/({' '.join(under)})"
     return text if powers else f"{text} {unit}".strip()
+
+
+def _digits(value: float) -> str:
+    return f"{value:,.0f}".replace(",", " ") if 1e3 <= abs(value) < 1e6 else f"{value:.3g}"
 
 
 def _size(sizes: Any, symbol: str) -> float:

@@ -28,14 +28,15 @@ STRUCTURES, TABLES, ALL = "structures", "tables", "all"
 _EQUATION = re.compile(
     r"^ {4}(?:(?P<effect>[a-z_]+)\.)?(?P<form>[a-zN_]+(?:_k)?) {2,}(?P<equation>\S.*)$", re.MULTILINE
 )
-_TOP = """<!-- written by tools/effect_pages.py -->
-# All effects in one table
+_TOP = """# All effects in one table
+
+<!-- written by tools/effect_pages.py -->
 
 Each form of each effect that `edesign calibrate` knows. [The index](README.md) says what the symbols of the priors
 mean; the pages of the effects say what parameters mean, and what looks alike.
 
 """
-_HEAD = "| effect | equation | acts on | parameters and priors | laws |\n|---|---|---|---|---|\n"
+_HEAD = "| effect | equation | acts on | parameters and priors |\n|---|---|---|---|\n"
 
 
 def page_of(row: Row) -> str:
@@ -148,7 +149,8 @@ def _all() -> str:
             equation = re.sub(r" {2,}", "; ", known[page].get((name, row.name), "").replace(",   ", ", "))
             equation = equation.replace("|", "\\|").replace("*", "\\*")
             of = "<br>".join(f"`{one.name}` ({one.unit or '-'}): {prior}" for one, prior, _ in row.parameters) or "-"
-            cells = f"[{name}.{row.name}]({page}.md)", equation, ", ".join(row.where), of, ", ".join(row.laws) or "all"
+            laws = f"<br>of {', '.join(row.laws)}" if row.laws else ""
+            cells = f"[{name}.{row.name}]({page}.md){laws}", equation, ", ".join(row.where), of
             text += "| " + " | ".join(cells) + " |\n"
         text += "\n"
     return text.rstrip("\n") + "\n"
