@@ -150,7 +150,7 @@ def _row(
             spread = f"{one.spread:.3g}"
         prior = f"{'ln ' if one.logarithmic else ''}N({centre}, {spread})"
         parameters.append((one, prior, f"{lower} to {upper}"))
-    constants = getattr(form, "constants", lambda _: {})
+    constants = (lambda _: {}) if isinstance(form, Reading) else form.constants
     named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test", name)}
     fixed = {name: text(lambda s, name=name: constants(s)[name], "") for name in sorted(named)}  # type: ignore[misc]
     base, where = _placed(form)
