@@ -46,6 +46,8 @@ _GOOD, _POOR = 0.7, 0.2  # share of the promised decrease, below which slopes ar
 _IDLE = 3  # steps one after another that gain less than is enough end a search too
 _SHORTEST = 1e-6  # difference, in prior standard deviations
 _AT = 1e-9  # of the coordinate: at a bound
+_INDEPENDENT = 1e-3
+"""Part of a column of unit length that others do not make, above which squares of a matrix keep half of its digits."""
 
 
 @dataclass(frozen=True)
@@ -307,7 +309,19 @@ class _Search:
 
 
 def triangle(*rows: np.ndarray) -> np.ndarray:
-    """Return R (p, p) of the rows (m, p) of one matrix A, m >= p in all: R'R = A'A."""
+    """Return R (p, p) of the rows (m, p) of one matrix A, m >= p in all: R'R = A'A.
+
+    Of columns that are nearly independent, Cholesky's factor of A'A has eight correct digits, in less time.
+    """
+    length = np.sqrt(sum(np.einsum("ij,ij->j", one, one) for one in rows))
+    if length.size and np.all(length > 0.0) and np.all(np.isfinite(length)):
+        try:
+            root = np.linalg.cholesky(sum(one.T @ one for one in rows) / np.outer(length, length))
+        except np.linalg.LinAlgError:
+            pass
+        else:
+            if np.diag(root).min() > _INDEPENDENT:
+                return np.asarray(root.T * length)
     return np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
 
 
