@@ -15,7 +15,7 @@ from edesign.estimation.parameters import Parameter, priors_of, ranges_of
 LOOSE = 1e3
 """Ratio of singular values of slopes of unit length, beyond which a direction is not told: 1e6 in the normal matrix."""
 _LEVEL = 0.95  # of intervals
-_PARTS = 4  # blocks of a single test
+_CLUSTERS = 4  # fewest: of fewer tests, parts are taken
 _DECADE = 0.5 * math.log(10.0)
 _SMALLEST = 1e-9  # singular value, of the largest: what is below comes from errors of differences
 _PART = 0.1  # of a direction, from which a parameter has a part in it
@@ -92,8 +92,8 @@ def uncertainty(
     Args:
         fitted: model with its parameters.
         noise: of the tests; None: that of the fit.
-        blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of a single one
-            its quarters.
+        blocks: of each test, whose scatter then stands for that from test to test; None: whole tests, of less than four
+            halves, thirds or quarters.
         free: index of a parameter that is not taken as known where it stands at a bound.
     """
     noise = noise or fitted.noise
@@ -108,7 +108,7 @@ def uncertainty(
     samples = np.array([noise.independent(i, r.size) for i, r in enumerate(here.residuals)])
     freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
     sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(here.residuals, samples, strict=True)]
-    parts = blocks or ([1] * len(slopes) if len(slopes) > 1 else [_PARTS])
+    parts = blocks or [math.ceil(_CLUSTERS / len(slopes))] * len(slopes)
     cut = [
         part_j.T @ part_r
         for r, j, n in zip(here.residuals, slopes, parts, strict=True)
