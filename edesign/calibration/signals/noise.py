@@ -7,12 +7,12 @@ import math
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibration.signals.noise_level import noise_level
+from edesign.calibration.signals.noise_level import Level, noise_level
 from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
 
 _FEWEST = 64  # samples, for a spectrum
-_LEAST = 5e-4  # of a test's rms force: no load cell is better
+_LEAST = 1e-3  # of a test's rms force: no load cell, and no law, is better
 _NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
 
 
@@ -52,6 +52,8 @@ def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
     if values.size < 8 or np.ptp(values) == 0.0:
         return 0.0, 0.0
     level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
+    if level is not None and level.density > float(np.var(values)):
+        level = Level(0.0, 0.0)  # more than all that is measured: the motion itself reaches up to the highest frequency
     both = (
         (_from_differences(values, time),) * 2 if level is None else (math.sqrt(level.power), math.sqrt(level.density))
     )
