@@ -70,7 +70,7 @@ def from_test(s: Sizes) -> tuple[EffectForm, ...]:
 
 def _mass(s: Sizes) -> Parameter:
     mass = s.force / s.acceleration
-    return size("mass", "kg", 0.1 * mass, -10.0 * mass, 10.0 * mass)  # it may carry what the elastomer holds back
+    return size("mass", "kg", 0.1 * mass, 0.0, 10.0 * mass)  # it may carry what the elastomer holds back
 
 
 def _heavy(p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
