@@ -88,6 +88,11 @@ class CurveProblem:
         return tuple(y + self.noise * rng.standard_normal(y.size) + self.zeros * rng.standard_normal() for y in plain)
 
     @property
+    def start(self) -> tuple[float, ...]:
+        """What is declared."""
+        return tuple(one.centre for one in self.base)
+
+    @property
     def deviations(self) -> tuple[float, ...]:
         """Standard deviation of the noise of each test."""
         return (self.noise,) * self.tests

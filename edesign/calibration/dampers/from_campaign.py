@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import replace
 
 import numpy as np
@@ -26,8 +27,13 @@ from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
+from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
+from edesign.estimation.noise import Noise
 
+_UNKNOWN = 2.0  # standard deviation of the logarithm of a parameter of which only the order of magnitude is known
+_STARTS, _WIDE = 4, 0.7  # of the law alone; standard deviation of the logarithm of their parameters
+_ROUGH = 0.05  # of the measured force: what the law alone may leave
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
 _MOST_TIMES = 4.0  # its power over that by a model
@@ -79,7 +85,24 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     fitted = [problem.experiments[i] for i in problem.fitted]
     of_law = [predicted[i] for i in problem.fitted]
     tones = common_tones([one.motion for one in fitted], [one.force for one in fitted], of_law)
-    return replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones))
+    found = replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones))
+    return replace(found, alone=_alone(found))
+
+
+def _alone(problem: DamperProblem) -> dict[str, float]:
+    """Return parameters of the law alone by the tests alone, from several starts; {}: none are fitted."""
+    model = replace(problem, within=_UNKNOWN).model(())
+    sizes = zip(problem.sizes, problem.deviations, strict=True)
+    noise = Noise.white([max(_ROUGH * size, deviation) for size, deviation in sizes])
+    random, found = np.random.default_rng(len(problem.base)), list[Fit]()
+    for number in range(_STARTS if model.parameters else 0):
+        start = random.standard_normal(len(model.parameters)) * (_WIDE / _UNKNOWN if number else 0.0)
+        with suppress(PredictionError):
+            found.append(fit(model, noise, start))
+    if not found:
+        return {}
+    best = min(found, key=lambda one: sum(float(r @ r) for r in one.weighted().residuals) + float(one.z @ one.z))
+    return {one.name: float(value) for one, value in zip(model.parameters, best.values, strict=True)}
 
 
 def _check_tests(campaign: Campaign) -> None:

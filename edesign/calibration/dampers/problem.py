@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 import numpy as np
@@ -28,7 +28,6 @@ from edesign.damper.testing.measured_histories import Use
 from edesign.estimation.model import PredictionError
 from edesign.estimation.parameters import Parameter
 
-_DECLARED = 0.3  # standard deviation of the logarithm of a declared parameter, or of a zero one in its size
 _DOUBTS = 64  # sets of parameters whose doubts are kept
 _FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
 _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
@@ -47,6 +46,8 @@ class DamperProblem:
         lasting: whether extremes of one test soften the law in the next; otherwise each test has a fresh specimen.
         gamma_of: what gamma_T of an MGMM multiplies.
         threads: at most so many; None: as many as there are processors.
+        within: standard deviation of the logarithm of a declared parameter, or of a zero one in its size, at least.
+        alone: parameters of the law alone by the tests alone, SI; {}: not fitted.
     """
 
     law: Law
@@ -57,6 +58,8 @@ class DamperProblem:
     lasting: bool = False
     gamma_of: GammaOf = "parameters"
     threads: int | None = None
+    within: float = 0.3
+    alone: Mapping[str, float] = field(default_factory=dict)
 
     @cached_property
     def fitted(self) -> tuple[int, ...]:
@@ -83,17 +86,26 @@ class DamperProblem:
 
     @cached_property
     def base(self) -> tuple[Parameter, ...]:
-        """Parameters of the law with priors about what is declared; those that others make needless are held."""
+        """Parameters of the law with priors about what is declared; those that others make needless are held.
+
+        A declared value may be as far off as the tests alone put it: that is the likeliest spread of a prior of which
+        one value is known (MacKay 1994, ASHRAE Transactions 100, 1053-1062: automatic relevance determination).
+        """
         if not self.refit:
             return ()
         scales = Scales(self.typical.force, self.typical.displacement, self.typical.velocity)
         limiting = LIMITED_BY.get(self.law.name, {}).values()
         held = {name for name in HELD.get(self.law.name, {}) if name not in limiting or not self.declared[name]}
         return tuple(
-            _about_declared(one, self.declared, scales)
+            _about_declared(one, self.declared, scales, self.within, self.alone.get(one.name))
             for one in self.law.all_parameters(self.declared)
             if one.fitted and one.name not in held
         )
+
+    @property
+    def start(self) -> tuple[float, ...]:
+        """Values, SI, from which the law is fitted."""
+        return tuple(self.alone.get(one.name, one.centre) for one in self.base)
 
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
@@ -298,7 +310,9 @@ def _effect(form: EffectForm, sizes: Sizes) -> Effect:
     )
 
 
-def _about_declared(one: LawParameter, declared: Mapping[str, float], scales: Scales) -> Parameter:
+def _about_declared(
+    one: LawParameter, declared: Mapping[str, float], scales: Scales, within: float, alone: float | None
+) -> Parameter:
     """Return a parameter of a law with its prior: of a positive one of the logarithm, else of the value."""
     value = declared[one.name]
     size = abs(value) if value else scales.of(one.unit, declared)
@@ -306,5 +320,7 @@ def _about_declared(one: LawParameter, declared: Mapping[str, float], scales: Sc
     upper = one.upper - (0.0 if one.upper_allowed or math.isinf(one.upper) else _INSIDE * size)
     if value > 0.0 and lower >= 0.0:
         bounds = max(lower, value / _FARTHEST), min(upper, value * _FARTHEST)
-        return Parameter(one.name, one.unit, *bounds, value, _DECLARED, True)
-    return Parameter(one.name, one.unit, lower, upper, value, _DECLARED * size)
+        spread = within if alone is None else max(within, abs(math.log(alone / value)))
+        return Parameter(one.name, one.unit, *bounds, value, spread, True)
+    spread = within * size if alone is None else max(within * size, abs(alone - value))
+    return Parameter(one.name, one.unit, lower, upper, value, spread)

@@ -92,6 +92,11 @@ class PropertyProblem:
         """Size of the measured values of each group that is fitted: 1."""
         return (1.0,) * len(self.used_for("fit"))
 
+    @property
+    def start(self) -> tuple[float, ...]:
+        """Values, SI, from which the base is fitted."""
+        return tuple(one.centre for one in self.model(()).parameters)
+
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that steady cycles, or what was read from them, can show."""

@@ -53,6 +53,7 @@ class Problem(Protocol):
         deviations: (tests,) standard deviation of the noise of each test that is fitted.
         sizes: (tests,) root mean square of what was measured in each.
         effects: that the model may lack.
+        start: (p,) values of the base model, SI, from which it is fitted.
     """
 
     @property
@@ -66,6 +67,10 @@ class Problem(Protocol):
     @property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that the model may lack."""
+
+    @property
+    def start(self) -> tuple[float, ...]:
+        """Values (p,) of the base model, SI, from which it is fitted."""
 
     def model(self, effects: Sequence[Effect]) -> Model:
         """Return the base model with effects; its parameters are those of the base, and of the effects in their order.

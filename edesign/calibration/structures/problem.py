@@ -130,6 +130,11 @@ class StructureProblem:
             self.declared, self.isolation, [self.tests[i] for i in self.used_for("fit")], self.refit
         )
 
+    @property
+    def start(self) -> tuple[float, ...]:
+        """Values, SI, from which the base is fitted."""
+        return tuple(one.centre for one in self.model(()).parameters)
+
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that the structure and its channels can show."""
