@@ -93,6 +93,7 @@ class Search:
         """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
         base = self._base()
         self._best, self._depths, self._rivals = base, list[Depth](), list[tuple[Tried, ...]]()
+        self._been = {base.names}
         ending: Ending = "complete"
         try:
             self._grow()
@@ -111,9 +112,14 @@ class Search:
             self._progress(f"screening beside {self._best.label}: {100.0 * self._best.nrms:.3g} % is left")
             self._depths.append(self._depth(self._best))
             adopted = self._depths[-1].adopted
-            if adopted is None:
+            if adopted is None or adopted.names in self._been:
                 break
-            self._best = adopted
+            self._take(adopted)
+
+    def _take(self, model: FittedModel) -> None:
+        """Make a model the best one; none of its effects is so twice, so that the search comes to its end."""
+        self._best = model
+        self._been.add(model.names)
 
     def _challenge(self) -> bool:
         """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
@@ -138,13 +144,24 @@ class Search:
                 if grown is not None:
                     found[name] = fitting.settled(fitting.rough(grown, noise))
             tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values() if rest]
-            better = [one for one in tried if one.difference.sure]
+            # what equations may be wrong by, of an effect that does much, must not hide that less is explained
+            better = [
+                one
+                for one in tried
+                if one.difference.sure and one.model.names not in self._been and self._ahead(one.model, best)
+                if not any(self._may_be_nothing(one.model, i) for i in range(len(one.model.effects)))
+            ]
             if better:
-                self._best = max(better, key=lambda one: one.difference.total).model
+                leader = max(better, key=lambda one: one.difference.total).model
+                self._take(self._reformed(leader, noise))
                 return True
             alike = [one for one in tried if not self._difference(best, one.model, noise, rest).sure]
             self._rivals.append(tuple(alike))
         return False
+
+    def _ahead(self, one: FittedModel, other: FittedModel) -> bool:
+        """Return whether a model predicts better than another one beside what this one leaves alone."""
+        return self._fitting.score(one, other.noise).total > self._fitting.score(other, other.noise).total
 
     def _without(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, fitted; None: it cannot predict then."""
@@ -159,8 +176,7 @@ class Search:
         """Return the base model, fitted."""
         sizes = zip(self._problem.sizes, self._problem.deviations, strict=True)
         noise = Noise.white([max(_FIRST * size, deviation) for size, deviation in sizes])
-        start = np.array([one.centre for one in self._problem.model(()).parameters])
-        found = self._fitting.fit((), start, noise)
+        found = self._fitting.fit((), np.array(self._problem.start), noise)
         if found is None:
             raise ValueError("the base model cannot predict with its declared parameters")
         self._base_model = self._fitting.settled(found)
@@ -182,9 +198,11 @@ class Search:
             d = one.difference
             self._progress(f"  {one.model.label}: {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}")
         adopted = None
-        for one in tried:
-            if one.difference.sure:
-                adopted = self._needed(self._reformed(one.model, noise), best)
+        sure = [one.model for one in tried if one.difference.sure]
+        # the best one; where all of it is dropped in the end, what is a part of it
+        for one in (model for model in sure if model.names <= sure[0].names):
+            adopted = self._needed(self._reformed(one, noise), best)
+            if adopted is not None:
                 break
         return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)
 
@@ -195,20 +213,16 @@ class Search:
 
     def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:
         """Return the model with each of the effects and pairs that the screening puts first, roughly fitted."""
-        forms: dict[str, int] = {}
+        fitting, forms = self._fitting, dict[str, int]()
         tried: list[tuple[Start, ...]] = []
-        for start, gain in screening.singles:
+        for start, _ in screening.singles:
+            # shares of each test's own are no function of a start: what they do is hardly seen to first order
             forms[start.effect.name] = forms.get(start.effect.name, 0) + (not start.effect.own)
-            if gain > 0.0 and forms[start.effect.name] <= self._settings.forms:
+            if forms[start.effect.name] <= self._settings.forms:
                 tried.append((start,))
-        tried = tried[: self._settings.singles]
-        tried += [pair for pair, gain in screening.pairs if gain > 0.0]
-        found = []
-        for starts in tried:
-            grown = self._fitting.grown(model, starts, noise)
-            if grown is not None:
-                found.append(self._fitting.rough(grown, noise))
-        return found
+        tried = [*tried[: self._settings.singles], *(pair for pair, _ in screening.pairs)]
+        grown = [fitting.grown(model, starts, noise) for starts in tried]
+        return [fitting.rough(one, noise) for one in grown if one is not None]
 
     def _different(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
         """Return the best models of different effects, none with an effect that it does not need."""
@@ -245,26 +259,39 @@ class Search:
                 placed = fitting.placed((*others, start.effect), [kept, start.values], slopes, noise)
                 if placed is not None:
                     rough.append(fitting.rough(placed, noise))
-            if rough:
-                best = fitting.settled(max(rough, key=lambda one: fitting.score(one, noise, sure=False).total))
-                if fitting.score(best, noise).total > fitting.score(model, noise).total:
-                    model = fitting.in_order(best, order)
+            near = max((fitting.score(one, noise, sure=False).total for one in rough), default=0.0) - LEAST
+            likely = [one for one in rough if fitting.score(one, noise, sure=False).total > near]
+            other = [fitting.in_order(fitting.settled(one), order) for one in likely]
+            model = self._simplest([model, *other], noise)
         return model
 
+    def _simplest(self, models: Sequence[FittedModel], noise: Noise) -> FittedModel:
+        """Return that of models as good as the best which has fewest parameters, none at a bound if possible.
+
+        A form at a bound of a parameter is another form; that bound is no price of a parameter.
+        """
+        totals = [self._fitting.score(one, noise).total for one in models]
+        alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
+        return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
+
     def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
-        """Return the model without effects that it does not need, or whose size may be nothing."""
+        """Return the model without effects that it does not need, or whose size may be nothing.
+
+        Each effect is needed beside the others, whose equations may be wrong.
+        """
         while model.effects:
-            noise = self._fitting.noise(model, known)
             simpler = []
             for index in range(len(model.effects)):
                 others, _ = model.without(index)
                 one = known if others == known.effects else self._without(model, index)
                 if one is None:
                     continue
-                if not self._difference(model, one, noise, known).sure or self._may_be_nothing(model, index):
+                noise = self._fitting.noise(model, one)
+                if not self._difference(model, one, noise, one).sure or self._may_be_nothing(model, index):
                     simpler.append(one)
             if not simpler:
                 break
+            noise = self._fitting.noise(model, known)
             model = max(simpler, key=lambda one: self._fitting.score(one, noise).total)
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model

@@ -89,9 +89,9 @@ def test_the_best_model_may_be_unsure_and_another_one_sure() -> None:
 
 
 def test_a_size_that_two_tests_do_not_tell_from_nothing_is_none() -> None:
-    """0.10 and 0.16: Student's t of one degree of freedom has its 95 % at 12.7 standard errors."""
+    """0.05 and 0.21: Student's t of three degrees of freedom (halves of tests) has 95 % at 3.2 standard errors."""
     shape = columns(6)
-    truth = linear("x", [a * x for a, x in zip((0.10, 0.16), shape, strict=False)])
+    truth = linear("x", [a * x for a, x in zip((0.05, 0.21), shape, strict=False)])
     alike = linear("x", [a * x for a, x in zip((0.129, 0.131), shape, strict=False)])
     one = linear("x", shape)
     assert found(CurveProblem(effects=(one,), truth=((alike, (1.0,)),), tests=2)).best.names == {"x"}
@@ -172,11 +172,10 @@ def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
     assert sure.total == score(model.fit, noise, refits=True).total != rough.total
 
 
-@pytest.mark.xfail(reason="a swap takes what the next depth drops, as its size may be nothing, and so on")
 def test_a_search_comes_to_its_end() -> None:
     """One effect is better than the other by the score, and of a size that may be nothing."""
     shape = columns(4)
     varies = linear("varies", [a * x for a, x in zip((0.5, -0.2, 0.6, -0.2, 0.45), shape, strict=True)])
     same, small = linear("same", shape), linear("small", columns(5))
     problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
-    assert found(problem, effort=150.0).ending == "complete"
+    assert found(problem, effort=600.0).ending == "complete"
