@@ -39,7 +39,6 @@ def test_the_clearance_is_found_in_three_tests_that_scatter(scattered: tuple[Cam
 
 
 @pytest.mark.slow
-@pytest.mark.xfail(reason="with three tests to fit, two effects that act between tests make up for their scatter")
 def test_scatter_from_test_to_test_is_no_effect(scattered: tuple[Campaign, Calibration]) -> None:
     _, found = scattered
     assert not BETWEEN_TESTS & {effect.name for effect in found.effects}

@@ -13,6 +13,7 @@ from edesign.calibration.dampers.motion import Motion
 APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
+_BETWEEN = 4
 _LONGEST = 20.0  # s, of a slow period up to which lags go with it
 
 
@@ -65,6 +66,14 @@ class Sizes:
     def lag_period(self) -> float:
         """Period in shares of which lags are sought, s."""
         return min(self.period, _LONGEST)
+
+    @property
+    def between(self) -> bool:
+        """Whether the tests show what changes between them alone.
+
+        That takes a test for the law, one for the change, and two that tell how tests scatter.
+        """
+        return sum(self.fitted) >= _BETWEEN
 
     @staticmethod
     def of(experiments: Sequence[Experiment], tones: Sequence[float] = ()) -> Sizes:

@@ -200,8 +200,8 @@ class Search:
         adopted = None
         sure = [one.model for one in tried if one.difference.sure]
         # the best one; where all of it is dropped in the end, what is a part of it
-        for one in (model for model in sure if model.names <= sure[0].names):
-            adopted = self._needed(self._reformed(one, noise), best)
+        for model in (one for one in sure if one.names <= sure[0].names):
+            adopted = self._needed(self._reformed(model, noise), best)
             if adopted is not None:
                 break
         return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)

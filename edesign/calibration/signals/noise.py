@@ -7,7 +7,7 @@ import math
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibration.signals.noise_level import Level, noise_level
+from edesign.calibration.signals.noise_level import noise_level
 from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
 
@@ -52,8 +52,6 @@ def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
     if values.size < 8 or np.ptp(values) == 0.0:
         return 0.0, 0.0
     level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
-    if level is not None and level.density > float(np.var(values)):
-        level = Level(0.0, 0.0)  # more than all that is measured: the motion itself reaches up to the highest frequency
     both = (
         (_from_differences(values, time),) * 2 if level is None else (math.sqrt(level.power), math.sqrt(level.density))
     )
@@ -100,6 +98,8 @@ def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.n
 def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
     """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
     noise = _noise(values, time)[1]
+    if noise**2 > float(np.var(values)):
+        noise = 0.0  # more than all that is measured: the motion itself reaches up to the highest frequency
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise
     grid, resampled = even(time, values)

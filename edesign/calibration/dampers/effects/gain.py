@@ -54,7 +54,7 @@ def from_test(s: Sizes) -> tuple[EffectForm, ...]:
     Args:
         s: sizes of the campaign.
     """
-    places = [order + 1 for order, fitted in enumerate(s.fitted) if fitted][1:]
+    places = [order + 1 for order, fitted in enumerate(s.fitted) if fitted][1:] if s.between else []
 
     def changed(form: EffectForm, first: int) -> EffectForm:
         return replace(

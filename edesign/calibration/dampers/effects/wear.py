@@ -13,7 +13,6 @@ from edesign.estimation.parameters import Parameter
 _LASTING = 100.0  # tests: heat that stays longer does not change within one
 _LARGEST = 0.9  # change of the force by ageing up to the last test
 _FACTORS = (Placement.WHOLE, Placement.SPRINGS, Placement.DASHPOTS)
-_BENT = 3  # tests fitted to that show a line: with no more of them a curve is no better told
 
 
 def _several(s: Sizes) -> bool:
@@ -96,7 +95,7 @@ _LINEAR = EffectForm(
     (Amendment("constant", factor=lambda p, test: 1.0 + p["rate"] * test.order),),
     lambda s: _rate(s, s.tests - 1.0),
     lambda s: ((0.1 / (s.tests - 1.0),),),
-    shown=_several,
+    shown=lambda s: s.between,
 )
 _LOGARITHMIC = replace(
     _LINEAR,
@@ -107,7 +106,7 @@ _LOGARITHMIC = replace(
     # where n0 is small most of it has come with the second test
     parameters=lambda s: (*_rate(s, math.log1p(s.tests - 1.0)), shape("n0", "", 1.0, 1e-3, 1e2)),
     starts=lambda s: tuple((0.1 / math.log1p((s.tests - 1.0) / n0), n0) for n0 in (0.01, 0.3, 3.0)),
-    shown=lambda s: sum(s.fitted) > _BENT,
+    shown=lambda s: s.between,
 )
 
 FORMS = (

@@ -76,7 +76,7 @@ def test_tests_that_are_compared_only_are_predicted_too():
 
 
 def test_a_set_without_a_prediction_says_why_and_leaves_the_others_alone():
-    tests = problem(degrees=(20.0, 40.0))
+    tests = problem(tests=5, degrees=(20.0, 40.0))
     effect = next(one for one in tests.effects if one.label == "ageing.linear")
     base = [one.centre for one in tests.base]
     good, bad = tests.model((effect,)).predict(np.array([[*base, 0.01], [*base, -2.0]]))

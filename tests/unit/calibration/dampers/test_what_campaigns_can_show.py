@@ -19,11 +19,21 @@ def labels(tests: DamperProblem, name: str) -> set[str]:
 
 
 def test_a_gain_that_changes_has_a_form_for_each_place_that_fitted_tests_tell() -> None:
-    tests = problem(tests=6)
-    uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate")
+    tests = problem(tests=7)
+    uses: tuple[Use, ...] = ("fit", "validate", "validate", "fit", "fit", "validate", "fit")
     tests = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
-    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in (4, 5)}
+    places = {f"gain.{channel}_from_test_{first}" for channel in ("force", "displacement") for first in (4, 5, 7)}
     assert labels(tests, "gain") == {"gain.force", "gain.displacement", *places}
+
+
+def test_three_tests_show_nothing_that_changes_between_them_alone() -> None:
+    """A line through three levels has one more to tell how tests scatter."""
+    tests = problem(tests=4)
+    uses: tuple[Use, ...] = ("fit", "fit", "fit", "validate")
+    three = tests.with_experiments([replace(one, use=use) for one, use in zip(tests.experiments, uses, strict=True)])
+    assert labels(three, "ageing") == set() and labels(three, "gain") == {"gain.force", "gain.displacement"}
+    four = tests.with_experiments([replace(one, use="fit") for one in tests.experiments])
+    assert "ageing.linear" in labels(four, "ageing") and "gain.force_from_test_4" in labels(four, "gain")
 
 
 @pytest.mark.parametrize(
