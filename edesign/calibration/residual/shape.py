@@ -49,7 +49,7 @@ def describe(
         return "Nothing is left."
     weights = np.array([float(np.sum(test.residual**2)) / test.rms_force**2 for test in tests])
     structured = float(weights @ [one.structured for one in whiteness]) / total
-    left = f"{100.0 * total / pool.error.size:.2g} % of the squared force is left"
+    left = f"{100.0 * total / pool.error.size:.2g} % of the squared force of all tests is left"
     hum = _tones(tones)
     if structured < _NOISE:
         return f"{left}, all of it noise{' but ' + hum if hum else ''}."
@@ -63,7 +63,7 @@ def describe(
         told.append(f"{best.words} ({100.0 * share:.0f} %)")
         rest = rest - best.fitted
     first = f"{left}, {100.0 * structured:.0f} % of it structure in the band of the motion"
-    like = f" It is like {', then '.join(told)}." if told else " It goes with nothing looked at."
+    like = f" It is like {', then '.join(told)}." if told else " None of the quantities examined explains it."
     return f"{first}{', beside ' + hum if hum else ''}.{like}"
 
 

@@ -151,7 +151,7 @@ def more_is_left() -> Calibration:
     predicted = [dict(one.predicted) | {"corrected": one.predicted["refit"]} for one in found.series]
     series = tuple(replace(one, predicted=own) for one, own in zip(found.series, predicted, strict=True))
     errors = dict(found.errors) | {"corrected": found.errors["refit"]}
-    shape = "0.0091 % of the squared force is left, 85 % of it structure in the band of the motion."
+    shape = "0.0091 % of the squared force of all tests is left, 85 % of it structure in the band of the motion."
     return replace(
         found,
         verdict="nothing_found",
