@@ -56,8 +56,8 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     """
     if campaign.law is None or campaign.law.parameters is None:
         raise InputError(
-            f"{campaign.path}: law: the law thought of is needed, with its parameters, for example "
-            "`law: {type: mgmm, parameters: thesis_table_4_2}`"
+            f"{campaign.path}: law: the law thought of is needed, for example "
+            "`law: {type: mgmm, parameters: thesis_table_4_2}`; without parameters it is fitted first"
         )
     _check_tests(campaign)
     law = law_of(campaign.law.type)
@@ -242,19 +242,34 @@ def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequenc
             "displacement: say `reversed: [force]`, or change the sign of one of the channels"
         )
         raise InputError(_of_tests(flipped, campaign, text))
-    wrong = [test for test, scale in zip(campaign.tests, scales, strict=True) if not 1 / _ABSURD < scale < _ABSURD]
+    wrong = [i for i, scale in enumerate(scales) if not 1 / _ABSURD < scale < _ABSURD]
+    offsets = [_offset_text(problem.experiments[i].force, predicted[i]) for i in wrong]
     if wrong:
-        middle = float(np.median([s for s in scales if not 1 / _ABSURD < s < _ABSURD]))
-        raise InputError(_of_tests(wrong, campaign, _scale_text(middle)))
+        text = offsets[0] if all(offsets) else _scale_text(float(np.median([scales[i] for i in wrong])))
+        raise InputError(_of_tests([campaign.tests[i] for i in wrong], campaign, text))
+
+
+def _offset_text(force: np.ndarray, predicted: np.ndarray) -> str:
+    """Return what to say of a force (n,) N that is absurd by its mean alone; "" if it is by more than that."""
+    spreads, means = (
+        (float(np.std(force)), float(np.std(predicted))),
+        (float(np.mean(force)), float(np.mean(predicted))),
+    )
+    if not spreads[0] < _ABSURD * spreads[1] or not spreads[1] < _ABSURD * spreads[0]:
+        return ""
+    text = f"the mean force is {1e-3 * means[0]:.3g} kN where the declared law gives {1e-3 * means[1]:.3g} kN"
+    if abs(means[0]) > abs(means[1]):
+        return f"{text}, and about the mean it fits: has the force channel an offset? Take it off in the file"
+    return f"{text}, and about the mean it fits: has the displacement an offset? See the key `displacement_zero`"
 
 
 def _scale_text(scale: float) -> str:
     thousand = next((f for f in (1e-6, 1e-3, 1e3, 1e6) if 1 / 5.0 < scale / f < 5.0), None)
     text = f"the force is {scale:.3g} times what the declared law gives"
     if thousand == 1e3:
-        return f"{text}, a scale of 1000: is it in N, and declared as kN?"
+        return f"{text}, a scale of 1000: is it in N and declared as kN, or the displacement in m and declared as mm?"
     if thousand == 1e-3:
-        cause = "is it in kN or MN and declared as N or kN, or the displacement in m declared as mm?"
+        cause = "is it in kN or MN and declared as N or kN, or the displacement in mm and declared as m?"
         return f"{text}, a scale of 1/1000: {cause}"
     if thousand is not None:
         return f"{text}, a scale of {thousand:g}: are the units of the columns right?"

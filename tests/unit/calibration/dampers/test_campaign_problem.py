@@ -47,8 +47,25 @@ def test_a_force_of_the_wrong_sign_or_unit_is_refused(tmp_path):
     with pytest.raises(InputError, match="all 4 tests: the force is negative"):
         damper_problem(turned)
     large = replace(right, tests=(right.tests[0].with_force(1e3 * right.tests[0].force), *right.tests[1:]))
-    with pytest.raises(InputError, match="a scale of 1000: is it in N, and declared as kN"):
+    with pytest.raises(InputError, match="a scale of 1000: is it in N and declared as kN, or the displacement in m"):
         damper_problem(large)
+    small = replace(right, tests=tuple(one.with_force(1e-3 * one.force) for one in right.tests))
+    with pytest.raises(InputError, match="a scale of 1/1000: .* or the displacement in mm and declared as m?"):
+        damper_problem(small)
+
+
+def test_an_offset_is_not_told_as_a_wrong_unit(tmp_path):
+    right = campaign(tmp_path, tests=4)
+    size = max(float(np.max(np.abs(one.force))) for one in right.tests)
+    first, *others = right.tests
+    forces = replace(right, tests=(first.with_force(first.force + 200.0 * size), *others))
+    with pytest.raises(
+        InputError, match=r"test_01: the mean force is \d.* kN where .* has the force channel an offset"
+    ):
+        damper_problem(forces)
+    moved = replace(first, displacement=first.displacement + 200.0 * size / K)
+    with pytest.raises(InputError, match="has the displacement an offset"):
+        damper_problem(replace(right, tests=(moved, *others)))
 
 
 def test_a_campaign_without_law_or_with_too_few_tests_is_refused(tmp_path):
