@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 
 from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Estimate
 from edesign.calibration.search.models import FittedModel, Fitting
 from edesign.calibration.search.problem import Problem
@@ -84,9 +85,10 @@ def kept(fitting: Fitting, model: FittedModel) -> Kept:
         fewer = fitting.fit(others, values, model.noise, _STEPS)
         if fewer is None:
             raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
-        low, high = size.interval
+        shown = practical(size, {one.name: estimate for one, estimate in _own(model, index)})
+        low, high = shown.interval
         name = model.effects[index].parameters[0].name
-        why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {size.unit}".rstrip() + ", holds zero"
+        why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
         dropped.append((model, index, why))
         model = fitting.settled(fitting.fit(others, fewer.fit.values, fewer.noise) or fewer)
 
@@ -99,6 +101,12 @@ def _size(model: FittedModel, index: int) -> Estimate | None:
     low, high = uncertainty(model.fit, model.noise, free=at).interval(at)
     one = model.effects[index].parameters[0]
     return Estimate(float(model.fit.values[at]), 0.0, one.unit, (low, high)) if low <= 0.0 <= high else None
+
+
+def _own(model: FittedModel, index: int) -> Iterator[tuple[Parameter, Estimate]]:
+    """Return the parameters of an effect with their values."""
+    for one, at in zip(model.effects[index].parameters, model.places(index), strict=True):
+        yield one, Estimate.held(float(model.fit.values[at]), one.unit)
 
 
 def estimates(model: FittedModel) -> list[Estimate]:

@@ -11,11 +11,12 @@ from edesign.calibration.dampers.effects import TABLES
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES as EVERY_STAGE
 from edesign.calibration.results.law_file import parameters_in_law_files
+from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Calibration, Effect, Estimate, Subject
 from edesign.damper.law import Parameter
 from edesign.damper.laws import LAWS
 from edesign.report.calibration.tables import MODELS, each_test_table, errors_table, starts_table
-from edesign.report.calibration.units import UNKNOWN, interval_text, percent, plus_minus, practical, value_text
+from edesign.report.calibration.units import UNKNOWN, interval_text, percent, plus_minus, value_text
 from edesign.report.tables.table import Table, formatted
 
 _TOLD = 2  # parameters of an effect in a sentence
@@ -23,6 +24,7 @@ _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
 _LEAST = 1e-4  # probability that is told as a number
+_CLOSE = 0.05  # probability beside an effect of another one that is told in a breath with it
 _NOTHING = "nothing known"
 _TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
 _MEASURED: dict[Subject, str] = {"damper": "force", "structure": "motion", "table": "moduli"}
@@ -70,6 +72,8 @@ def effects_table(calibration: Calibration) -> Table:
             "more than 4 and than twice its error",
             "probability: of the effect among all models that the search compared, whatever stands beside it",
         ]
+    if any(one.indistinguishable_from for one in calibration.effects):
+        table.notes.append("cannot be told from: with the probability of the other one, if it is one of the two")
     return table
 
 
@@ -121,7 +125,8 @@ def models_table(calibration: Calibration) -> Table:
     """
     columns = ("effects of the model", "fitted tests: NRMS [%]", "behind", "probability")
     table, model = Table("Models that were compared", columns, left=1, name="models"), MODELS[calibration.subject]
-    for one in calibration.models:
+    alone = len(calibration.models) == 1 and not calibration.depths
+    for one in () if alone else calibration.models:
         behind = "-" if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
         table.rows.append(
             [" + ".join(one.effects) or f"the {model} alone", percent(one.nrms), behind, _probability(one.probability)]
@@ -174,6 +179,12 @@ def searched(calibration: Calibration) -> str:
         calibration: what was found.
     """
     depths = calibration.depths
+    if not depths and calibration.ending == "complete":
+        model = MODELS[calibration.subject]
+        return (
+            f"no effect was screened, as the {model} alone leaves noise at the sampling of the search; effort "
+            f"{calibration.effort:.0f} of {calibration.most_effort:g}"
+        )
     if not depths:
         return f"no effect was screened to the end; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
     screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
@@ -273,7 +284,7 @@ def ended(calibration: Calibration) -> list[str]:
 
 
 def _found(calibration: Calibration) -> str:
-    effects = "; and ".join(effect_text(effect) for effect in calibration.effects)
+    effects = "; and ".join(effect_text(effect) + _or_others(effect) for effect in calibration.effects)
     tests = _TESTS[calibration.subject]
     again = "" if calibration.law_held else " once its parameters are fitted again"
     return {
@@ -283,6 +294,12 @@ def _found(calibration: Calibration) -> str:
         "nothing_found": "Nothing found: something is missing, and no effect known here passes the rule of adoption.",
         "not_searched": "Not searched: something is missing, and the search ended before all effects were tried.",
     }[calibration.verdict]
+
+
+def _or_others(effect: Effect) -> str:
+    """Return other effects that may as well stand in the place of one, for a sentence."""
+    close = [name_of(name) for name, p in effect.indistinguishable_from.items() if p >= _CLOSE]
+    return f", or {' or '.join(close)} in its place" if close else ""
 
 
 def _errors(calibration: Calibration) -> str:
@@ -397,13 +414,10 @@ def _open(calibration: Calibration) -> list[str]:
     for effect in calibration.effects:
         if effect.indistinguishable_from:
             alike = " or ".join(
-                f"{name_of(name)} ({_probability(p)})" for name, p in effect.indistinguishable_from.items()
+                f"{name_of(name)} ({_probability(p)}, if it is one of the two)"
+                for name, p in effect.indistinguishable_from.items()
             )
-            texts.append(
-                f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} "
-                f"({_probability(effect.probability)} probable) "
-                f"from {alike}."
-            )
+            texts.append(f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} from {alike}.")
     with_it = calibration.errors["corrected"].validate
     texts += [
         f"Without {name_of(effect.name)} the validation tests are predicted better "
@@ -414,7 +428,21 @@ def _open(calibration: Calibration) -> list[str]:
     if calibration.next_test is not None:
         names = " from ".join(map(name_of, calibration.next_test.separates))
         texts.append(f"The next test, to tell {names}: {calibration.next_test.text}.")
+    elif no_next_test(calibration):
+        texts.append(f"{no_next_test(calibration)}.")
     return texts
+
+
+def no_next_test(calibration: Calibration) -> str:
+    """Return why no further test is named though effects look alike; "" if one is, if none do, or if none was sought.
+
+    Args:
+        calibration: what was found.
+    """
+    alike = any(effect.indistinguishable_from for effect in calibration.effects)
+    if not alike or calibration.next_test or calibration.subject != "damper" or calibration.ending == "interrupted":
+        return ""
+    return "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
 
 
 def _conditions(calibration: Calibration) -> list[str]:

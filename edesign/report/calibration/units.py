@@ -3,23 +3,14 @@
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Mapping
-from functools import cache
 
 from edesign.calibration.residual.series import Series
 from edesign.calibration.results.result import Estimate
-from edesign.damper.law import Parameter
-from edesign.damper.parameters import practical_unit
-from edesign.project.notation.units import Kind, parse_quantity
 from edesign.report.tables.table import NumberText, formatted, number
 
 UNKNOWN = "not determined"
-_AS_THEY_ARE = ("", "degC", "K", "1/K")
-_SHORT = 0.1  # s: shorter times are in ms
 _LARGEST = 1e7
 _MOST_PLACES = 9
-_EXPONENT = re.compile(r"\^([A-Za-z_]\w*)")  # a parameter as exponent in the unit of another
 
 
 _SHOWN = {"N": (1e3, "kN"), "m": (1e-3, "mm"), "m/s^2": (1.0, "m/s²")}
@@ -33,35 +24,6 @@ def scale_of(series: Series) -> tuple[float, str]:
 def percent(ratio: float, digits: int = 3) -> str:
     """A ratio in per cent, "-" if there is none."""
     return number(ratio, digits, 1e-2) if math.isfinite(ratio) else "-"
-
-
-def practical(estimate: Estimate, siblings: Mapping[str, Estimate]) -> Estimate:
-    """An estimate in kN, mm, ms or s in place of SI.
-
-    Args:
-        estimate: SI.
-        siblings: those of the same law or effect, among which are exponents in its unit.
-    """
-    unit = estimate.unit
-    if unit in _AS_THEY_ARE:
-        return estimate
-    if unit == "s":
-        scale, shown = (1e-3, "ms") if abs(estimate.value) < _SHORT else (1.0, "s")
-    else:
-        exponents = {name: siblings[name].value for name in _EXPONENT.findall(unit) if name in siblings}
-        shown = practical_unit(Parameter("", "", unit))
-        scale = _scale(_with_numbers(shown, exponents), _with_numbers(unit, exponents))
-    return estimate.scaled(scale, shown)
-
-
-@cache
-def _scale(shown: str, unit: str) -> float:
-    """One of the unit shown, in SI."""
-    return parse_quantity(f"1 {shown}", Kind("value", unit, f"1 {shown}")) if shown != unit else 1.0
-
-
-def _with_numbers(unit: str, exponents: Mapping[str, float]) -> str:
-    return _EXPONENT.sub(lambda match: f"^{exponents.get(match[1], match[1])!r}", unit)
 
 
 def value_text(estimate: Estimate) -> str:

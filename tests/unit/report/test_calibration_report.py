@@ -17,6 +17,7 @@ from unit.report import calibration_example as example
 from unit.report.calibration_example import estimate
 
 from edesign.calibration.residual.series import Worst
+from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Calibration, Estimate, Hypothesis, OtherLaw
 from edesign.errors import ArchiveError, InputError
 from edesign.report.calibration.damper_tables import (
@@ -25,6 +26,7 @@ from edesign.report.calibration.damper_tables import (
     hypotheses_table,
     law_table,
     models_table,
+    searched,
     tables_of,
     verdict_text,
 )
@@ -32,7 +34,7 @@ from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.figures import calibration_figures
 from edesign.report.calibration.residual_figures import harmonic_figures, telling_dependences
 from edesign.report.calibration.tables import errors_table
-from edesign.report.calibration.units import interval_text, percent, plus_minus, practical, value_text
+from edesign.report.calibration.units import interval_text, percent, plus_minus, value_text
 from edesign.report.calibration.view import View, outline
 from edesign.report.page.calibration import calibration_page_text, write_calibration_page
 from edesign.report.tables.table import Table
@@ -84,7 +86,7 @@ def test_errors_of_each_test_stand_beside_its_noise() -> None:
         (estimate(2.0e6, 3.0e3, "N/m"), "2.0000 ± 0.0030 kN/mm", "1.9940 to 2.0060"),
         (estimate(-3.0e-4, 2.0e-4, "m"), "-0.30 ± 0.20 mm", "-0.70 to 0.10"),
         (estimate(150.0, 12.0, "kg"), "150 ± 12 kg", "126 to 174"),
-        (estimate(2.0e-4, 1e-5, "1/J"), "0.000200 ± 0.000010 1/J", "0.000180 to 0.000220"),
+        (estimate(2.0e-4, 1e-5, "1/J"), "0.200 ± 0.010 1/kJ", "0.180 to 0.220"),
         (estimate(25.0, 0.5, "degC"), "25.00 ± 0.50 degC", "24.00 to 26.00"),
     ],
 )
@@ -239,8 +241,27 @@ def test_the_verdict_tells_effect_errors_and_doubts() -> None:
     assert errors.endswith("what no model can predict is 0.65 %.")
     assert file == "law.yaml has the corrected law; what the rig and the instruments did is no part of it."
     doubts = verdict_text(example.look_alikes())
-    assert "cannot tell payne (97.0 % probable) from mullins (2.00 %) or self heating (under 0.0100 %)" in doubts
+    assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in doubts
+    assert "in its place" not in doubts  # neither is near
     assert "The next test, to tell payne from self heating: 12 cycles of 2 mm at 5 Hz, 35 degC." in doubts
+
+
+def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
+    alike = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02})
+    found = replace(example.calibration((alike,)), next_test=None)
+    text = verdict_text(found)
+    assert text.startswith("Explained: the tests show gain of the force channel (instrument, g = ")
+    assert "), or offset in its place. Only noise is left." in text
+    none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
+    assert f"{none}." in text and none in text_of(calibration_page_text(found))
+    assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
+
+
+def test_a_law_that_leaves_noise_is_not_told_as_a_search_that_failed() -> None:
+    alone = replace(example.calibration().models[-1], probability=1.0)
+    found = replace(example.nothing_found(), depths=(), models=(alone,))
+    assert not models_table(found).rows
+    assert searched(found).startswith("no effect was screened, as the law alone leaves noise")
 
 
 def test_the_verdict_on_nothing_names_no_effect() -> None:
@@ -254,7 +275,7 @@ def test_the_verdict_on_what_is_left_tells_its_shape_and_the_worst_test() -> Non
     text = verdict_text(found)
     assert text.startswith("Nothing found: something is missing, and no effect known here passes")
     assert "the law fitted again misses 1.2 % of the force (rms; NRMS 0.0133 %)" in text
-    assert "100 % is left. 0.0091 % of the squared force is left, 85 % of it structure" in text
+    assert "100 % is left. 0.0091 % of the squared force of all tests is left, 85 % of it structure" in text
     assert "fast leaves most: an NRMS of 0.0130 %, 3.25 times its noise floor of 0.00400 %" in text
 
 

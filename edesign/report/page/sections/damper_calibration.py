@@ -13,6 +13,7 @@ from edesign.report.calibration.damper_tables import (
     law_table,
     models_table,
     name_of,
+    no_next_test,
     searched,
     verdict_paragraphs,
 )
@@ -110,6 +111,8 @@ def open_questions(view: View) -> Section:
                 f"{percent(further.largest)} % at most in the tests so far",
             ),
         ]
+    elif no_next_test(found):
+        rows.append(("Next test", no_next_test(found)))
     return Section("open", "What is left, and the next test", (), (Facts(tuple(rows)),))
 
 

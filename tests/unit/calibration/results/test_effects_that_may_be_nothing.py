@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -15,12 +16,12 @@ from edesign.estimation.noise import Noise
 NOISE = 100.0  # N
 
 
-def fitted(mass: float) -> FittedModel:
-    """A law with a mass and a zero of the force, fitted to tests with a zero of 300 N and so large a mass, kg."""
+def fitted(mass: float, zero: float = 300.0) -> FittedModel:
+    """A law with a mass and a zero of the force, fitted to tests with a zero, N, and a mass, kg, of these sizes."""
     tests = problem(tests=5)
     random = np.random.default_rng(3)
     made = [
-        one.force + mass * one.motion.acceleration + 300.0 + NOISE * random.standard_normal(one.force.size)
+        one.force + mass * one.motion.acceleration + zero + NOISE * random.standard_normal(one.force.size)
         for one in tests.experiments
     ]
     tests = tests.with_experiments(
@@ -39,7 +40,15 @@ def test_a_size_that_may_be_nothing_is_taken_off_and_told() -> None:
     assert [one.label for one in found.model.effects] == ["offset.constant"]
     ((before, index, why),) = found.dropped
     assert before is model and model.effects[index].name == "inertia"
-    assert why.startswith("the 95 % interval of mass, -") and why.endswith(" kg, holds zero")
+    assert why.startswith("the 95 % interval of mass, 0 to ") and why.endswith(" kg, holds zero")  # none is below zero
+
+
+def test_the_interval_of_a_size_is_told_in_units_of_a_laboratory() -> None:
+    model = fitted(mass=2000.0, zero=0.0)
+    ((_, index, why),) = kept(unbounded(model.problem, SETTINGS), model).dropped
+    low, high = re.fullmatch(r"the 95 % interval of \w+, (\S+) to (\S+) kN, holds zero", why).groups()  # type: ignore[union-attr]
+    # noise of 0.1 kN over hundreds of samples leaves the mean of a force to far less than its own size
+    assert model.effects[index].name == "offset" and -0.1 < float(low) < 0.0 < float(high) < 0.1
 
 
 def test_sizes_that_the_tests_tell_stay() -> None:
