@@ -243,24 +243,31 @@ def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequenc
         )
         raise InputError(_of_tests(flipped, campaign, text))
     wrong = [i for i, scale in enumerate(scales) if not 1 / _ABSURD < scale < _ABSURD]
-    offsets = [_offset_text(problem.experiments[i].force, predicted[i]) for i in wrong]
     if wrong:
-        text = offsets[0] if all(offsets) else _scale_text(float(np.median([scales[i] for i in wrong])))
+        of = [problem.experiments[i] for i in wrong]
+        causes = [_cause_text(one.motion.time, one.force, predicted[i]) for one, i in zip(of, wrong, strict=True)]
+        text = causes[0] if all(causes) else _scale_text(float(np.median([scales[i] for i in wrong])))
         raise InputError(_of_tests([campaign.tests[i] for i in wrong], campaign, text))
 
 
-def _offset_text(force: np.ndarray, predicted: np.ndarray) -> str:
-    """Return what to say of a force (n,) N that is absurd by its mean alone; "" if it is by more than that."""
-    spreads, means = (
-        (float(np.std(force)), float(np.std(predicted))),
-        (float(np.mean(force)), float(np.mean(predicted))),
-    )
-    if not spreads[0] < _ABSURD * spreads[1] or not spreads[1] < _ABSURD * spreads[0]:
+def _cause_text(time: np.ndarray, force: np.ndarray, predicted: np.ndarray) -> str:
+    """Return what to say of a force (n,) N that is absurd by few samples or its mean alone; "" if by more than that."""
+    middle = float(np.median(force))
+    about, of_law = force - middle, predicted - float(np.median(predicted))
+    if not 1 / _ABSURD < _usual(about) / max(_usual(of_law), 1e-300) < _ABSURD:
         return ""
-    text = f"the mean force is {1e-3 * means[0]:.3g} kN where the declared law gives {1e-3 * means[1]:.3g} kN"
+    at = int(np.argmax(np.abs(about)))
+    if np.std(force) > _ABSURD * np.std(predicted):
+        return f"the force is {1e-3 * force[at]:.3g} kN at {time[at]:.6g} s, and usual elsewhere: is that a spike?"
+    means = 1e-3 * float(np.mean(force)), 1e-3 * float(np.mean(predicted))
+    text = f"the mean force is {means[0]:.3g} kN where the declared law gives {means[1]:.3g} kN, and about it all fits"
     if abs(means[0]) > abs(means[1]):
-        return f"{text}, and about the mean it fits: has the force channel an offset? Take it off in the file"
-    return f"{text}, and about the mean it fits: has the displacement an offset? See the key `displacement_zero`"
+        return f"{text}: has the force channel an offset? Take it off in the file"
+    return f"{text}: has the displacement an offset? See the key `displacement_zero`"
+
+
+def _usual(values: np.ndarray) -> float:
+    return float(np.median(np.abs(values)))
 
 
 def _scale_text(scale: float) -> str:

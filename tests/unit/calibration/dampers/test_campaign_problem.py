@@ -74,3 +74,12 @@ def test_a_campaign_without_law_or_with_too_few_tests_is_refused(tmp_path):
         damper_problem(replace(right, law=LawChoice("kelvin_voigt")))
     with pytest.raises(InputError, match="1 with `use: fit`"):
         damper_problem(replace(right, tests=right.tests[1:]))
+
+
+def test_a_spike_is_told_with_its_time(tmp_path):
+    right = campaign(tmp_path, tests=4)
+    first, *others = right.tests
+    force = first.force.copy()
+    force[100] = 1e9
+    with pytest.raises(InputError, match=rf"the force is 1e\+06 kN at {first.time[100]:.6g} s, .* a spike"):
+        damper_problem(replace(right, tests=(first.with_force(force), *others)))
