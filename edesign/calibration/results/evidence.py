@@ -167,7 +167,7 @@ def searched(problem: Problem, settings: SearchSettings, progress: Progress, cam
             f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
         ) from None
     if found.ending == "interrupted":
-        progress("interrupted: going on with what was found so far; interrupt again to leave out what can be")
+        progress("interrupted: going on with what was found so far; interrupting again may end without results")
     return found
 
 

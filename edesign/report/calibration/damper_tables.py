@@ -19,7 +19,7 @@ from edesign.report.calibration.tables import MODELS, each_test_table, errors_ta
 from edesign.report.calibration.units import UNKNOWN, interval_text, percent, plus_minus, value_text
 from edesign.report.tables.table import Table, formatted
 
-_TOLD = 2  # parameters of an effect in a sentence
+_TOLD = 2  # parameters of an effect, and look-alikes of it, in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
@@ -235,12 +235,16 @@ def other_law_text(calibration: Calibration) -> str:
     if other is None:
         return ""
     blamed = [effect for effect in calibration.effects if effect.kind != "damper"]
+    how = "held as declared" if calibration.law_held else "fitted again"
+    advice = f"Calibrate with `law: {{type: {other.law}}}`, and judge effects beside that law."
+    if calibration.law_held:
+        advice = f"Calibrate without `refit: false` first: {calibration.law} with other parameters may do as well."
     texts = [
         f"Another law does better: {other.law} ({other.title}), without any effect, leaves an NRMS of "
-        f"{percent(other.validate)} % of the validation tests, the law {calibration.law} fitted again "
+        f"{percent(other.validate)} % of the validation tests, the law {calibration.law} {how} "
         f"{percent(other.own_validate)} %.",
         f"It predicts tests left out better by {other.gain:.0f} ± {other.error:.0f} (log density).",
-        f"Calibrate with `law: {{type: {other.law}}}`, and judge effects beside that law.",
+        advice,
     ]
     if blamed:
         named = " and ".join(f"{effect.title} ({effect.kind})" for effect in blamed)
@@ -299,7 +303,9 @@ def _found(calibration: Calibration) -> str:
 def _or_others(effect: Effect) -> str:
     """Return other effects that may as well stand in the place of one, for a sentence."""
     close = [name_of(name) for name, p in effect.indistinguishable_from.items() if p >= _CLOSE]
-    return f", or {' or '.join(close)} in its place" if close else ""
+    if len(close) > _TOLD:
+        close = [*close[:_TOLD], "others"]
+    return f", or {', or '.join(close)} in its place" if close else ""
 
 
 def _errors(calibration: Calibration) -> str:

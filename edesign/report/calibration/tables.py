@@ -35,6 +35,8 @@ def errors_table(calibration: Calibration) -> Table:
         table.rows.append([label, percent(errors.fit), percent(errors.validate)])
     table.rows.append(["noise floor", percent(calibration.noise_floor_fit), percent(calibration.noise_floor)])
     table.notes.append(NRMS_NOTES[calibration.subject])
+    if calibration.law_held:
+        table.notes.append("refitted: as declared, as the campaign has the parameters held (`refit: false`)")
     if calibration.fitted_first:
         table.notes.append("as declared: the campaign names no parameters, so the law was fitted to the tests first")
     return table

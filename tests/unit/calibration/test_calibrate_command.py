@@ -41,7 +41,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     monkeypatch.setattr(Search, "_challenge", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
-    assert "interrupt again to leave" in said.err and "the search was interrupted; what it had found" in said.err
+    assert "interrupting again may end" in said.err and "the search was interrupted; what it had found" in said.err
     assert "The search was interrupted: there may be more effects" in said.out
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
     assert told["search"] == "interrupted" and told["next_test"] is None and told["models"] == []

@@ -195,7 +195,11 @@ def test_a_law_that_is_another_one_with_the_effects_is_doubted() -> None:
 
 def test_another_law_that_does_better_is_told_first() -> None:
     other = OtherLaw("maxwell", "spring and dashpot in series", 250.0, 20.0, 1e-5, 1e-3, 2e-5, 2e-3)
-    text = verdict_text(replace(example.calibration(), other_law=other))
+    held = replace(example.calibration(), other_law=other)
+    assert "the law kelvin_voigt held as declared" in verdict_text(held)
+    assert "Calibrate without `refit: false` first" in verdict_text(held)
+    assert any("`refit: false`" in note for note in errors_table(held).notes)
+    text = verdict_text(replace(held, law_held=False))
     assert text.startswith("Another law does better: maxwell (spring and dashpot in series), without any effect")
     assert (
         "Calibrate with `law: {type: maxwell}`" in text and "gain of the force channel (instrument): that may" in text
@@ -254,6 +258,8 @@ def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
     assert "), or offset in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
     assert f"{none}." in text and none in text_of(calibration_page_text(found))
+    many = replace(alike, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
+    assert "), or offset, or lag, or others in its place." in verdict_text(example.calibration((many,)))
     assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
 
 
