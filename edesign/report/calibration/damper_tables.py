@@ -157,7 +157,8 @@ def law_table(calibration: Calibration) -> Table:
     table = Table(", and ".join(titles), columns)
     stages = {stage: calibration.parameters[stage] for stage in EVERY_STAGE}
     for name in stages["declared"]:
-        shown = {stage: practical(found[name], found) for stage, found in stages.items()}
+        size = stages["declared"][name].value
+        shown = {stage: practical(found[name], found, size) for stage, found in stages.items()}
         row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
         for one in (shown["refit"], shown["corrected"]):
             row += [value_text(one), _interval(one)]
@@ -458,8 +459,9 @@ def _conditions(calibration: Calibration) -> list[str]:
     longest = max((start.judged_from for start in started.values()), default=0.0)
     if longest > 0.0:
         texts.append(
-            f"{', '.join(started)} {'starts' if len(started) == 1 else 'start'} away from rest: the force of the first "
-            f"{_rounded(longest)} s depends on what went before, and is not judged."
+            f"{', '.join(started)} {'starts' if len(started) == 1 else 'start'} away from rest: the force of "
+            f"{'the first' if len(started) == 1 else 'up to the first'} {_rounded(longest)} s depends on what went "
+            "before, and is not judged."
         )
     lasting = [name for name, one in started.items() if not one.dies_away]
     if lasting:

@@ -85,6 +85,8 @@ def test_errors_of_each_test_stand_beside_its_noise() -> None:
         (estimate(1500.0, 25.0, "N"), "1.500 ± 0.025 kN", "1.450 to 1.550"),
         (estimate(2.0e6, 3.0e3, "N/m"), "2.0000 ± 0.0030 kN/mm", "1.9940 to 2.0060"),
         (estimate(-3.0e-4, 2.0e-4, "m"), "-0.30 ± 0.20 mm", "-0.70 to 0.10"),
+        (estimate(6.15, 0.5, "N/m"), "0.00615 ± 0.00050 N/mm", "0.00515 to 0.00715"),
+        (estimate(0.0, 25.0, "N"), "0.000 ± 0.025 kN", "-0.050 to 0.050"),
         (estimate(150.0, 12.0, "kg"), "150 ± 12 kg", "126 to 174"),
         (estimate(2.0e-4, 1e-5, "1/J"), "0.200 ± 0.010 1/kJ", "0.180 to 0.220"),
         (estimate(25.0, 0.5, "degC"), "25.00 ± 0.50 degC", "24.00 to 26.00"),
@@ -95,13 +97,20 @@ def test_numbers_are_shown_in_units_of_a_laboratory(estimate: Estimate, text: st
     assert (plus_minus(shown), interval_text(shown)) == (text, interval)
 
 
+def test_stages_of_a_parameter_stand_in_the_unit_of_the_declared_one() -> None:
+    times = {"declared": 0.12, "refit": 0.08, "corrected": 0.05}  # s; alone the last two would be told in ms
+    stages = {stage: {"tau": estimate(value, 1e-3, "s")} for stage, value in times.items()}
+    cells = row(law_table(replace(example.calibration(), parameters=stages)), "tau")  # type: ignore[arg-type]
+    assert cells[1:4] == ["s", "0.12", "0.0800"] and cells[5] == "0.0500"
+
+
 def test_a_unit_with_an_exponent_takes_that_of_its_sibling() -> None:
     # 1 N (s/m)^0.5 = 1e-3 kN (1e-3 s/mm)^0.5 = 10^-4.5 kN (s/mm)^0.5
     siblings = {"alpha": estimate(0.5, 0.01, "")}
-    shown = practical(estimate(1.0, 0.1, "N*(s/m)^alpha"), siblings)
+    shown = practical(estimate(1e4, 1e3, "N*(s/m)^alpha"), siblings)
     assert shown.unit == "kN*(s/mm)^alpha"
-    assert shown.value == pytest.approx(10.0**-4.5, rel=1e-12)
-    assert shown.standard_error == pytest.approx(10.0**-5.5, rel=1e-12)
+    assert shown.value == pytest.approx(1e4 * 10.0**-4.5, rel=1e-12)
+    assert shown.standard_error == pytest.approx(1e3 * 10.0**-4.5, rel=1e-12)
 
 
 @pytest.mark.parametrize("error", [math.nan, math.inf])
