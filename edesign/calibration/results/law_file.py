@@ -274,7 +274,13 @@ def law_lines(found: Calibration) -> list[str]:
             f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
             f"{100 * found.errors['corrected'].validate:.3g} %"
         )
-    lines += [f"told, no part of the damper: {text}" for text in file.told]
+    lines += [f"no part of the damper: {text}" for text in file.told]
+    lines += [
+        f"the tests cannot tell {one.label} ({one.kind}) from {' or '.join(one.indistinguishable_from)}: "
+        "it may be either"
+        for one in found.effects
+        if one.indistinguishable_from
+    ]
     lines += [f"hypothesis, not in this law: {one.effect.label}: {one.why}" for one in found.hypotheses]
     lines += [f"{name} is held: {why}" for name, why in found.held.items()]
     return lines

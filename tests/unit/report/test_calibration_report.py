@@ -17,6 +17,7 @@ from unit.report import calibration_example as example
 from unit.report.calibration_example import estimate
 
 from edesign.calibration.residual.series import Worst
+from edesign.calibration.results.law_file import law_lines
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Calibration, Estimate, Hypothesis, OtherLaw
 from edesign.errors import ArchiveError, InputError
@@ -267,6 +268,7 @@ def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
     assert "), or offset in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
     assert f"{none}." in text and none in text_of(calibration_page_text(found))
+    assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
     many = replace(alike, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
     assert "), or offset, or lag, or others in its place." in verdict_text(example.calibration((many,)))
     assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
