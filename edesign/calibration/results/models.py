@@ -31,8 +31,8 @@ class Posterior:
         best: the model that stands.
         known: the model beside which the last effect was found, whose equations may be wrong.
         models: all of them, the best one first.
-        searched: by the effects of a rival, how far the search itself found it ahead of the best one, which it compared
-            beside what both have in common.
+        searched: by the effects of a rival or a richer model, how far the search itself found it ahead of the best one,
+            which it compared beside what both have in common.
     """
 
     fitting: Fitting
@@ -54,7 +54,8 @@ class Posterior:
         others = [model for key, model in every.items() if key != _key(best)]
         known = [depth.best for depth in found.depths if depth.adopted is not None]
         rivals = [one for of_effect in found.rivals for one in of_effect] if best is found.best else []
-        searched = {_key(one.model): one.difference for one in rivals}
+        richer = [one for depth in found.depths if depth.best is best for one in depth.tried]
+        searched = {_key(one.model): one.difference for one in (*richer, *rivals)}
         return Posterior(fitting, best, known[-1] if known else found.base, (best, *others), searched)
 
     @cached_property
