@@ -148,7 +148,7 @@ def base_estimates(model: FittedModel) -> dict[str, Estimate]:
     Args:
         model: fitted.
     """
-    base = model.fit.model.parameters[: model.places(0)[0] if model.effects else None]
+    base = model.fit.model.parameters[: model.places(0).start if model.effects else None]
     return dict(zip((one.name for one in base), estimates(model), strict=False))
 
 
