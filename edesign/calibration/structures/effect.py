@@ -47,9 +47,11 @@ class ChangedChannels:
 
     Attributes:
         change: values (t, channels) SI of the true ones, with the step (s) and what is measured.
+        over_time: whether a value depends on those before and after it.
     """
 
     change: Callable[[Values, float, Sequence[Channel], np.ndarray], np.ndarray]
+    over_time: bool = False
 
 
 Act = ChangedBuilding | Links | ChangedChannels

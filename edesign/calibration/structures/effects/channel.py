@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 
 import numpy as np
@@ -14,13 +15,19 @@ from edesign.calibration.structures.sizes import StructureSizes
 _CLASS = 0.05  # standard deviation of a gain
 _LONGEST = 0.1  # of the first period, or
 _SAMPLES = 3.0  # steps: the longest lag
+_HALF = 3  # samples on either side of a time, through which channels are interpolated
 
 
 def _late(p: Values, step: float, channels: Sequence[Channel], values: np.ndarray) -> np.ndarray:
-    from scipy.interpolate import CubicSpline
-
-    time = step * np.arange(values.shape[0])
-    return np.asarray(CubicSpline(time, values)(np.clip(time - p["lag"], 0.0, time[-1])))
+    """Return the values of a lag before, by the polynomial through the six samples about each; the ends go on."""
+    whole = math.floor(p["lag"] / step)
+    part, length = p["lag"] / step - whole, len(values)
+    nodes = np.arange(-_HALF, _HALF) + 1.0  # steps before the sample that is `whole` steps earlier
+    shares = [float(np.prod((part - np.delete(nodes, k)) / (nodes[k] - np.delete(nodes, k)))) for k in range(2 * _HALF)]
+    at = np.arange(-_HALF, length + _HALF) - whole
+    reach = values[np.clip(at, 0, length - 1)]
+    found = [share * reach[_HALF - int(k) : _HALF - int(k) + length] for share, k in zip(shares, nodes, strict=True)]
+    return np.asarray(np.sum(found, axis=0))
 
 
 def _amplified(measure: Measure) -> Callable[[Values, float, Sequence[Channel], np.ndarray], np.ndarray]:
@@ -41,7 +48,7 @@ _LAG = StructureForm(
     "lag between the channels of floors and base",
     "proportional to the rate of each channel, at all amplitudes, in proportion to frequency",
     "Ljung (1999), System Identification, 14.1",
-    ChangedChannels(_late),
+    ChangedChannels(_late, over_time=True),
     lambda s: (size("lag", "s", 0.3 * _longest(s), -_longest(s), _longest(s)),),
     lambda s: ((s.step,),),
 )
