@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.estimation.model import Model, PredictionError
+from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import priors_of, ranges_of, values_of
 
@@ -239,11 +239,17 @@ class _Search:
             raise PredictionError("predictions at the start are not finite")
         return found
 
-    def points(self, z: np.ndarray) -> list[_Point]:
-        """Predict with coordinates (m, p), moved inside the bounds."""
+    def points(self, z: np.ndarray, here: _Point | None = None) -> list[_Point]:
+        """Predict with coordinates (m, p), moved inside the bounds; near a point for differences from it."""
         z = np.clip(z, self.low, self.high)
         self.evaluations += len(z)
-        found = self.model.predict(np.array([values_of(self.model.parameters, one) for one in z])) if len(z) else []
+        if not len(z):
+            return []
+        values = np.array([values_of(self.model.parameters, one) for one in z])
+        if here is None:
+            found = self.model.predict(values)
+        else:
+            found = predict_near(self.model, values, values_of(self.model.parameters, here.z), here.predicted)
         return [self.point(one, predicted) for one, predicted in zip(z, found, strict=True)]
 
     def point(self, z: np.ndarray, predicted: Tests | PredictionError) -> _Point:
@@ -278,7 +284,9 @@ class _Search:
             one_sided = not self.settings.central and first
             sides = [[max(side, key=abs)] if one_sided else side for side in both.tolist()]
             wanted = [(k, d) for k, side in enumerate(sides) for d in side if d and len(ends[k]) == 1]
-            found = self.points(np.array([z + d * (np.arange(p) == k) for k, d in wanted]).reshape(len(wanted), p))
+            found = self.points(
+                np.array([z + d * (np.arange(p) == k) for k, d in wanted]).reshape(len(wanted), p), here
+            )
             for (k, d), there in zip(wanted, found, strict=True):
                 if there.predicted:
                     ends[k][d] = self.whole(there, here)

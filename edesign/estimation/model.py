@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import numpy as np
 
@@ -37,3 +37,33 @@ class Model(Protocol):
         Args:
             values: (p,) SI.
         """
+
+
+@runtime_checkable
+class RoughModel(Protocol):
+    """A model that tells changes of predictions at less cost than predictions."""
+
+    def near(
+        self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
+    ) -> Sequence[Sequence[np.ndarray] | PredictionError]:
+        """Return predictions as `predict` does, with changes from a set of parameters near by that may be rough.
+
+        Args:
+            values: (m, p) SI.
+            around: (p,) SI, near them.
+            predicted: (n_i,) of each test with that set.
+        """
+
+
+def predict_near(
+    model: Model, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
+) -> Sequence[Sequence[np.ndarray] | PredictionError]:
+    """Return predictions for differences: at less cost, where a model has such ones.
+
+    Args:
+        model: of the tests.
+        values: (m, p) SI.
+        around: (p,) SI, near them.
+        predicted: (n_i,) of each test with that set.
+    """
+    return model.near(values, around, predicted) if isinstance(model, RoughModel) else model.predict(values)

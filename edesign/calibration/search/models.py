@@ -13,7 +13,7 @@ from edesign.calibration.search.problem import Columns, Effect, Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
 from edesign.estimation.left_out import PRIOR_FREEDOM, Score, score
-from edesign.estimation.model import Model, PredictionError
+from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
 
@@ -213,9 +213,12 @@ class Fitting:
         low, high = ranges_of(with_them.parameters)
         steps = np.where(z + SETTINGS.difference <= high, 1.0, -1.0) * SETTINGS.difference
         moved = [z, *(z + steps * (np.arange(z.size) == k) for k in range(known, z.size))]
-        here, *there = self.predict(effects, np.array([values_of(with_them.parameters, one) for one in moved]))
+        at, *around = np.array([values_of(with_them.parameters, one) for one in moved])
+        (here,) = self.predict(effects, at[np.newaxis])
         if isinstance(here, PredictionError):
             return None
+        self.effort.spend(len(around), effects)
+        there = predict_near(with_them, np.array(around), at, here) if around else []
         rates = [j for j in slopes]
         for k, of in enumerate(there, known):
             if isinstance(of, PredictionError):
