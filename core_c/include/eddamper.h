@@ -172,16 +172,16 @@ typedef struct {
 int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, const ed_test *test, int method, double fineness,
                        int carry, double *force, double *own, ed_campaign_end *end);
 
-/* One test of a linear structure with dampers as links: base motion in n >= 2 samples, h apart. Matrices by rows; from sample to sample
- * x_(i+1) = a x_i + from_ground[0] g_i + from_ground[1] g_(i+1) + from_links[0] f_i + from_links[1] f_(i+1)
- * with x the state (n_states), g the ground's motion and f the forces of the links, whose effect is linear between samples. */
+/* One test of a linear structure with dampers as links: n >= 2 samples, h apart. Matrices by rows; from sample to sample
+ * x_(i+1) = a x_i + pushed_i + from_links[0] f_i + from_links[1] f_(i+1)
+ * with x the state (n_states), f the forces of the links, whose effect is linear between samples, and pushed what the motion of the
+ * ground adds to the state in a step: the caller may sum up in it a motion that is known at more instants than the samples. */
 typedef struct {
   int n;
   double h;
-  const double *ground;         /* n */
-  const double *a;              /* n_states x n_states */
-  const double *from_ground[2]; /* n_states each */
-  const double *from_links[2];  /* n_states x n_links each */
+  const double *pushed;        /* (n - 1) x n_states */
+  const double *a;             /* n_states x n_states */
+  const double *from_links[2]; /* n_states x n_links each */
 } ed_linked_test;
 /* Tests of one structure in their order, each from rest. damper: n_links; link k has the deformation seen[k] x and the velocity
  * seen[n_links + k] x, rows of n_states. The forces at the end of a step are found by Newton's method; steps shall be so short that a

@@ -19,20 +19,18 @@ _REST = 1e6
 
 @dataclass(frozen=True, eq=False)
 class LinkedTest:
-    """A test of a linear structure: x1 = a x0 + ground0 g0 + ground1 g1 + links0 f0 + links1 f1 from sample to sample.
+    """A test of a linear structure: x1 = a x0 + pushed + links0 f0 + links1 f1 from sample to sample.
 
     Attributes:
-        ground: (t,) motion g of the ground.
-        step: s between its samples.
+        pushed: (t - 1, n) what the motion of the ground adds to the state in each step.
+        step: s between samples.
         a: (n, n) of the state x.
-        of_ground: (n,) twice, of g at the beginning and at the end of a step.
         of_links: (n, links) twice, of forces f of links at the beginning and at the end of a step.
     """
 
-    ground: np.ndarray
+    pushed: np.ndarray
     step: float
     a: np.ndarray
-    of_ground: tuple[np.ndarray, np.ndarray]
     of_links: tuple[np.ndarray, np.ndarray]
 
 
@@ -72,11 +70,10 @@ def linked_histories(
 
     for_core = ffi.new("ed_linked_test[]", len(tests))
     for one, test in zip(for_core, tests, strict=True):
-        one.n, one.h = test.ground.size, test.step
-        one.ground, one.a = given(test.ground, test.ground.size), given(test.a, n, n)
-        one.from_ground = [given(values, n) for values in test.of_ground]
+        one.n, one.h = len(test.pushed) + 1, test.step
+        one.pushed, one.a = given(test.pushed, len(test.pushed), n), given(test.a, n, n)
         one.from_links = [given(values, n, m) for values in test.of_links]
-    ends = np.cumsum([test.ground.size for test in tests])
+    ends = np.cumsum([len(test.pushed) + 1 for test in tests])
     state, force, end = np.empty((ends[-1], n)), np.empty((ends[-1], m)), ffi.new("ed_campaign_end *")
     handles = ffi.new("ed_damper *[]", [link.handle for link in links])
     status = lib.ed_linked_history(

@@ -18,6 +18,7 @@ typedef struct {
   int opened;
   ed_watch watch;
   double *room;
+  double *turned;                /* n x n: the transition by columns */
   double *gain;                  /* 2m x m: what a force at the end of a step changes of deformations and velocities there */
   double *free, *before, *there; /* 2m each: without forces at the end; at the beginning; at the end */
   double *change, *largest;      /* m each */
@@ -28,13 +29,14 @@ typedef struct {
 
 static int open_links(linked *of, const ed_damper *const *damper, int method, double fineness)
 {
-  const size_t m = (size_t)of->m;
+  const size_t m = (size_t)of->m, n = (size_t)of->n;
   of->link = calloc(m ? m : 1, sizeof *of->link);
-  of->room = calloc(3 * m * m + 10 * m + 1, sizeof *of->room);
+  of->room = calloc(n * n + 3 * m * m + 10 * m, sizeof *of->room);
   of->pivot = calloc(m + 1, sizeof *of->pivot);
   if (!of->link || !of->room || !of->pivot)
     return ED_E_MEMORY;
-  of->gain = of->room;
+  of->turned = of->room;
+  of->gain = of->turned + n * n;
   of->matrix = of->gain + 2 * m * m;
   of->free = of->matrix + m * m;
   of->before = of->free + 2 * m;
@@ -70,6 +72,17 @@ static void times(int rows, int columns, const double *matrix, const double *x, 
   }
 }
 
+/* y (n) = columns (n x n) x + added: by columns, so that the sums of rows go on side by side. */
+static void advance(int n, const double *columns, const double *x, const double *added, double *restrict y)
+{
+  memcpy(y, added, (size_t)n * sizeof *y);
+  for (int j = 0; j < n; j++) {
+    const double *column = columns + (size_t)j * (size_t)n;
+    for (int i = 0; i < n; i++)
+      y[i] += column[i] * x[j];
+  }
+}
+
 /* All links at rest, or after a rest with what they keep. */
 static int begin(linked *of, const ed_linked_test *test, int carried, double rest)
 {
@@ -88,6 +101,9 @@ static int begin(linked *of, const ed_linked_test *test, int carried, double res
       ed_damper_start(link->stepper.damper, link->state);
     of->before[k] = of->before[m + k] = of->largest[k] = 0.0;
   }
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < n; j++)
+      of->turned[j * n + i] = test->a[i * n + j];
   for (int i = 0; i < 2 * m; i++)
     for (int k = 0; k < m; k++) {
       double sum = 0.0;
@@ -167,17 +183,15 @@ static int one_test(linked *of, const ed_linked_test *test, double *state, doubl
   for (*done = 1; *done < test->n; ++*done) {
     const double *x = state + (size_t)(*done - 1) * (size_t)n, *before = force + (size_t)(*done - 1) * (size_t)m;
     double *next = state + (size_t)*done * (size_t)n, *after = force + (size_t)*done * (size_t)m;
-    const double ground[2] = {test->ground[*done - 1], test->ground[*done]};
     if (ed_watch_step(&of->watch))
       return ED_E_STOPPED;
-    times(n, n, test->a, x, next);
-    for (int i = 0; i < n; i++) {
-      next[i] += test->from_ground[0][i] * ground[0] + test->from_ground[1][i] * ground[1];
+    advance(n, of->turned, x, test->pushed + (size_t)(*done - 1) * (size_t)n, next);
+    for (int i = 0; i < n; i++)
       for (int k = 0; k < m; k++)
         next[i] += test->from_links[0][i * m + k] * before[k];
-    }
     times(2 * m, n, of->seen, next, of->free);
-    memcpy(after, before, (size_t)m * sizeof *after);
+    for (int k = 0; k < m; k++)
+      after[k] = *done > 1 ? 2.0 * before[k] - before[k - m] : before[k]; /* near, where forces are smooth */
     const int status = balance(of, test->h, after);
     if (status != ED_OK)
       return status;

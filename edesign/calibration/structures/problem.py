@@ -42,7 +42,9 @@ _STIFFNESS_KNOWN = 0.3  # standard deviation of the logarithm of a declared stif
 _DAMPING_KNOWN = 0.7
 """The same of damping: that of measured ratios about what codes say (Cruz and Miranda 2017, Earthquake Spectra 33)."""
 LEAST_NOISE = 2e-3  # of a test's rms: steps of records, and forces of links linear in them, leave so much
-_PER_CYCLE = 16  # samples of a channel that are compared, in a cycle of a sine with its root mean squares
+_PER_CYCLE = 8  # samples of a channel that are compared, in a cycle of a sine with its root mean squares
+_FEWEST = 16  # of a test
+_WORTHWHILE = 3  # sets of parameters, from which on one more is cheaper than fine steps of links
 _FARTHEST = 1e3  # times a declared value, or a part of it
 _INSIDE = 1e-6  # of a size, from a bound that is not allowed
 
@@ -59,7 +61,7 @@ class StructureProblem:
         refit: whether stiffness and damping of the storeys are only a first guess.
         tests: in their order.
         threads: of predictions, at most so many; None: as many as there are processors.
-        every: one of so many samples is compared; all of them are simulated.
+        every: one of so many samples is compared; the motion of the base counts in all of them.
     """
 
     declared: Building
@@ -177,16 +179,17 @@ class StructureProblem:
     def thinned(self) -> StructureProblem:
         """Return the problem with no more samples compared than a fit needs."""
         fastest = max(_cycles(values) for i in self.used_for("fit") for values in self.tests[i].values.T)
-        return replace(self, every=max(1, int(1.0 / (_PER_CYCLE * fastest))))
+        shortest = min(test.base.size for test in self.tests)
+        return replace(self, every=_in_steps(min(int(1.0 / (_PER_CYCLE * fastest)), shortest // _FEWEST)))
 
     def flat(self, test: int, values: np.ndarray) -> np.ndarray:
-        """Return channels (t, channels), SI, as the search takes them (n_i,), those compared one after the other.
+        """Return channels (t, channels), SI, as the search takes them (n_i,), one after the other.
 
         Args:
             test: its index.
-            values: of the channels.
+            values: of the channels, at the samples that are compared.
         """
-        return np.ascontiguousarray((values[:: self.every] / self._scales(self.tests[test].channels)).T).ravel()
+        return np.ascontiguousarray((values / self._scales(self.tests[test].channels)).T).ravel()
 
     def _scales(self, channels: Sequence[Channel]) -> np.ndarray:
         return np.array([self.scale[channel.measure] for channel in channels])
@@ -214,7 +217,7 @@ class StructureModel:
     @cached_property
     def measured(self) -> tuple[np.ndarray, ...]:
         """Scaled channels (n_i,) of each test."""
-        return tuple(self.problem.flat(i, self.problem.tests[i].values) for i in self.tests)
+        return tuple(self.problem.flat(i, self.problem.tests[i].values[:: self.problem.every]) for i in self.tests)
 
     def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
         """Return the scaled channels (n_i,) of each test for each set of parameters, or why there are none.
@@ -222,12 +225,38 @@ class StructureModel:
         Args:
             values: (m, p) SI.
         """
-        rows = list(np.atleast_2d(values))
+        return self._each(np.atleast_2d(values), False)
+
+    def near(
+        self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
+    ) -> list[list[np.ndarray] | PredictionError]:
+        """Return predictions as `predict` does, with changes from a set of parameters near by by longer steps of links.
+
+        Args:
+            values: (m, p) SI.
+            around: (p,) SI, near them.
+            predicted: (n_i,) of each test with that set.
+        """
+        linked = any(isinstance(act, Links) for act, _ in self._acts(around))
+        if self.problem.every == 1 or len(values) < _WORTHWHILE or not linked:
+            return self.predict(values)
+        here, *there = self._each(np.vstack((around, values)), True)
+        if isinstance(here, PredictionError):
+            return self.predict(values)
+        return [
+            one
+            if isinstance(one, PredictionError)
+            else [y + (f - g) for y, f, g in zip(predicted, one, here, strict=True)]
+            for one in there
+        ]
+
+    def _each(self, values: np.ndarray, rough: bool) -> list[list[np.ndarray] | PredictionError]:
+        rows = list(values)
         workers = min(len(rows), self.problem.threads or os.cpu_count() or 1)
         if workers <= 1:
-            return [self._predicted(one) for one in rows]
+            return [self._predicted(one, rough) for one in rows]
         with ThreadPoolExecutor(workers) as pool:
-            return list(pool.map(self._predicted, rows))
+            return list(pool.map(self._predicted, rows, [rough] * len(rows)))
 
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return None of each test: nothing is a test's own.
@@ -237,37 +266,40 @@ class StructureModel:
         """
         return [None] * len(self.tests)
 
-    def _predicted(self, values: np.ndarray) -> list[np.ndarray] | PredictionError:
+    def _predicted(self, values: np.ndarray, rough: bool) -> list[np.ndarray] | PredictionError:
         try:
             with np.errstate(all="ignore"):  # a search may ask for anything; what is not finite is refused
-                histories = self.histories(values)
+                histories = self.histories(values, rough)
         except PredictionError as error:
             return error
         return [self.problem.flat(i, found) for i, found in zip(self.tests, histories, strict=True)]
 
-    def histories(self, values: np.ndarray) -> list[np.ndarray]:
-        """Return the channels (t, channels), SI, of each test.
+    def histories(self, values: np.ndarray, rough: bool = False) -> list[np.ndarray]:
+        """Return the channels (t, channels), SI, of each test, at the samples that are compared.
 
         Args:
             values: (p,) SI.
+            rough: whether steps of links may be longer, for differences.
 
         Raises:
             PredictionError: there is no response with these values.
         """
+        changes = [(act, p) for act, p in self._acts(values) if isinstance(act, ChangedChannels)]
+        every = self.problem.every
+        within = every if not rough and any(act.over_time for act, _ in changes) else 1
         found = []
-        for i, response in zip(self.tests, self.responses(values), strict=True):
+        for i, response in zip(self.tests, self._responses(values, every // within, rough), strict=True):
             test = self.problem.tests[i]
             motion = np.column_stack([getattr(response, c.measure)[:, c.floor] for c in test.channels])
-            for act, p in self._acts(values):
-                if isinstance(act, ChangedChannels):
-                    motion = act.change(p, test.step, test.channels, motion)
+            for act, p in changes:
+                motion = act.change(p, test.step * (every // within), test.channels, motion)
             if not np.all(np.isfinite(motion)):
                 raise PredictionError("the response is not finite")
-            found.append(motion)
+            found.append(motion[::within])
         return found
 
     def responses(self, values: np.ndarray) -> list[Response]:
-        """Return the response of each test, as it is before instruments.
+        """Return the response of each test at the samples that are compared, as it is before instruments.
 
         Earlier tests are run through where an effect remembers them.
 
@@ -277,6 +309,9 @@ class StructureModel:
         Raises:
             PredictionError: there is no response with these values.
         """
+        return self._responses(values, self.problem.every, False)
+
+    def _responses(self, values: np.ndarray, every: int, rough: bool) -> list[Response]:
         base = self.problem.base
         building, links = self.problem.building(dict(zip((one.name for one in base), map(float, values), strict=False)))
         acts = self._acts(values)
@@ -289,9 +324,8 @@ class StructureModel:
         last = max(self.tests, default=-1)
         run = range(last + 1) if any(link.remembers for link in links) else self.tests
         try:
-            found = respond(
-                building.system(), [(self.problem.tests[i].base, self.problem.tests[i].step) for i in run], links
-            )
+            motions = [(self.problem.tests[i].base, self.problem.tests[i].step) for i in run]
+            found = respond(building.system(), motions, links, every, rough)
         except (np.linalg.LinAlgError, OverflowError, ValueError) as error:
             raise PredictionError(str(error)) from error
         return [response for i, response in zip(run, found, strict=True) if i in self.tests]
@@ -329,3 +363,8 @@ def _about_declared(one: LawParameter, value: float) -> Parameter:
 def _cycles(values: np.ndarray) -> float:
     """Cycles from sample to sample of a sine with the root mean squares of a channel (t,) and its rate."""
     return float(np.sqrt(np.mean(np.diff(values) ** 2) / max(np.mean(values**2), 1e-300)) / (2.0 * np.pi))
+
+
+def _in_steps(most: int) -> int:
+    """Return the largest number up to one, at least 1, that halves and thirds divide, so that rough steps fit in it."""
+    return max((2**i * 3**j for i in range(10) for j in range(6) if 2**i * 3**j <= most), default=1)

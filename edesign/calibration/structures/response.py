@@ -16,7 +16,10 @@ from edesign.core.fading import fading
 from edesign.core.linked import LinkedTest, linked_histories
 from edesign.estimation.model import PredictionError
 
-_SHORT = 0.2  # k h^2 / (6 m) of a step h with a link of tangent stiffness k: forces linear in it are good to 2e-3
+_SHORT, _SHORT_OF_ROUGH = (
+    0.2,
+    0.02,
+)  # k h^2 / (6 m) of a step h with a link of tangent stiffness k: forces linear in it are good to 2e-3
 _MOST_PARTS = 64
 _BOUNDLESS = 1e4  # m and m/s
 _WELL_CONDITIONED = 1e8  # eigenvectors beyond it (critical damping) lose half of the digits
@@ -87,15 +90,25 @@ class Response:
     forces: np.ndarray
 
 
-def respond(system: System, motions: Sequence[tuple[np.ndarray, float]], links: Sequence[Link] = ()) -> list[Response]:
+def respond(
+    system: System,
+    motions: Sequence[tuple[np.ndarray, float]],
+    links: Sequence[Link] = (),
+    every: int = 1,
+    rough: bool = False,
+) -> list[Response]:
     """Return the responses to base motions in their order, each from rest.
 
-    The linear part is exact for motions, and forces of links, that are linear between samples.
+    The linear part is exact for motions, and forces of links, that are linear between samples. All samples of motions
+    count, whatever samples of the response are wanted.
 
     Args:
         system: its equations.
         motions: acceleration (t,) m/s2 and its step, s.
         links: non-linear forces of storeys; some remember what they do from one test to the next.
+        every: the response at one of so many samples of a motion is wanted, from the first one on.
+        rough: whether forces of links may be linear over several samples of the motion, up to the next wanted one: good
+            enough for differences of responses.
 
     Raises:
         PredictionError: there is none for such links.
@@ -103,13 +116,14 @@ def respond(system: System, motions: Sequence[tuple[np.ndarray, float]], links: 
     n = system.masses.size
     rows = system.drifts[[link.storey for link in links], :]
     if not links:
-        found = [(_without_links(system, ground, step), np.zeros((ground.size, 0))) for ground, step in motions]
+        states = [_without_links(system, *one, every) for one in motions]
+        found = [(x, np.zeros((len(x), 0))) for x in states]
     else:
-        parts = [_parts(system, rows, links, step) for _, step in motions]
+        parts = [_parts(system, rows, links, step, every, rough) for _, step in motions]
         try:
             dampers = [CoreDamper(one.law, one.values, amendments=one.amendments) for one in links]
-            fine = [_linked(system, rows, *one, p) for one, p in zip(motions, parts, strict=True)]
-            states, forces = linked_histories(dampers, _seen(rows), fine, any(one.remembers for one in links))
+            tests = [_linked(system, rows, *one, every, p) for one, p in zip(motions, parts, strict=True)]
+            states, forces = linked_histories(dampers, _seen(rows), tests, any(one.remembers for one in links))
         except CoreError as error:
             raise PredictionError(str(error)) from error
         found = [(x[::p], f[::p]) for x, f, p in zip(states, forces, parts, strict=True)]
@@ -154,37 +168,60 @@ def _seen(rows: np.ndarray) -> np.ndarray:
     return np.vstack((np.hstack((rows, np.zeros_like(rows))), np.hstack((np.zeros_like(rows), rows))))
 
 
-def _linked(system: System, rows: np.ndarray, ground: np.ndarray, step: float, parts: int) -> LinkedTest:
-    """Return a test for the core, with each step cut into parts."""
-    fine = np.interp(np.arange((ground.size - 1) * parts + 1) / parts, np.arange(ground.size), ground)
-    inputs = np.hstack((-np.ones((system.masses.size, 1)), -rows.T / system.masses[:, np.newaxis]))
-    a, b0, b1 = transition(system, inputs, step / parts)
-    return LinkedTest(fine, step / parts, a, (b0[:, 0], b1[:, 0]), (b0[:, 1:], b1[:, 1:]))
+def _linked(system: System, rows: np.ndarray, ground: np.ndarray, step: float, every: int, parts: int) -> LinkedTest:
+    """Return a test for the core, with the time between wanted samples cut into parts."""
+    together, finer = max(every // parts, 1), max(parts // every, 1)
+    last = (ground.size - 1) // every * every
+    if finer > 1:
+        ground = np.interp(np.arange(last * finer + 1) / finer, np.arange(ground.size), ground)
+    power, pushed = _pushed(system, ground[: last * finer + 1], step / finer, together)
+    of_links = -rows.T / system.masses[:, np.newaxis]
+    _, b0, b1 = transition(system, of_links, together * step / finer)
+    return LinkedTest(pushed, together * step / finer, power, (b0, b1))
 
 
-def _without_links(system: System, ground: np.ndarray, step: float) -> np.ndarray:
-    """Return states (t, 2n) without links: one recursion a complex mode."""
-    n = system.masses.size
-    a, b0, b1 = transition(system, -np.ones((n, 1)), step)
+def _pushed(system: System, ground: np.ndarray, step: float, together: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return A (2n, 2n) of so many steps together, and what the ground adds to the state in each of them (t, 2n)."""
+    a, b0, b1 = transition(system, -np.ones((system.masses.size, 1)), step)
+    shares = np.zeros((together + 1, len(a)))  # of each sample of the ground within
+    power = np.eye(len(a))
+    for k in range(together, 0, -1):
+        shares[k] += power @ b1[:, 0]
+        shares[k - 1] += power @ b0[:, 0]
+        power = power @ a
+    return power, np.lib.stride_tricks.sliding_window_view(ground, together + 1)[::together] @ shares
+
+
+def _without_links(system: System, ground: np.ndarray, step: float, every: int) -> np.ndarray:
+    """Return states (t, 2n) without links: one recursion a complex mode, from wanted sample to wanted sample."""
+    a, pushed = _pushed(system, ground[: (ground.size - 1) // every * every + 1], step, every)
     values, vectors = np.linalg.eig(a)
     if np.linalg.cond(vectors) > _WELL_CONDITIONED:
-        none = np.zeros((0, n))
-        return linked_histories((), _seen(none), (_linked(system, none, ground, step, 1),))[0][0]
-    left = np.linalg.solve(vectors, np.hstack((b0, b1)))
+        nothing = np.zeros((len(a), 0))
+        test = LinkedTest(pushed, every * step, a, (nothing, nothing))
+        return linked_histories((), nothing.T, (test,))[0][0]
     kept = np.flatnonzero(values.imag >= 0.0)  # the conjugates follow
-    modal = np.zeros((kept.size, ground.size), dtype=complex)
-    for row, j in zip(modal, kept, strict=True):
-        made = left[j, 0] * ground[:-1] + left[j, 1] * ground[1:]
-        row[:] = fading(np.full(made.size, values[j]), made, 0.0)
+    made = pushed @ np.linalg.inv(vectors)[kept].T
+    modal = np.zeros((kept.size, len(pushed) + 1), dtype=complex)
+    for row, j, of_mode in zip(modal, kept, made.T, strict=True):
+        row[:] = fading(np.full(of_mode.size, values[j]), of_mode, 0.0)
     shapes = vectors[:, kept] * np.where(values[kept].imag > 0.0, 2.0, 1.0)
     return np.asarray((modal.real.T @ shapes.real.T) - (modal.imag.T @ shapes.imag.T))
 
 
-def _parts(system: System, rows: np.ndarray, links: Sequence[Link], step: float) -> int:
-    """Return into how many parts a step is cut, so that forces of the links are nearly linear in it."""
+def _parts(system: System, rows: np.ndarray, links: Sequence[Link], step: float, every: int, rough: bool) -> int:
+    """Return into how many parts the time between wanted samples is cut, so that links are nearly linear in them.
+
+    A step of the motion is one part or several; of what may be rough a part may also be several steps.
+    """
     inverse = rows @ (rows / system.masses).T
     stiffest = np.abs([link.stiffest for link in links])
-    parts = math.sqrt(float(np.max(np.abs(inverse) @ stiffest)) * step**2 / 6.0 / _SHORT)
-    if not parts <= _MOST_PARTS:
-        raise PredictionError(f"a link is so stiff that a step of {step:g} s needs {parts:.0f} parts")
-    return max(1, math.ceil(parts))
+    square = float(np.max(np.abs(inverse) @ stiffest)) * step**2 / 6.0
+    finer = math.sqrt(square / _SHORT)
+    if not finer <= _MOST_PARTS:
+        raise PredictionError(f"a link is so stiff that a step of {step:g} s needs {finer:.0f} parts")
+    if not rough:
+        return every * max(1, math.ceil(finer))
+    least = math.sqrt(square / _SHORT_OF_ROUGH)
+    fewer = (parts for parts in range(1, every) if every % parts == 0 and parts >= every * least)
+    return next(fewer, every * max(1, math.ceil(finer)))

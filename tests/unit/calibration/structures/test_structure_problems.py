@@ -121,6 +121,20 @@ def test_a_response_does_not_depend_on_threads_or_on_what_is_asked_with_it(tmp_p
     assert np.array_equal(alone[0], every[2])  # type: ignore[index]
 
 
+def test_predictions_near_others(tmp_path: Path) -> None:
+    problem = replace(structure_problem(written(tmp_path, ISOLATED), 1), every=6)
+    (effect,) = (one for one in problem.effects if one.label == "isolation_softening.bouc_wen")
+    model, around = problem.model((effect,)), np.array([1.0, 1.0, 3e6, 2e5, *effect.starts[0]])
+    values = around * np.array([[1.0] * 6, [1.01, 1, 1, 1, 1, 1], [1, 1, 1, 1, 1.01, 1]])
+    (here,) = model.predict(around[np.newaxis])
+    same, *moved = model.near(values, around, here)  # type: ignore[arg-type]
+    assert all(np.array_equal(x, y) for x, y in zip(same, here, strict=True))  # type: ignore[arg-type]
+    for rough, fine in zip(moved, model.predict(values[1:]), strict=True):
+        for x, y, z in zip(rough, fine, here, strict=True):  # type: ignore[arg-type]
+            # differences steer a search, they are no result; these are of a loop that yields within two samples
+            assert np.linalg.norm(x - y) < 0.2 * np.linalg.norm(y - z)
+
+
 def test_inertia_is_the_force_of_the_isolation_layer(tmp_path: Path) -> None:
     campaign = written(tmp_path, ISOLATED)
     for test in isolation_layer_tests(campaign):

@@ -11,11 +11,13 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import eigh
 
 from edesign.calibration.structures.building import Building, Damping, DampingKind, System
+from edesign.calibration.structures.effects.channel import FORMS
 from edesign.calibration.structures.isolation import IsolationLaw
 from edesign.calibration.structures.response import Link, respond, transition
 from edesign.estimation.model import PredictionError
 
 STEP = 0.01
+HYSTERESIS = Link(0, 1e7, "bouc_wen", (5e4, 5e-3, 0.0, 1.0, 0.5, 0.5, 1.0))
 
 
 def one_floor(mass: float = 2.0, omega: float = 7.0, ratio: float = 0.05) -> Building:
@@ -189,3 +191,38 @@ def test_a_response_without_bounds_is_refused() -> None:
     running = replace(one_floor(), dashpots=np.array([-100.0])).system()
     with pytest.raises(PredictionError, match="bounds"):
         respond(running, [(shaking(), STEP)])
+
+
+@pytest.mark.parametrize("every", [3, 6])
+def test_wanted_samples_are_those_of_the_whole_response(every: int) -> None:
+    system, motions = isolated().system(), [(shaking(), STEP), (shaking(395), STEP)]
+    for links in ((), (HYSTERESIS,)):
+        for whole, wanted in zip(respond(system, motions, links), respond(system, motions, links, every), strict=True):
+            # the motion between wanted samples counts in full: what differs is rounding
+            assert np.allclose(wanted.displacement, whole.displacement[::every], rtol=0, atol=1e-12)
+            assert np.allclose(wanted.acceleration, whole.acceleration[::every], rtol=0, atol=1e-10)
+            assert wanted.forces.shape == whole.forces[::every].shape
+
+
+def test_rough_steps_are_good_enough_for_differences() -> None:
+    system, motion = isolated().system(), (shaking(), STEP)
+
+    def change(rough: bool) -> np.ndarray:
+        other = Link(0, 1.1 * HYSTERESIS.stiffest, "bouc_wen", (1.1 * HYSTERESIS.values[0], *HYSTERESIS.values[1:]))
+        one, two = (respond(system, [motion], [link], 6, rough)[0].acceleration for link in (HYSTERESIS, other))
+        return two - one
+
+    fine, rough = change(False), change(True)
+    assert not np.array_equal(fine, rough)
+    # slopes steer a search, they are no result; a twentieth is what a step of 0.03 s leaves of this loop
+    assert np.linalg.norm(rough - fine) < 0.05 * np.linalg.norm(fine)
+
+
+@pytest.mark.parametrize("lag", [0.02, 0.0137, -0.004])
+def test_a_late_channel_is_the_motion_before(lag: float) -> None:
+    (late,) = (form.act for form in FORMS if form.label == "lag.delay")
+    time, omega = STEP * np.arange(300), np.array([12.0, 30.0])
+    found = late.change({"lag": lag}, STEP, (), np.sin(np.outer(time, omega)))  # type: ignore[union-attr]
+    inside = slice(10, -10)
+    # six samples about it: (w h / 2)^6 times 225 / 720 at most in the middle of a step, 4e-6 at 30 rad/s
+    assert np.allclose(found[inside], np.sin(np.outer(time - lag, omega))[inside], rtol=0, atol=4e-6)
