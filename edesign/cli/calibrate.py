@@ -146,7 +146,8 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     from edesign.calibration.results.write import calibration_json, check_files, write_files
     from edesign.calibration.run import calibrate as run
     from edesign.damper.testing.campaign import load_campaign
-    from edesign.report.calibration.damper_tables import tables_of, verdict_text
+    from edesign.report.calibration.tables import tables_of
+    from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded = load_campaign(campaign)
@@ -169,7 +170,8 @@ def _structure(campaign: Path, search: _Search) -> _Found:
     from edesign.calibration.structures.campaign import load_structure_campaign
     from edesign.calibration.structures.run import calibrate_structure
     from edesign.calibration.structures.write import check_structure_files, write_structure_files
-    from edesign.report.calibration.damper_tables import tables_of, verdict_text
+    from edesign.report.calibration.tables import tables_of
+    from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded = load_structure_campaign(campaign)
@@ -190,7 +192,8 @@ def _properties(campaign: Path, search: _Search) -> _Found:
     from edesign.calibration.properties.run import calibrate_properties
     from edesign.calibration.properties.write import property_calibration_json, write_property_files
     from edesign.calibration.results.write import check_files
-    from edesign.report.calibration.properties import property_tables, property_verdict
+    from edesign.report.calibration.properties import property_tables
+    from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.property_calibration import property_calibration_page
 
     loaded = load_property_campaign(campaign)
@@ -201,6 +204,6 @@ def _properties(campaign: Path, search: _Search) -> _Found:
         lambda: property_calibration_page(found),
         lambda: property_calibration_json(found),
         lambda: property_tables(found),
-        lambda: "\n".join(property_verdict(found)),
+        lambda: verdict_text(found.found),
         found.found.ending == "interrupted",
     )

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from edesign.calibration.residual.loops import residual_loop
-from edesign.report.calibration.tables import STAGES, noise_of
+from edesign.report.calibration.error_tables import STAGES, noise_of
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.view import (
     COLOURS,

@@ -10,15 +10,14 @@ import numpy as np
 from edesign.calibration.properties.left import relative
 from edesign.calibration.properties.run import PropertyCalibration
 from edesign.damper.testing.steady_state import PropertyRows
-from edesign.report.calibration.damper_tables import (
+from edesign.report.calibration.error_tables import STAGES
+from edesign.report.calibration.tables import (
     effect_parameters_table,
     effects_table,
     hypotheses_table,
     law_table,
     models_table,
-    verdict_paragraphs,
 )
-from edesign.report.calibration.tables import STAGES
 from edesign.report.calibration.units import percent
 from edesign.report.damper.property_figures import QUANTITIES, property_figure, residual_figure
 from edesign.report.tables.table import Table
@@ -72,11 +71,6 @@ def each_group_table(calibration: PropertyCalibration) -> Table:
         errors = [calibration.found.errors[stage].tests[group.name] for stage in STAGES]
         table.rows.append([group.name, group.use, *(percent(float(np.sqrt(e))) for e in errors)])
     return table
-
-
-def property_verdict(calibration: PropertyCalibration) -> tuple[str, ...]:
-    """The verdict in plain paragraphs."""
-    return verdict_paragraphs(calibration.found)
 
 
 def property_calibration_figures(calibration: PropertyCalibration) -> Iterator[tuple[str, str, Figure]]:

@@ -15,7 +15,7 @@ from edesign.calibration.residual.record import FEWEST, Residual
 from edesign.calibration.residual.series import Series, Stage
 from edesign.calibration.residual.whiteness import effective_samples
 from edesign.calibration.results.result import Calibration
-from edesign.report.calibration.tables import label_of
+from edesign.report.calibration.error_tables import label_of
 from edesign.report.drawing.style import AFTER, BEFORE, MEAN, VARIANTS
 from edesign.report.drawing.thin_out import thin_out
 

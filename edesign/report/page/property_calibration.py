@@ -6,14 +6,15 @@ from collections.abc import Iterator
 
 from edesign._version import __version__
 from edesign.calibration.properties.run import PropertyCalibration
-from edesign.report.calibration.damper_tables import law_table, searched
 from edesign.report.calibration.properties import (
     each_group_table,
     property_calibration_figures,
     property_effect_tables,
     property_errors_table,
-    property_verdict,
 )
+from edesign.report.calibration.tables import law_table
+from edesign.report.calibration.verdict import verdict_paragraphs
+from edesign.report.calibration.words import searched
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
 from edesign.report.page.section import Picture, Section
@@ -27,7 +28,7 @@ def property_calibration_page(calibration: PropertyCalibration) -> Page:
     residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))
     properties = tuple(picture for name, picture in pictures.items() if name.startswith("properties"))
     sections = (
-        Section("verdict", "Verdict", property_verdict(calibration), (property_errors_table(calibration),)),
+        Section("verdict", "Verdict", verdict_paragraphs(found), (property_errors_table(calibration),)),
         Section(
             "effects",
             "Effects, and how sure they are",

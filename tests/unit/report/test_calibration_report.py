@@ -9,7 +9,6 @@ from __future__ import annotations
 import math
 import re
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
@@ -20,28 +19,34 @@ from edesign.calibration.residual.series import Worst
 from edesign.calibration.results.law_file import law_lines
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Calibration, Estimate, Hypothesis, OtherLaw
-from edesign.errors import ArchiveError, InputError
-from edesign.report.calibration.damper_tables import (
+from edesign.report.calibration.effect_figures import effect_figures
+from edesign.report.calibration.error_tables import errors_table
+from edesign.report.calibration.figures import calibration_figures
+from edesign.report.calibration.residual_figures import harmonic_figures, telling_dependences
+from edesign.report.calibration.tables import (
     effect_parameters_table,
     effects_table,
     hypotheses_table,
     law_table,
     models_table,
-    searched,
     tables_of,
-    verdict_text,
 )
-from edesign.report.calibration.effect_figures import effect_figures
-from edesign.report.calibration.figures import calibration_figures
-from edesign.report.calibration.residual_figures import harmonic_figures, telling_dependences
-from edesign.report.calibration.tables import errors_table
 from edesign.report.calibration.units import interval_text, percent, plus_minus, value_text
+from edesign.report.calibration.verdict import verdict_text
 from edesign.report.calibration.view import View, outline
-from edesign.report.page.calibration import calibration_page_text, write_calibration_page
+from edesign.report.calibration.words import searched
+from edesign.report.page.calibration import calibration_page
+from edesign.report.page.render import render
 from edesign.report.tables.table import Table
 from edesign.report.tables.text import plain
 
 SHOWN = 5e-3  # relative: three digits are shown
+
+
+def page_text_of(calibration: Calibration) -> str:
+    """The report of a calibration as HTML."""
+    page = calibration_page(calibration)
+    return render(page.cover, page.sections)
 
 
 def closed_form(frequency: float, amplitude: float, gain: float) -> float:
@@ -157,13 +162,13 @@ def test_models_are_told_with_how_far_the_search_looked() -> None:
 @pytest.mark.parametrize("ending", ["effort_spent", "interrupted"])
 def test_a_search_that_did_not_come_to_its_end_says_so(ending: str) -> None:
     found = replace(example.calibration(), ending=ending)  # type: ignore[arg-type]
-    for text in (verdict_text(found), text_of(calibration_page_text(found))):
+    for text in (verdict_text(found), text_of(page_text_of(found))):
         assert "there may be more effects, and others like these" in text
     nothing = replace(example.more_is_left(), verdict="not_searched", ending=ending, depths=())  # type: ignore[arg-type]
     text = verdict_text(nothing)
     assert text.startswith("Not searched: something is missing") and "no effect known here" not in text
     assert "effects may have been missed. So far: no effect was screened to the end; effort 1462 of 20000" in text
-    page = text_of(calibration_page_text(nothing))
+    page = text_of(page_text_of(nothing))
     assert "Not searched" in page and "no effect known here" not in page
     assert nothing.verdict_words.startswith("not searched, the search ")
 
@@ -175,7 +180,7 @@ def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
     assert cells[0] == "softening with amplitude of the whole force (payne.whole)"
     assert cells[1].startswith("d = 0.200 ± 0.010") and cells[2] == one.why
     assert "A hypothesis, no part of the law: softening with amplitude of the whole force" in verdict_text(found)
-    assert "Hypotheses: found, no part of the law" in text_of(calibration_page_text(found))
+    assert "Hypotheses: found, no part of the law" in text_of(page_text_of(found))
     assert hypotheses_table(example.calibration()).rows == []
 
 
@@ -267,7 +272,7 @@ def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
     assert text.startswith("Explained: the tests show gain of the force channel (instrument, g = ")
     assert "), or offset in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
-    assert f"{none}." in text and none in text_of(calibration_page_text(found))
+    assert f"{none}." in text and none in text_of(page_text_of(found))
     assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
     many = replace(alike, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
     assert "), or offset, or lag, or others in its place." in verdict_text(example.calibration((many,)))
@@ -357,9 +362,8 @@ def test_an_effect_of_the_damper_is_drawn_as_its_factor() -> None:
     assert factor[-1] == pytest.approx(1.0 - 0.2 * amplitude[-1] / (3.0 + amplitude[-1]), rel=1e-12)
 
 
-def test_the_page_tells_all_numbers_without_script_or_links(tmp_path: Path) -> None:
-    path = write_calibration_page(example.look_alikes(), tmp_path / "calibration.html")
-    page = path.read_text(encoding="utf-8")
+def test_the_page_tells_all_numbers_without_script_or_links() -> None:
+    page = page_text_of(example.look_alikes())
     assert "<script" not in page and not re.search(r"(?:src|href)=\"(?!#|data:)", page)
     ids = re.findall(r'<section id="([^"]+)"', page)
     assert ids == ["verdict", "errors", "effects", "open", "residual", "tests", "law", "provenance"]
@@ -379,15 +383,8 @@ def test_the_page_tells_all_numbers_without_script_or_links(tmp_path: Path) -> N
 
 
 def test_a_page_without_effects_shows_what_is_left() -> None:
-    page = calibration_page_text(replace(example.more_is_left(), title="<b>a & b</b>"))
+    page = page_text_of(replace(example.more_is_left(), title="<b>a & b</b>"))
     assert "&lt;b&gt;a &amp; b&lt;/b&gt;" in page and "<b>a" not in page
     text = text_of(page)
     assert "Nothing found" in text and "no effect known here explains what is left" in text
     assert "85 % of it structure" in text and "No effect was adopted." in text
-
-
-def test_a_page_goes_nowhere_else(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match=r"ends in \.html"):
-        write_calibration_page(example.calibration(), tmp_path / "calibration.h5")
-    with pytest.raises(ArchiveError, match="does not exist"):
-        write_calibration_page(example.calibration(), tmp_path / "no" / "calibration.html")

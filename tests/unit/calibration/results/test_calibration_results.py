@@ -24,7 +24,8 @@ from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.campaign_blocks import LawChoice
 from edesign.errors import InputError
-from edesign.report.calibration.damper_tables import tables_of, verdict_text
+from edesign.report.calibration.tables import tables_of
+from edesign.report.calibration.verdict import verdict_text
 
 CUBIC = 3e10  # N/m3
 

@@ -1,198 +1,25 @@
-"""What a calibration found: a verdict in words, and tables for the terminal and the page."""
+"""The verdict of a calibration in plain words: what was found, how good the model is, what is open."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 
 import numpy as np
 
-from edesign.calibration.dampers.effects import TABLES
 from edesign.calibration.dampers.sizes import APART
-from edesign.calibration.residual.series import STAGES as EVERY_STAGE
-from edesign.calibration.results.law_file import parameters_in_law_files
-from edesign.calibration.results.practical_units import practical
-from edesign.calibration.results.result import Calibration, Effect, Estimate, Subject
-from edesign.damper.law import Parameter
-from edesign.damper.laws import LAWS
-from edesign.report.calibration.tables import MODELS, each_test_table, errors_table, starts_table
-from edesign.report.calibration.units import UNKNOWN, interval_text, percent, plus_minus, value_text
-from edesign.report.tables.table import Table, formatted
+from edesign.calibration.residual.series import STAGES
+from edesign.calibration.results.result import Calibration, Effect, Subject
+from edesign.report.calibration.error_tables import MODELS
+from edesign.report.calibration.units import percent
+from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
 
-_TOLD = 2  # parameters of an effect, and look-alikes of it, in a sentence
+_TOLD = 2  # look-alikes of an effect in a sentence
 _CHANGED = 1.05  # ratio of errors that is worth telling
 _ANOTHER = 2.5  # times: three standard deviations, 0.3 of the logarithm, of a declared parameter
 _WHOLE = 1e3  # from here on numbers in sentences are whole
-_LEAST = 1e-4  # probability that is told as a number
 _CLOSE = 0.05  # probability beside an effect of another one that is told in a breath with it
-_NOTHING = "nothing known"
 _TESTS: dict[Subject, str] = {"damper": "tests", "structure": "tests", "table": "rows"}
 _MEASURED: dict[Subject, str] = {"damper": "force", "structure": "motion", "table": "moduli"}
-
-
-def tables_of(calibration: Calibration) -> list[Table]:
-    """Return all tables, in the order of a report on a terminal.
-
-    Args:
-        calibration: what was found.
-    """
-    tables = [
-        errors_table(calibration),
-        each_test_table(calibration),
-        starts_table(calibration),
-        effects_table(calibration),
-        effect_parameters_table(calibration),
-        hypotheses_table(calibration),
-        models_table(calibration),
-        law_table(calibration),
-    ]
-    return [table for table in tables if table.rows]
-
-
-def effects_table(calibration: Calibration) -> Table:
-    """Return each effect with its kind, what it does for the prediction, and what the tests cannot tell from it.
-
-    Args:
-        calibration: what was found.
-    """
-    columns = ("effect", "name", "kind", "without it [%]", "gain", "probability", "cannot be told from")
-    table = Table("Effects found", columns, left=3, name="effects_found", sentences=(0, 6))
-    with_it = calibration.errors["corrected"].validate
-    for one in calibration.effects:
-        alike = ", ".join(f"{name_of(name)} ({_probability(p)})" for name, p in one.indistinguishable_from.items())
-        gain = f"{one.gain:.1f} ± {one.gain_error:.1f}" if math.isfinite(one.gain) else "-"
-        without = percent(with_it + one.delta_validate)
-        row = [one.title, one.label, one.kind, without, gain, _probability(one.probability), alike or _NOTHING]
-        table.rows.append(row)
-        table.notes.append(f"{name_of(one.name)} shows as: {one.signature}")
-    if table.rows:
-        table.notes += [
-            f"without it: NRMS of the validation tests, the others fitted again; with it {percent(with_it)} %",
-            "gain: log density of tests left out of the fit, with its standard error; an effect is adopted if it is "
-            "more than 4 and than twice its error",
-            "probability: of the effect among all models that the search compared, whatever stands beside it",
-        ]
-    if any(one.indistinguishable_from for one in calibration.effects):
-        table.notes.append("cannot be told from: with the probability of the other one, if it is one of the two")
-    return table
-
-
-def effect_parameters_table(calibration: Calibration) -> Table:
-    """Return the parameters of the effects with 95 % intervals, in practical units.
-
-    Args:
-        calibration: what was found.
-    """
-    columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
-    told = any(_known(effect) for effect in calibration.effects)
-    heads = columns if told else columns[:-1]
-    table = Table(
-        "Parameters of the effects", heads, left=2, sentences=len(columns) - 1, name="parameters_of_the_effects"
-    )
-    for effect in calibration.effects:
-        known, own = _known(effect), _parameters(effect)
-        for name, estimate in own.items():
-            shown = practical(estimate, own)
-            meaning = known[name].meaning if name in known else "-"
-            row = [effect.label, name, value_text(shown), _interval(shown), shown.unit or "-", meaning]
-            table.rows.append(row if told else row[:-1])
-        table.notes += _untold(own, f"{effect.label}: ")
-    return table
-
-
-def hypotheses_table(calibration: Calibration) -> Table:
-    """Return effects that were found and are no part of the corrected law, with the reason.
-
-    Args:
-        calibration: what was found.
-    """
-    table = Table(
-        f"Hypotheses: found, no part of the {MODELS[calibration.subject]}",
-        ("effect", "parameters", "why"),
-        left=3,
-        name="hypotheses",
-    )
-    for one in calibration.hypotheses:
-        table.rows.append([f"{one.effect.title} ({one.effect.label})", _numbers(one.effect, 9) or "-", one.why])
-    return table
-
-
-def models_table(calibration: Calibration) -> Table:
-    """Return the models that the search compared, the most probable first.
-
-    Args:
-        calibration: what was found.
-    """
-    columns = ("effects of the model", "fitted tests: NRMS [%]", "behind", "probability")
-    table, model = Table("Models that were compared", columns, left=1, name="models"), MODELS[calibration.subject]
-    alone = len(calibration.models) == 1 and not calibration.depths
-    for one in () if alone else calibration.models:
-        behind = "-" if one.behind == one.error == 0.0 else f"{one.behind:.1f} ± {one.error:.1f}"
-        table.rows.append(
-            [" + ".join(one.effects) or f"the {model} alone", percent(one.nrms), behind, _probability(one.probability)]
-        )
-    if table.rows:
-        table.notes += [
-            "behind: log density of tests left out by which the corrected model is ahead, with its standard error",
-            searched(calibration),
-        ]
-    if any(one.behind < 0.0 for one in calibration.models):
-        table.notes.append(
-            "a model that is ahead was not adopted where its lead in the search was not sure: more than 4, and than "
-            "twice its error"
-        )
-    return table
-
-
-def law_table(calibration: Calibration) -> Table:
-    """Return the parameters of the law or the building at each stage with 95 % intervals.
-
-    Args:
-        calibration: what was found.
-    """
-    law, structure = LAWS.get(calibration.law), calibration.subject == "structure"
-    titles = ["Building"] if structure else []
-    titles += [f"Law {calibration.law}: {law.title}"] if law is not None else []
-    columns = ("parameter", "unit", "declared", "refitted", "95 % interval", "corrected", "95 % interval")
-    table = Table(", and ".join(titles), columns)
-    stages = {stage: calibration.parameters[stage] for stage in EVERY_STAGE}
-    for name in stages["declared"]:
-        size = stages["declared"][name].value
-        shown = {stage: practical(found[name], found, size) for stage, found in stages.items()}
-        row = [name, shown["declared"].unit or "-", formatted(shown["declared"].value, ".4g")]
-        for one in (shown["refit"], shown["corrected"]):
-            row += [value_text(one), _interval(one)]
-        table.rows.append(row)
-    if "storey_stiffness" in stages["declared"]:
-        table.notes.append("storey_stiffness, storey_damping: factors of what is declared")
-    for stage, label in (("refit", "refitted"), ("corrected", "corrected")):
-        table.notes += _untold(stages[stage], f"{label}: ")  # type: ignore[index]
-    if calibration.law_held:
-        table.notes.append("the campaign has the declared parameters held (`refit: false`)")
-    table.notes += [f"{name} is held as declared: {why}" for name, why in calibration.held.items()]
-    return table
-
-
-def searched(calibration: Calibration) -> str:
-    """Return how far the search looked.
-
-    Args:
-        calibration: what was found.
-    """
-    depths = calibration.depths
-    if not depths and calibration.ending == "complete":
-        model = MODELS[calibration.subject]
-        return (
-            f"no effect was screened, as the {model} alone leaves noise at the sampling of the search; effort "
-            f"{calibration.effort:.0f} of {calibration.most_effort:g}"
-        )
-    if not depths:
-        return f"no effect was screened to the end; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
-    screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
-    return (
-        f"{len(depths)} round{'' if len(depths) == 1 else 's'} over up to {screened} of {calibration.forms} forms of "
-        f"effects, {fitted} models fitted; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
-    )
 
 
 def verdict_text(calibration: Calibration) -> str:
@@ -253,25 +80,6 @@ def other_law_text(calibration: Calibration) -> str:
     return " ".join(texts)
 
 
-def effect_text(effect: Effect) -> str:
-    """Return an effect in words, with its first parameters.
-
-    Args:
-        effect: that was found.
-    """
-    numbers = _numbers(effect, _TOLD)
-    return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
-
-
-def name_of(name: str) -> str:
-    """Return the name of an effect, or of a model by its label, in words.
-
-    Args:
-        name: of the effect, or label.
-    """
-    return "the model alone" if name == "none" else name if "." in name else name.replace("_", " ")
-
-
 def ended(calibration: Calibration) -> list[str]:
     """Return what is to be said of a search that did not come to its end.
 
@@ -310,7 +118,7 @@ def _or_others(effect: Effect) -> str:
 
 
 def _errors(calibration: Calibration) -> str:
-    declared, refit, corrected = (calibration.errors[stage].validate for stage in EVERY_STAGE)
+    declared, refit, corrected = (calibration.errors[stage].validate for stage in STAGES)
     name = MODELS[calibration.subject]
     model = (
         f"the corrected {name}"
@@ -421,7 +229,7 @@ def _open(calibration: Calibration) -> list[str]:
     for effect in calibration.effects:
         if effect.indistinguishable_from:
             alike = " or ".join(
-                f"{name_of(name)} ({_probability(p)}, if it is one of the two)"
+                f"{name_of(name)} ({probability_text(p)}, if it is one of the two)"
                 for name, p in effect.indistinguishable_from.items()
             )
             texts.append(f"These {_TESTS[calibration.subject]} cannot tell {name_of(effect.name)} from {alike}.")
@@ -487,49 +295,3 @@ def _conditions(calibration: Calibration) -> list[str]:
 
 def _rounded(number: float) -> str:
     return f"{number:.3g}" if number < _WHOLE else f"{number:.0f}"
-
-
-def _interval(estimate: Estimate) -> str:
-    """The 95 % interval; why there is none stands below the table."""
-    return UNKNOWN if estimate.untold else interval_text(estimate)
-
-
-def _untold(estimates: Mapping[str, Estimate], of: str) -> list[str]:
-    """Why the tests do not determine parameters, one line for each reason."""
-    reasons: dict[str, list[str]] = {}
-    for name, one in estimates.items():
-        if one.untold:
-            reasons.setdefault(one.untold, []).append(name)
-    return [f"{of}{', '.join(names)} not determined, {why}" for why, names in reasons.items()]
-
-
-def _probability(p: float) -> str:
-    if not math.isfinite(p):
-        return "-"
-    return f"under {percent(_LEAST)} %" if p < _LEAST else f"{percent(p, 3 if p < 0.995 else 4)} %"
-
-
-def _numbers(effect: Effect, most: int) -> str:
-    parameters = dict(list(effect.parameters.items())[:most])
-    shown = {name: practical(value, effect.parameters) for name, value in parameters.items()}
-    return ", ".join(f"{name} = {_in_text(one)}" for name, one in shown.items())
-
-
-def _in_text(estimate: Estimate) -> str:
-    """A number in a sentence, without its reason if it is not determined."""
-    if estimate.untold:
-        return f"{value_text(estimate)} {estimate.unit}".rstrip() + f" ({UNKNOWN})"
-    return plus_minus(estimate)
-
-
-def _known(effect: Effect) -> Mapping[str, Parameter]:
-    """What law files know of the parameters of a form."""
-    forms = (form for table in TABLES for form in table.FORMS if form.label == effect.label)
-    return next((parameters_in_law_files(form) for form in forms), {})
-
-
-def _parameters(effect: Effect) -> dict[str, Estimate]:
-    """All numbers of an effect; those that the campaign fixes where their unit is known."""
-    known = _known(effect)
-    fixed = {name: Estimate.held(value, known[name].unit) for name, value in effect.fixed.items() if name in known}
-    return {**effect.parameters, **fixed}

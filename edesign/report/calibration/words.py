@@ -1,0 +1,75 @@
+"""Words of the report of a calibration: effects with their numbers, probabilities, how far the search looked."""
+
+from __future__ import annotations
+
+import math
+
+from edesign.calibration.results.practical_units import practical
+from edesign.calibration.results.result import Calibration, Effect, Estimate
+from edesign.report.calibration.error_tables import MODELS
+from edesign.report.calibration.units import UNKNOWN, percent, plus_minus, value_text
+
+_TOLD = 2  # parameters of an effect in a sentence
+_LEAST = 1e-4  # probability that is told as a number
+
+
+def searched(calibration: Calibration) -> str:
+    """Return how far the search looked.
+
+    Args:
+        calibration: what was found.
+    """
+    depths = calibration.depths
+    if not depths and calibration.ending == "complete":
+        model = MODELS[calibration.subject]
+        return (
+            f"no effect was screened, as the {model} alone leaves noise at the sampling of the search; effort "
+            f"{calibration.effort:.0f} of {calibration.most_effort:g}"
+        )
+    if not depths:
+        return f"no effect was screened to the end; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
+    screened, fitted = max((one.screened for one in depths), default=0), sum(one.fitted for one in depths)
+    return (
+        f"{len(depths)} round{'' if len(depths) == 1 else 's'} over up to {screened} of {calibration.forms} forms of "
+        f"effects, {fitted} models fitted; effort {calibration.effort:.0f} of {calibration.most_effort:g}"
+    )
+
+
+def effect_text(effect: Effect) -> str:
+    """Return an effect in words, with its first parameters.
+
+    Args:
+        effect: that was found.
+    """
+    numbers = numbers_text(effect, _TOLD)
+    return f"{effect.title} ({effect.kind}{', ' + numbers if numbers else ''})"
+
+
+def name_of(name: str) -> str:
+    """Return the name of an effect, or of a model by its label, in words.
+
+    Args:
+        name: of the effect, or label.
+    """
+    return "the model alone" if name == "none" else name if "." in name else name.replace("_", " ")
+
+
+def probability_text(p: float) -> str:
+    """Return a probability (0 to 1) in percent; "-" where it was not asked."""
+    if not math.isfinite(p):
+        return "-"
+    return f"under {percent(_LEAST)} %" if p < _LEAST else f"{percent(p, 3 if p < 0.995 else 4)} %"
+
+
+def numbers_text(effect: Effect, most: int) -> str:
+    """Return the first parameters of an effect, `most` of them, in practical units."""
+    parameters = dict(list(effect.parameters.items())[:most])
+    shown = {name: practical(value, effect.parameters) for name, value in parameters.items()}
+    return ", ".join(f"{name} = {_in_text(one)}" for name, one in shown.items())
+
+
+def _in_text(estimate: Estimate) -> str:
+    """A number in a sentence, without its reason if it is not determined."""
+    if estimate.untold:
+        return f"{value_text(estimate)} {estimate.unit}".rstrip() + f" ({UNKNOWN})"
+    return plus_minus(estimate)
