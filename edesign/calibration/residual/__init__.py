@@ -1,4 +1,4 @@
 """Residuals of a campaign read: noise, lag, harmonics, maps over what the error may depend on, its shape.
 
-The search asks here where to look, and the report draws it.
+The verdict says it in words (`shape.py`), and the report draws it.
 """

@@ -24,12 +24,9 @@ class Dependence:
             `factor`: the residual as a share of the predicted force (least squares), as a factor on the law leaves it.
         centre: (b,) mean of the driver in each bin.
         mean: (b,) residual in each bin, of the rms force or of the predicted force.
-        deviation: (b,) standard deviation about it, of the rms force.
-        count: (b,) samples.
         share: of the sum of squares that the means explain (eta squared), beyond the mean (force) or the factor
             (factor) of all bins, so that what is the same everywhere counts for no driver.
         chance: mean share that they would explain of a residual which does not depend on the driver.
-        p_value: probability with which it would be as large as it is.
     """
 
     driver: str
@@ -37,11 +34,8 @@ class Dependence:
     way: Way
     centre: np.ndarray
     mean: np.ndarray
-    deviation: np.ndarray
-    count: np.ndarray
     share: float
     chance: float
-    p_value: float
 
 
 def against(pool: Pool) -> tuple[Dependence, ...]:
@@ -56,19 +50,6 @@ def against(pool: Pool) -> tuple[Dependence, ...]:
         )
         for way, regressor in ways:
             part = pool.explained(pool.error, regressor, number)
-            deviation = np.sqrt(np.bincount(number, (pool.error - part.fitted) ** 2) / count)
-            found.append(
-                Dependence(
-                    driver,
-                    DRIVERS[driver][0],
-                    way,
-                    centre,
-                    part.coefficient,
-                    deviation,
-                    count.astype(int),
-                    part.share,
-                    pool.chance(count.size),
-                    pool.p_value(part.share, count.size),
-                )
-            )
+            chance = pool.chance(count.size)
+            found.append(Dependence(driver, DRIVERS[driver][0], way, centre, part.coefficient, part.share, chance))
     return tuple(found)

@@ -1,4 +1,4 @@
-"""Harmonics of force, prediction and residual in the steady cycles of periodic tests."""
+"""Harmonics of force and residual in the steady cycles of periodic tests."""
 
 from __future__ import annotations
 
@@ -21,17 +21,14 @@ class Harmonics:
         test: name.
         frequency: Hz.
         amplitude: U, m.
-        cycles: whole cycles.
-        force, prediction, residual: (8, 2) N: of sin(k theta), in phase with the displacement, and of cos(k theta), in
+        force, residual: (8, 2) N: of sin(k theta), in phase with the displacement, and of cos(k theta), in
             quadrature (k = 1: in phase with the velocity); of k = 0 the mean, and 0.
     """
 
     test: str
     frequency: float
     amplitude: float
-    cycles: int
     force: np.ndarray
-    prediction: np.ndarray
     residual: np.ndarray
 
 
@@ -52,7 +49,7 @@ def _of_part(test: Residual, part: Steady) -> Harmonics | None:
     theta = phase + shift
     force, prediction = coefficients(theta, test.measured[inside], test.predicted[inside])
     amplitude = float(np.hypot(*displacement[1]))
-    return Harmonics(test.name, 1.0 / part.period, amplitude, part.cycles, force, prediction, force - prediction)
+    return Harmonics(test.name, 1.0 / part.period, amplitude, force, force - prediction)
 
 
 def coefficients(phase: np.ndarray, *channels: np.ndarray) -> np.ndarray:

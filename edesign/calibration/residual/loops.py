@@ -1,4 +1,4 @@
-"""The mean cycle of a steady test: force, prediction and residual over displacement."""
+"""The mean cycle of a steady test: the residual over displacement."""
 
 from __future__ import annotations
 
@@ -14,25 +14,15 @@ POINTS = 64
 
 @dataclass(frozen=True)
 class Loop:
-    """A cycle averaged at equal phase, (p,) each; the phase runs from a zero of the displacement.
+    """A cycle averaged at equal phase, which runs from a zero of the displacement.
 
     Attributes:
-        test: name.
-        frequency: Hz.
-        cycles: how many are averaged.
-        displacement: m.
-        measured, predicted, residual: N.
-        deviation: of the residual between samples of the same phase, N.
+        displacement: (p,) m.
+        residual: (p,) N.
     """
 
-    test: str
-    frequency: float
-    cycles: int
     displacement: np.ndarray
-    measured: np.ndarray
-    predicted: np.ndarray
     residual: np.ndarray
-    deviation: np.ndarray
 
 
 def residual_loop(test: Residual, motion: Motion, points: int = POINTS) -> Loop | None:
@@ -51,7 +41,4 @@ def residual_loop(test: Residual, motion: Motion, points: int = POINTS) -> Loop 
     def mean(values: np.ndarray) -> np.ndarray:
         return np.asarray(np.bincount(number, values[inside], points) / count)
 
-    residual = mean(test.residual)
-    deviation = np.sqrt(np.bincount(number, (test.residual[inside] - residual[number]) ** 2, points) / count)
-    u, measured, predicted = mean(test.displacement), mean(test.measured), mean(test.predicted)
-    return Loop(test.name, 1.0 / part.period, part.cycles, u, measured, predicted, residual, deviation)
+    return Loop(mean(test.displacement), mean(test.residual))

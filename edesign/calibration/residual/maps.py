@@ -20,25 +20,23 @@ class ResidualMap:
         displacement: (d + 1,) edges, m.
         velocity: (v + 1,) edges, m/s, closer where it is small: tests of all frequencies fill the map.
         mean: (d, v) of the rms force of the tests; nan in cells without samples.
-        count: (d, v) samples.
     """
 
     displacement: np.ndarray
     velocity: np.ndarray
     mean: np.ndarray
-    count: np.ndarray
 
 
-def residual_map(tests: Sequence[Residual], cells: int = CELLS) -> ResidualMap:
+def residual_map(tests: Sequence[Residual]) -> ResidualMap:
     """Mean residual over displacement and velocity, each test over its own rms force."""
     u, v = (np.concatenate([getattr(test, name) for test in tests]) for name in ("displacement", "velocity"))
     error = np.concatenate([test.residual / test.rms_force for test in tests])
-    even = np.linspace(-1.0, 1.0, cells + 1)
+    even = np.linspace(-1.0, 1.0, CELLS + 1)
     edges = (even * _reach(u), even * np.abs(even) * _reach(v))
     count = np.histogram2d(u, v, edges)[0]
     total = np.histogram2d(u, v, edges, weights=error)[0]
     mean = np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0.0)
-    return ResidualMap(*edges, mean, count.astype(int))
+    return ResidualMap(*edges, mean)
 
 
 def _reach(values: np.ndarray) -> float:

@@ -32,11 +32,7 @@ class Errors:
     channels: Mapping[str, float] = field(default_factory=dict)
 
     def of(self, series: Series) -> float:
-        """Return the error of a series: that of its test if it is the only one.
-
-        Args:
-            series: of the calibration.
-        """
+        """Return the error of a series: that of its test if it is the only one."""
         return self.channels[series.name] if series.name in self.channels else self.tests[series.name]
 
 
@@ -108,10 +104,6 @@ class Series:
         return self.test or self.name
 
     def residual(self, stage: Stage) -> Residual:
-        """Return the residual at a stage, as its analysis takes it: the samples that are judged.
-
-        Args:
-            stage: of the calibration.
-        """
+        """Return the residual at a stage, as its analysis takes it: the samples that are judged."""
         histories = self.time, self.displacement, self.velocity, self.measured, self.predicted[stage], self.temperature
         return Residual(self.name, self.order, self.use, *(values[self.judged] for values in histories))

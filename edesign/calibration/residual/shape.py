@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from edesign.calibration.residual.drivers import DRIVERS
+from edesign.calibration.residual.lag import find_lag
+from edesign.calibration.residual.motion import Motion
 from edesign.calibration.residual.pool import Pool
 from edesign.calibration.residual.record import Residual
-from edesign.calibration.residual.tones import Tone
-from edesign.calibration.residual.whiteness import Whiteness
+from edesign.calibration.residual.tones import Tone, find_tones
+from edesign.calibration.residual.whiteness import effective_samples, structured_share
 
 WORTH_TELLING = 0.1
 """Share of the squared residual."""
@@ -36,21 +38,26 @@ class _Thing:
     driver: str = ""
 
 
-def describe(
-    tests: Sequence[Residual], whiteness: Sequence[Whiteness], pool: Pool, tones: Sequence[Sequence[Tone]]
-) -> str:
-    """What is left, how much of it is structure, and what that goes with.
+def describe_residual(tests: Sequence[Residual], motions: Sequence[Motion] | None = None) -> str:
+    """Return what is left, how much of it is structure, and what that goes with.
 
     Things are taken one after another, each the one that explains most of what those before have left; at most three,
     of at least 10 % of the squared residual.
+
+    Args:
+        tests: residuals, one at least.
+        motions: of each, where they are known.
     """
+    motions = motions or [Motion(test.time, test.displacement) for test in tests]
+    pool = Pool(tests, motions, [effective_samples(test.residual) for test in tests], find_lag(tests))
     total = float(pool.error @ pool.error)
     if total == 0.0:
         return "Nothing is left."
     weights = np.array([float(np.sum(test.residual**2)) / test.rms_force**2 for test in tests])
-    structured = float(weights @ [one.structured for one in whiteness]) / total
+    shares = [structured_share(motion, test.residual) for test, motion in zip(tests, motions, strict=True)]
+    structured = float(weights @ shares) / total
     left = f"{100.0 * total / pool.error.size:.2g} % of the squared force of all tests is left"
-    hum = _tones(tones)
+    hum = _tones([find_tones(motion, test.residual) for test, motion in zip(tests, motions, strict=True)])
     if structured < _NOISE:
         return f"{left}, all of it noise{' but ' + hum if hum else ''}."
     rest = pool.error

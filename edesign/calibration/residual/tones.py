@@ -31,14 +31,10 @@ class Tone:
     Attributes:
         frequency: Hz.
         amplitude: N.
-        chance: probability of such a peak in noise.
-        times_level: its power over that of the spectrum about it.
     """
 
     frequency: float
     amplitude: float
-    chance: float
-    times_level: float
 
 
 def find_tones(motion: Motion, values: np.ndarray) -> tuple[Tone, ...]:
@@ -78,8 +74,7 @@ def _search(motion: Motion, values: np.ndarray) -> tuple[tuple[Tone, ...], np.nd
         exact = _refined(grid, rest * window, frequency[at], frequency[1])
         rows = _sine(grid, exact)
         cos_sin = np.linalg.lstsq(rows * window[:, None], rest * window, rcond=None)[0]
-        chance = float(-np.expm1(n / 2.0 * np.log1p(-np.exp(-min(float(ratio[at]), 700.0)))))
-        tones.append(Tone(exact, float(np.hypot(*cos_sin)), chance, float(ratio[at])))
+        tones.append(Tone(exact, float(np.hypot(*cos_sin))))
         rest = rest - rows @ cos_sin
         found += _sine(motion.time, exact) @ cos_sin
         power = np.abs(np.fft.rfft((rest - np.mean(rest)) * window)) ** 2

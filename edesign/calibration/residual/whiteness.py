@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from edesign.calibration.residual.motion import Motion
@@ -13,40 +11,22 @@ from edesign.calibration.signals.sampling import even, step
 _HARMONICS = 7.0  # of the upper frequency of the motion, in the band in which models act
 
 
-@dataclass(frozen=True)
-class Whiteness:
-    """Structure of a residual.
+def structured_share(motion: Motion, values: np.ndarray) -> float:
+    """Return the share of the mean square of a residual that lies in the band of the motion above what noise has there.
 
-    Attributes:
-        structured: share of its mean square that lies in the band of the motion above what the noise has there.
-        noise: standard deviation of the broadband noise, N.
-        band: upper frequency of the band (7 times that of the motion, at most half the Nyquist frequency), Hz.
-        effective_samples: number of independent samples with the same scatter of averages; that of all if white.
-        correlation_time: duration over that number, s.
+    The band goes up to 7 times the upper frequency of the motion, at most half the Nyquist frequency.
+
+    Args:
+        motion: of the test.
+        values: (n,) N.
     """
-
-    structured: float
-    noise: float
-    band: float
-    effective_samples: float
-    correlation_time: float
-
-
-def whiteness(motion: Motion, values: np.ndarray) -> Whiteness:
-    """Structure of a residual (n,), N."""
     grid, residual = even(motion.time, values)
-    dt, n = step(grid), residual.size
-    noise = white_noise(residual, grid)
+    dt = step(grid)
     power = _spectrum(residual)
-    frequency = np.fft.rfftfreq(n, dt)
-    band = min(_HARMONICS * motion.upper_frequency, 0.25 / dt)
-    inside = frequency <= band
+    inside = np.fft.rfftfreq(residual.size, dt) <= min(_HARMONICS * motion.upper_frequency, 0.25 / dt)
     total = float(np.sum(power))
-    excess = float(np.sum(power[inside])) - noise**2 * float(np.mean(inside))
-    samples = effective_samples(residual)
-    return Whiteness(
-        float(np.clip(excess / total, 0.0, 1.0)) if total > 0.0 else 0.0, noise, band, samples, n * dt / samples
-    )
+    excess = float(np.sum(power[inside])) - white_noise(residual, grid) ** 2 * float(np.mean(inside))
+    return float(np.clip(excess / total, 0.0, 1.0)) if total > 0.0 else 0.0
 
 
 def effective_samples(values: np.ndarray) -> float:

@@ -10,9 +10,9 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibration.dampers.problem import DamperProblem
-from edesign.calibration.residual.analysis import analyse
 from edesign.calibration.residual.record import FEWEST
 from edesign.calibration.residual.series import Errors, Series, Stage
+from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import Evidence, Steps, depths_of, share_left, verdict_of, why_withheld
 from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded
 from edesign.calibration.results.floor import Floor
@@ -206,7 +206,7 @@ class Outcome:
 def _shape(series: Sequence[Series]) -> str:
     """Return what is left in words; "" if the tests are too short for that."""
     long = [one.residual("corrected") for one in series if one.time[one.judged].size >= FEWEST]
-    return analyse(long).shape if long else ""
+    return describe_residual(long) if long else ""
 
 
 def _held(problem: DamperProblem) -> dict[str, str]:

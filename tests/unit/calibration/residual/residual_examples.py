@@ -7,9 +7,9 @@ from functools import cache
 
 import numpy as np
 
-from edesign.calibration.residual.analysis import ResidualAnalysis, analyse
 from edesign.calibration.residual.motion import Motion
 from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.shape import describe_residual
 
 RATE = 250.0  # Hz
 K, C, ALPHA = 8e6, 30e3, 0.4  # N/m; N at 10 mm/s
@@ -67,9 +67,9 @@ def cycles() -> tuple[Motion, ...]:
     return tuple(Motion(example.time, example.displacement) for example in examples())
 
 
-def analysed(extra: Extra = lambda example: 0.0, noise: float = NOISE) -> ResidualAnalysis:
-    """Analysis of the campaign."""
-    return analyse(campaign(extra, noise), cycles())
+def described(extra: Extra = lambda example: 0.0, noise: float = NOISE) -> str:
+    """What is left of the campaign, in words."""
+    return describe_residual(campaign(extra, noise), cycles())
 
 
 def campaign(extra: Extra = lambda example: 0.0, noise: float = NOISE, seed: int = 3) -> list[Residual]:

@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from residual_examples import ALPHA, NOISE, RATE, C, Example, K, analysed, campaign, cycles, force
-from scipy.special import gamma
+from residual_examples import NOISE, RATE, Example, K, campaign, cycles, described, force
 
-from edesign.calibration.residual.analysis import analyse
+from edesign.calibration.residual.against import Dependence, against
 from edesign.calibration.residual.harmonics import coefficients, harmonics
 from edesign.calibration.residual.lag import find_lag
+from edesign.calibration.residual.loops import residual_loop
+from edesign.calibration.residual.maps import residual_map
 from edesign.calibration.residual.motion import Motion, reversals
-from edesign.calibration.residual.pool import bins
+from edesign.calibration.residual.pool import Pool, bins
 from edesign.calibration.residual.record import Residual
 from edesign.calibration.residual.tones import find_tones
-from edesign.calibration.residual.whiteness import effective_samples
+from edesign.calibration.residual.whiteness import effective_samples, structured_share
 from edesign.errors import InputError
 
 LATE = 4e-3  # s
@@ -45,32 +46,36 @@ def path(example: Example) -> np.ndarray:
     ],
 )
 def test_a_known_part_is_told_first(extra: object, words: str) -> None:
-    shape = analysed(extra).shape  # type: ignore[arg-type]
+    shape = described(extra)  # type: ignore[arg-type]
     # a trend is too slow to be sure of before the constant is taken away
     assert words in (shape if "time" in words else shape.split(", then")[0])
 
 
 def test_noise_alone_is_told_as_noise() -> None:
-    found = analysed()
-    assert "all of it noise" in found.shape
+    assert "all of it noise" in described()
+    tests = campaign()
     # a share of white noise follows chance, (bins - 1)/n on average: below four times it for 22 dependences
-    assert all(one.share < 4.0 * one.chance for one in found.against)
-    assert all(one.whiteness.structured < 0.02 for one in found.tests)
-    # 8 % is two to three times the scatter of an estimate from 3000 samples
-    assert [one.whiteness.noise for one in found.tests] == pytest.approx([NOISE] * 6, rel=0.08)
+    assert all(one.share < 4.0 * one.chance for one in dependences(tests))
+    shares = [structured_share(motion, test.residual) for test, motion in zip(tests, cycles(), strict=True)]
+    assert all(share < 0.02 for share in shares)
+
+
+def dependences(tests: list[Residual]) -> tuple[Dependence, ...]:
+    samples = [effective_samples(test.residual) for test in tests]
+    return against(Pool(tests, cycles()[: len(tests)], samples))
 
 
 def test_nothing_left_is_told() -> None:
-    assert analysed(noise=0.0).shape == "Nothing is left."
+    assert described(noise=0.0) == "Nothing is left."
 
 
 def test_binned_means_are_those_of_the_known_function() -> None:
     """e = 3000 N sgn v over the rms force; and a factor of 5 % a kelvin."""
     tests = campaign(lambda e: 3e3 * np.sign(e.velocity), noise=0.0)[:1]
-    sign = next(d for d in analyse(tests).against if d.driver == "sign of velocity" and d.way == "force")
+    sign = next(d for d in dependences(tests) if d.driver == "sign of velocity" and d.way == "force")
     assert sign.mean[[0, -1]] * tests[0].rms_force == pytest.approx([-3e3, 3e3], rel=1e-9)
     tests = campaign(lambda e: 0.01 * (e.order % 3) * e.predicted, noise=0.0)
-    warm = next(d for d in analyse(tests, cycles()).against if d.driver == "temperature" and d.way == "factor")
+    warm = next(d for d in dependences(tests) if d.driver == "temperature" and d.way == "factor")
     assert warm.centre == pytest.approx([20.0, 25.0, 30.0])
     assert warm.mean == pytest.approx([0.0, 0.01, 0.02], abs=1e-12)
     assert warm.share + _common(tests) == pytest.approx(1.0, abs=1e-9)
@@ -97,7 +102,6 @@ def test_harmonics_of_a_cubic_spring_beside_a_dashpot() -> None:
     assert found.frequency == pytest.approx(1.0, rel=1e-6)
     # zeros of the cycles are found to 1e-6 of one, times the largest force
     assert found.residual == pytest.approx(expected, abs=1e-4 * k3 * u**3)
-    assert found.force - found.prediction == pytest.approx(found.residual, abs=1e-6)
 
 
 def test_coefficients_of_functions_they_consist_of() -> None:
@@ -108,7 +112,7 @@ def test_coefficients_of_functions_they_consist_of() -> None:
     assert found == pytest.approx(expected, abs=1e-12)
 
 
-def test_lag_of_a_sine_has_its_value_and_error() -> None:
+def test_lag_of_a_sine_is_found_to_the_cramer_rao_bound() -> None:
     """Error of a lag in white noise s on F0 sin(wt), n samples: s sqrt(2/n) / (F0 w), the Cramer-Rao bound."""
     time = np.arange(0.0, 10.0, 1.0 / RATE)
     omega, f0, s = 2.0 * np.pi * 1.5, 80e3, 800.0
@@ -118,20 +122,14 @@ def test_lag_of_a_sine_has_its_value_and_error() -> None:
     measured = f0 * np.sin(omega * (time - 7.3e-3)) + s * rng.standard_normal(time.size)
     lag = find_lag([Residual("a", 0, "fit", time, u, v, measured, predicted, 20.0)])
     bound = s * np.sqrt(2.0 / time.size) / (f0 * omega)
-    assert lag.error == pytest.approx(bound, rel=0.1)  # scatter of the rms of 2500 samples: 1.4 %; ends: 5 %
-    assert lag.value == pytest.approx(7.3e-3, abs=4.0 * bound)
-    # all but the noise, of the mean square 2 F0^2 sin^2(w lag/2) of the difference of two sines
-    difference = 2.0 * (f0 * np.sin(0.5 * omega * 7.3e-3)) ** 2
-    assert lag.share == pytest.approx(difference / (difference + s**2), abs=0.005)
+    assert lag == pytest.approx(7.3e-3, abs=4.0 * bound)
 
 
-def test_tests_of_all_frequencies_agree_on_a_lag_but_not_on_damping() -> None:
-    lag = analysed(late).lag
-    assert lag.value == pytest.approx(LATE, abs=4.0 * lag.error)
-    assert lag.of_tests[:, 0] == pytest.approx(LATE, rel=0.05)
-    damping = analysed(lambda e: -2e5 * e.velocity).lag
-    # damping is late by c U w / (F0 w) with a force F0 that grows with amplitude and frequency: no two tests alike
-    assert np.std(damping.of_tests[:, 0]) > 0.3 * np.abs(np.mean(damping.of_tests[:, 0]))
+def test_a_lag_is_found_in_tests_of_all_frequencies() -> None:
+    tests = campaign(late)
+    # the error of a lag is about 0.1 ms of 4 ms here: noise of 300 N beside forces of 80 kN
+    assert [find_lag([test]) for test in tests] == pytest.approx([LATE] * len(tests), rel=0.05)
+    assert find_lag(tests) == pytest.approx(LATE, rel=0.01)
 
 
 def test_tone_is_found_with_frequency_and_amplitude() -> None:
@@ -141,7 +139,6 @@ def test_tone_is_found_with_frequency_and_amplitude() -> None:
         # Cramer-Rao for n = 3000: sqrt(6/n) s / (pi A T) = 1.4 mHz, s sqrt(2/n) = 8 N; windows lose a factor of two
         assert tone.frequency == pytest.approx(50.3, abs=0.015)
         assert tone.amplitude == pytest.approx(250.0, abs=60.0)
-        assert tone.chance < 1e-4
 
 
 def test_harmonics_of_the_motion_and_noise_are_no_tones() -> None:
@@ -165,22 +162,17 @@ def test_effective_samples_of_white_and_of_coloured_noise() -> None:
 
 def test_map_and_loop_hold_the_known_residual() -> None:
     tests = campaign(lambda e: 2e6 * e.displacement, noise=0.0)[2:3]
-    found = analyse(tests)
-    centre = 0.5 * (found.map.displacement[1:] + found.map.displacement[:-1])
-    width = found.map.displacement[1] - found.map.displacement[0]
-    expected = np.broadcast_to((2e6 * centre / tests[0].rms_force)[:, None], found.map.mean.shape)
-    filled = found.map.count > 0
-    assert found.map.count.sum() == tests[0].time.size
-    assert np.max(np.abs(found.map.mean - expected)[filled]) <= 0.5 * 2e6 * width / tests[0].rms_force * (1.0 + 1e-9)
-    loop = found.tests[0].loop
-    assert loop is not None and loop.cycles >= 9
+    found = residual_map(tests)
+    centre = 0.5 * (found.displacement[1:] + found.displacement[:-1])
+    width = found.displacement[1] - found.displacement[0]
+    expected = np.broadcast_to((2e6 * centre / tests[0].rms_force)[:, None], found.mean.shape)
+    filled = np.isfinite(found.mean)
+    assert filled.any()
+    assert np.max(np.abs(found.mean - expected)[filled]) <= 0.5 * 2e6 * width / tests[0].rms_force * (1.0 + 1e-9)
+    loop = residual_loop(tests[0], cycles()[2])
+    assert loop is not None
     assert loop.residual == pytest.approx(2e6 * loop.displacement, abs=1e-6)
-    # the loop's area: 4 (2^alpha) Gamma^2(1 + alpha/2)/Gamma(2 + alpha) c w^alpha U^(1+alpha), Soong & Constantinou
-    # (1994), 4.3
-    area = abs(float(np.sum(loop.measured * (np.roll(loop.displacement, -1) - np.roll(loop.displacement, 1)) / 2.0)))
-    share = 2.0**ALPHA * gamma(1.0 + ALPHA / 2.0) ** 2 / gamma(2.0 + ALPHA)
-    work = 4.0 * 12e-3 * C * (12e-3 * 2.0 * np.pi / 0.01) ** ALPHA * share
-    assert area == pytest.approx(work, rel=0.01)  # 64 points a cycle
+    assert np.max(loop.displacement) == pytest.approx(12e-3, rel=0.01)  # 64 points a cycle
 
 
 def test_half_cycles_of_a_growing_triangle() -> None:
@@ -207,8 +199,6 @@ def test_records_that_do_not_fit_are_refused() -> None:
         Residual("a", 0, "fit", time, time, time, time[1:], time, 20.0)
     with pytest.raises(InputError, match="sample 3 is nan"):
         Residual("a", 0, "fit", time, time, time, time, np.where(time == 2.0, np.nan, time), 20.0)
-    with pytest.raises(InputError, match="at least one test"):
-        analyse([])
 
 
 def test_stiffness_is_the_first_harmonic_in_phase() -> None:
