@@ -15,7 +15,6 @@ from edesign.core.rig import SeriesRig
 from edesign.core.stop import STOP, raise_if_stopped
 
 Method = Literal["best", "ode", "fixed"]
-Term = Literal["spring", "dashpot", "power"]
 Placement = Literal["whole", "inside", "springs", "dashpots"]
 """Where an amendment acts: on all of the law's force, inside a law that relaxes, on its springs or dashpots alone."""
 PLACEMENTS: tuple[Placement, ...] = get_args(Placement)
@@ -23,8 +22,6 @@ METHODS = {"best": lib.ED_DAMPER_BEST, "ode": lib.ED_DAMPER_ODE, "fixed": lib.ED
 """The core's number of each method."""
 TOLERANCE = 1e-6
 """Relative tolerance of SUNDIALS for laws without an exact step."""
-MOMENTS = int(lib.ED_MOMENTS)
-"""Of a term of the MGMM over a step."""
 
 
 @dataclass(frozen=True)
@@ -253,40 +250,6 @@ class CoreDamper:
         )
         _check(status, "damper in series", f" at sample {done[0] + 1} of {t.size}")
         return force, own
-
-    def moments(
-        self, time: ArrayLike, deformation: ArrayLike, velocity: ArrayLike, of: Term
-    ) -> tuple[np.ndarray, float]:
-        """Return the moments of a term of an MGMM over each step.
-
-        From them follows its force with any relaxation time that is not shorter than this one: 1/h integral of g(s)
-        T_k(2 s/h - 1), T_k Chebyshev's polynomials.
-
-        Args:
-            time: (n,) s, ascending.
-            deformation: (n,) m.
-            velocity: (n,) m/s.
-            of: g: k_mod u, N; c_mod v, N; |v|^alpha sgn v, (m/s)^alpha.
-
-        Returns:
-            Moments (n - 1, MOMENTS), and k_mod u at the first deformation, N.
-
-        Raises:
-            CoreError: samples that are not finite or not ascending, or another law.
-            ValueError: the samples are not equally many, or none.
-        """
-        t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
-        if not t.size == u.size == v.size >= 1:
-            raise ValueError(f"{t.size} times, {u.size} deformations, {v.size} velocities")
-        found = np.empty((t.size - 1, MOMENTS))
-        into = [
-            ffi.from_buffer("double[]", found) if of == term else ffi.NULL for term in ("spring", "dashpot", "power")
-        ]
-        held, done = ffi.new("double *"), ffi.new("int *")
-        samples = (ffi.from_buffer("double[]", values) for values in (t, u, v))
-        status = lib.ed_mgmm_moments(self._handle, t.size, *samples, *into, held, done)
-        _check(status, "damper moments", f" at sample {done[0] + 1} of {t.size}")
-        return found, held[0]
 
     def start(self) -> np.ndarray:
         """Return the state at rest, for `step`.
