@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import time as clock
-from collections.abc import Callable
 from dataclasses import replace
 
 from edesign.calibration.dampers.from_campaign import damper_problem
-from edesign.calibration.results.evidence import Steps, searched
+from edesign.calibration.results.evidence import Progress, Steps, searched
 from edesign.calibration.results.outcome import Outcome
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -16,8 +15,6 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.campaign import Campaign
 from edesign.one_thread import one_thread
-
-Progress = Callable[[str], None]
 
 
 @one_thread()

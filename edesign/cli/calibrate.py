@@ -166,19 +166,19 @@ def _damper(campaign: Path, search: _Search) -> _Found:
 
 
 def _structure(campaign: Path, search: _Search) -> _Found:
-    from edesign.calibration.results.write import calibration_json
+    from edesign.calibration.results.write import calibration_json, check_files, write_calibration
     from edesign.calibration.structures.campaign import load_structure_campaign
+    from edesign.calibration.structures.corrected import FILES, corrected_texts
     from edesign.calibration.structures.run import calibrate_structure
-    from edesign.calibration.structures.write import check_structure_files, write_structure_files
     from edesign.report.calibration.tables import tables_of
     from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded = load_structure_campaign(campaign)
-    check_structure_files(campaign, loaded.title or loaded.name, search.folder, search.overwrite)
+    check_files(campaign, loaded.title or loaded.name, search.folder, search.overwrite, FILES)
     found = calibrate_structure(loaded, search.settings, search.workers, search.tell)
     return _Found(
-        lambda folder: write_structure_files(found, loaded, folder),
+        lambda folder: write_calibration(found, loaded.path, loaded.text, corrected_texts(found, loaded), folder),
         lambda: calibration_page(found, document=loaded.document),
         lambda: calibration_json(found),
         lambda: tables_of(found),

@@ -120,11 +120,7 @@ class Experiment:
         return max(1, math.ceil(refined * self._coarseness - _ROUNDED))
 
     def finer(self, parts: int) -> Motion:
-        """Return the motion with every step cut into parts; it is kept, as models ask for it again and again.
-
-        Args:
-            parts: of a step.
-        """
+        """Return the motion with every step cut into parts; it is kept, as models ask for it again and again."""
         if parts not in self._finer:
             known = self.motion if self.full is None else self.full.motion
             self._finer[parts] = self.motion.finer(parts, known)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
+from pathlib import Path
+from typing import Protocol
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -24,7 +26,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.temperature import GammaT, at
 from edesign.damper.testing.campaign import Campaign
-from edesign.damper.testing.measured_histories import DamperTest
+from edesign.damper.testing.measured_histories import DamperTest, Use
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
 from edesign.estimation.least_squares import Fit, fit
@@ -59,7 +61,9 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
             f"{campaign.path}: law: the law thought of is needed, for example "
             "`law: {type: mgmm, parameters: thesis_table_4_2}`; without parameters it is fitted first"
         )
-    _check_tests(campaign)
+    check_uses(campaign.path, campaign.tests)
+    for test in campaign.tests:
+        test.varying_force()
     law = law_of(campaign.law.type)
     declared = law.complete(read_parameters(law, campaign.law.parameters))
     experiments = _experiments(campaign.tests)
@@ -105,20 +109,28 @@ def _alone(problem: DamperProblem) -> dict[str, float]:
     return {one.name: float(value) for one, value in zip(model.parameters, best.values, strict=True)}
 
 
-def _check_tests(campaign: Campaign) -> None:
-    fitted, validating = campaign.used_for("fit"), campaign.used_for("validate")
-    if len(fitted) < 2:
+class _Used(Protocol):
+    @property
+    def use(self) -> Use: ...
+
+
+def check_uses(path: Path, tests: Sequence[_Used]) -> None:
+    """Refuse a campaign with too few tests to be fitted to, or with none for validation.
+
+    Raises:
+        InputError: there are too few.
+    """
+    fitted = sum(test.use == "fit" for test in tests)
+    if fitted < 2:
         raise InputError(
-            f"{campaign.path}: tests: {len(fitted)} with `use: fit`; an effect is adopted when it lowers the error on "
-            "tests it was not fitted to, so that two are the least (six or more are better)"
+            f"{path}: tests: {fitted} with `use: fit`; an effect is adopted when it lowers the error on tests it was "
+            "not fitted to, so that two are the least (six or more are better)"
         )
-    if not validating:
+    if fitted == len(tests):
         raise InputError(
-            f"{campaign.path}: tests: none has `use: validate`; the error before and after is reported on tests that "
-            "nothing was fitted to, so that one is the least"
+            f"{path}: tests: none has `use: validate`; the error before and after is reported on tests that nothing "
+            "was fitted to, so that one is the least"
         )
-    for test in campaign.tests:
-        test.varying_force()
 
 
 def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:

@@ -54,11 +54,7 @@ class Kept(Generic[T]):
         self._most, self._found, self._lock = most, OrderedDict[Hashable, T](), Lock()
 
     def get(self, key: Hashable) -> T | None:
-        """Return what is kept; None: nothing.
-
-        Args:
-            key: of the result.
-        """
+        """Return what is kept; None: nothing."""
         with self._lock:
             if key not in self._found:
                 return None
@@ -66,12 +62,7 @@ class Kept(Generic[T]):
             return self._found[key]
 
     def put(self, key: Hashable, value: T) -> T:
-        """Keep a result, and return it.
-
-        Args:
-            key: of the result.
-            value: the result.
-        """
+        """Keep a result, and return it."""
         with self._lock:
             self._found[key] = value
             if len(self._found) > self._most:

@@ -11,13 +11,13 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibration.dampers.acts import LastingExtremes, OwnShares, Values
-from edesign.calibration.dampers.doubts import Doubt, doubts
 from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
 from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.law_forces import accepted, length_of
 from edesign.calibration.dampers.prediction import Kept, Prediction
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncertain_inputs
 from edesign.calibration.search.problem import Effect
 from edesign.damper.fitting.identifiable import HELD, LIMITED_BY
 from edesign.damper.fitting.scales import Scales
@@ -28,7 +28,7 @@ from edesign.damper.testing.measured_histories import Use
 from edesign.estimation.model import PredictionError
 from edesign.estimation.parameters import Parameter
 
-_DOUBTS = 64  # sets of parameters whose doubts are kept
+_CHANGES = 64  # sets of parameters of which changes by uncertain inputs are kept
 _FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
 _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
 
@@ -136,23 +136,18 @@ class DamperProblem:
         return Prediction(self.law, self.experiments, own, self.lasting, threads, length)
 
     @cached_property
-    def doubts(self) -> tuple[tuple[Doubt, DamperProblem], ...]:
+    def uncertain_inputs(self) -> tuple[tuple[UncertainInput, DamperProblem], ...]:
         """What is not known of the tests, each with the problem as it would be otherwise."""
-        every = doubts(self.experiments, self.law.name, self.prediction.depends_on_temperature)
+        every = uncertain_inputs(self.experiments, self.law.name, self.prediction.depends_on_temperature)
         return tuple((one, self.with_experiments(one.experiments)) for one in every)
 
     @cached_property
-    def doubted(self) -> Kept[list[np.ndarray] | None]:
-        """What doubts change (n_i,) N, by tests and effects through which they act."""
-        return Kept(_DOUBTS)
+    def changes(self) -> Kept[list[np.ndarray] | None]:
+        """What uncertain inputs change (n_i,) N, by tests and effects through which they act."""
+        return Kept(_CHANGES)
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> DamperModel:
-        """Return the law with effects; its parameters are those of the law, and of the effects in their order.
-
-        Args:
-            effects: of the list.
-            uses: of the tests that it is a model of.
-        """
+        """Return the law with effects; its parameters are those of the law, and of the effects in their order."""
         return DamperModel(self, tuple(effects), self.used_for(*uses))
 
     def with_experiments(self, experiments: Sequence[Experiment]) -> DamperProblem:
@@ -223,15 +218,15 @@ class DamperModel:
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return weighted columns (n_i, k) N of each test whose shares, N(0, 1), are its own; None: there are none.
 
-        They are those of the effects, and what doubts about the tests make of the force of the declared law.
+        They are those of the effects, and what uncertain inputs of the tests make of the force of the declared law.
 
         Args:
             values: (p,) SI.
         """
-        doubts, shares = self.doubts(values), self.shares(values)
+        uncertain, shares = self.input_uncertainty(values), self.shares(values)
         found: list[np.ndarray | None] = []
         for k, weight in enumerate(self.weights):
-            columns = [each for each in (shares[k], doubts[k]) if each is not None]
+            columns = [each for each in (shares[k], uncertain[k]) if each is not None]
             found.append(weight[:, np.newaxis] * np.hstack(columns) if columns else None)
         return found
 
@@ -246,24 +241,28 @@ class DamperModel:
             return [None] * len(self.tests)
         return [np.hstack([act.columns(p, self.problem.experiments[i]) for act, p in acts]) for i in self.tests]
 
-    def doubts(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return columns (n_i, k) N of each test that doubts about it change of the force; None: there are none.
+    def input_uncertainty(self, values: np.ndarray) -> list[np.ndarray | None]:
+        """Return columns (n_i, k) N of each test that uncertain inputs change of its force; None: there are none.
 
         Args:
             values: (p,) SI.
         """
-        found = [one for number in range(len(self.problem.doubts)) if (one := self._doubt(number, values)) is not None]
+        found = [
+            one
+            for number in range(len(self.problem.uncertain_inputs))
+            if (one := self._change(number, values)) is not None
+        ]
         return [np.column_stack(of_test) for of_test in zip(*found, strict=True)] or [None] * len(self.tests)
 
-    def _doubt(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
-        """Return what a doubt changes (n_i,) N in each test; None: nothing.
+    def _change(self, number: int, values: np.ndarray) -> list[np.ndarray] | None:
+        """Return what an uncertain input changes (n_i,) N in each test; None: nothing.
 
         The law is as declared, with the effects through which it acts alone, so that few sets of parameters are asked
         for.
         """
-        doubt, other = self.problem.doubts[number]
-        through = [(of, p) for of, p in self._of(values)[1] if of.form.name in doubt.effects]
-        if not (through or doubt.through_law):
+        uncertain, other = self.problem.uncertain_inputs[number]
+        through = [(of, p) for of, p in self._of(values)[1] if of.form.name in uncertain.effects]
+        if not (through or uncertain.through_law):
             return None
 
         def change() -> list[np.ndarray] | None:
@@ -274,7 +273,7 @@ class DamperModel:
             return [a - b for a, b in zip(there, here, strict=True)]
 
         key = (number, self.tests, *((of.form.label, *p.values()) for of, p in through))
-        return self.problem.doubted.of(key, change)
+        return self.problem.changes.of(key, change)
 
     def _of(self, values: np.ndarray) -> tuple[dict[str, float], list[tuple[FormInCampaign, Values]]]:
         """Return the law's parameters, and the effects with theirs."""

@@ -8,6 +8,7 @@ import numpy as np
 from scipy.ndimage import median_filter
 
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.signals.windows import blackman_harris
 
 _ABOVE_MOTION = 7.5  # the first seven harmonics of a motion are below that times its frequency: they are the specimen's
 _LOWEST = 5.0  # Hz
@@ -18,7 +19,6 @@ _ONE_TEST = 30.0  # most that one test counts, so that a peak of its own is none
 _STANDS_OUT = 12.0  # times the background, on average over the tests: of noise alone one in 1e5
 _OF_THE_LAW = 10.0  # times its background: a peak of the predicted force is none of the channel
 _WIDTH = 4.0  # of the main lobe of the window, in 1 / duration
-_COEFFICIENTS = (0.35875, 0.48829, 0.14128, 0.01168)
 
 
 def common_tones(
@@ -59,10 +59,7 @@ def common_tones(
 
 
 def _windowed(residual: np.ndarray) -> np.ndarray:
-    """Return a residual (n,) under the window of Blackman and Harris (1978, four terms, -92 dB)."""
-    turn = 2.0 * np.pi * np.arange(residual.size) / (residual.size - 1)
-    window = sum((-1) ** k * a * np.cos(k * turn) for k, a in enumerate(_COEFFICIENTS))
-    return np.asarray((residual - residual.mean()) * window)
+    return np.asarray((residual - residual.mean()) * blackman_harris(residual.size))
 
 
 def _over_background(motion: Motion, residual: np.ndarray, grid: np.ndarray) -> np.ndarray:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import partial
 
 import numpy as np
 
@@ -10,16 +11,14 @@ from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LawParameters
 from edesign.calibration.dampers.effect import FormInCampaign
 from edesign.calibration.dampers.problem import DamperProblem
-from edesign.calibration.properties.from_campaign import EVERY
 from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.repeatability import QUANTITIES
-from edesign.calibration.residual.series import Stage
-from edesign.calibration.results.law_file import carried, own_temperature
+from edesign.calibration.results.law_file import law_file
 from edesign.calibration.results.result import LawFile
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.damper.amendments import Amendment
-from edesign.damper.temperature import FerryShift, GammaT
+from edesign.damper.testing.measured_histories import USES
 from edesign.estimation.model import PredictionError
 
 
@@ -32,64 +31,30 @@ def table_law(problem: PropertyProblem, final: FittedModel, refit: FittedModel, 
         refit: the law fitted again, without effects.
         withheld: why the corrected model is the refit already, for people; "" if it is not.
     """
-    found = _law(problem, final, "corrected" if final.effects else "refit", withheld)
-    if not found.lacking:
-        return found
-    plain = _law(problem, refit, "refit", "")
-    if found.validate <= plain.validate:
-        return found
-    why = (
-        f"law files cannot carry {', '.join(found.lacking)}; without it rows held out are predicted worse "
-        f"({100.0 * found.validate:.3g} %) than by the refitted law ({100.0 * plain.validate:.3g} %)"
-    )
-    return LawFile(**{**vars(plain), "told": found.told, "lacking": found.lacking, "withheld": why})
-
-
-def _law(problem: PropertyProblem, model: FittedModel, stage: Stage, withheld: str) -> LawFile:
-    inner, every = problem.inner, model.fit.values
-    printed = {**inner.declared, **dict(zip((one.name for one in inner.base), map(float, every), strict=False))}
-    values, amendments = dict(printed), list[Amendment]()
-    temperature: GammaT | FerryShift | None = own_temperature(inner)
-    told, lacking, left = list[str](), list[str](), list[Effect]()
-    numbers = every[: len(inner.base)].tolist()
-    for index, effect in enumerate(model.effects):
-        own = np.array([every[i] for i in model.places(index)])
-        if effect.kind != "damper":
-            told.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
-        elif effect.name == "arrangement":
-            values, beside = _arranged(inner, effect.data, printed, values)
-            amendments += beside
-        else:
-            found = carried(inner, effect, own)
-            if found is None:
-                lacking.append(effect.label)
-                continue
-            amendments += found.amendments
-            temperature = found.temperature or temperature
-        left.append(effect)
-        numbers += own.tolist()
-    validate = _validate(problem, left, np.array(numbers))
-    return LawFile(stage, values, tuple(amendments), temperature, tuple(told), tuple(lacking), validate, withheld)
+    inner = problem.inner
+    arranged, validate = partial(_arranged, inner), partial(_validate, problem)
+    return law_file(inner, final, refit, withheld, validate, arranged, "rows held out")
 
 
 def _arranged(
-    inner: DamperProblem, of: FormInCampaign, printed: Mapping[str, float], values: dict[str, float]
+    inner: DamperProblem, effect: Effect, fitted: Mapping[str, float]
 ) -> tuple[dict[str, float], list[Amendment]]:
     """Return the parameters of another arrangement, and what stands beside the Maxwell branch in it."""
-    beside = []
+    of: FormInCampaign = effect.data
+    values, beside = dict(fitted), []
     for act in of.form.acts:
         if isinstance(act, LawParameters):
-            values = act.change(printed, inner.experiments[0], inner.law, values)
+            values = act.change(fitted, inner.experiments[0], inner.law, values)
         elif isinstance(act, AmendmentAct) and act.more is not None:
             name, _, form = act.equation.partition(".")
-            beside.append(Amendment(name, form, dict(act.more(printed))))
+            beside.append(Amendment(name, form, dict(act.more(fitted))))
     return values, beside
 
 
 def _validate(problem: PropertyProblem, effects: list[Effect], values: np.ndarray) -> float:
     """Return the mean square of the relative errors of rows held out; infinite: there is no prediction."""
     try:
-        rows = problem.model(effects, EVERY).properties(values)
+        rows = problem.model(effects, USES).properties(values)
     except PredictionError:
         return float("inf")
     held = np.concatenate([problem.groups[i].rows for i in problem.used_for("validate")])

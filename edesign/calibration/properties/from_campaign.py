@@ -6,10 +6,8 @@ from edesign.calibration.properties.campaign import PropertyCampaign
 from edesign.calibration.properties.problem import PropertyProblem, problem_of
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
-from edesign.damper.testing.measured_histories import Use
 from edesign.errors import InputError
 
-EVERY: tuple[Use, ...] = ("fit", "validate")
 _QUICK_CYCLES, _QUICK_SAMPLES = (8, 8), 60
 """Of the search: the eighth full cycle is within the repeatability of tables from the mean of cycles 5 to 15."""
 

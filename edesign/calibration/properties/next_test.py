@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from edesign.calibration.properties.campaign import Group
-from edesign.calibration.properties.from_campaign import EVERY
 from edesign.calibration.properties.problem import PropertyProblem, problem_of
 from edesign.calibration.properties.repeatability import QUANTITIES
 from edesign.calibration.results.models import Posterior
 from edesign.calibration.results.result import NextTest
 from edesign.calibration.search.models import FittedModel
+from edesign.damper.testing.measured_histories import USES
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.estimation.model import PredictionError
 
@@ -27,10 +27,6 @@ def next_test(problem: PropertyProblem, posterior: Posterior) -> NextTest | None
 
     It has rows beyond the table, or the loops of rows that the table has. Differences are mean squares: of properties
     over those of the best model, and of forces (NRMS) for loops.
-
-    Args:
-        problem: of the table.
-        posterior: over the models of the search.
 
     Returns:
         None: one model alone is left, or no test would tell them apart better than the table, and from how rows repeat.
@@ -87,7 +83,7 @@ def _named(table: PropertyTable, row: int) -> str:
 
 def _in_properties(problem: PropertyProblem, one: FittedModel, other: FittedModel) -> list[float]:
     """Return the mean square difference of the properties of each row."""
-    first, second = (problem.model(m.effects, EVERY).properties(m.fit.values) for m in (one, other))
+    first, second = (problem.model(m.effects, USES).properties(m.fit.values) for m in (one, other))
     squares = [(getattr(second, name) / getattr(first, name) - 1.0) ** 2 for name in QUANTITIES]
     return [float(value) for value in np.mean(squares, axis=0)]
 
@@ -96,7 +92,7 @@ def _in_loops(problem: PropertyProblem, one: FittedModel, other: FittedModel) ->
     """Return the NRMS (rows,) between the forces of two models in the last cycle of each row; None: there are none."""
     last, both = slice(-problem.samples, None), []
     for model in (one, other):
-        forces = problem.model(model.effects, EVERY).forces(model.fit.values)
+        forces = problem.model(model.effects, USES).forces(model.fit.values)
         if isinstance(forces, PredictionError):
             return None
         both.append([force[last] for force in forces])

@@ -40,11 +40,7 @@ class SteadyTest(Experiment):
     """A row as a test, in place of its force the ellipse of its moduli: its cycles have the samples that they need."""
 
     def parts(self, refined: float) -> int:
-        """Return 1: no step is cut.
-
-        Args:
-            refined: of no consequence.
-        """
+        """Return 1: no step is cut."""
         return 1
 
 
@@ -105,12 +101,7 @@ class PropertyProblem:
         return (*steady, *map(_rearranged, forms), *(_read(one, self.inner.typical) for one in reading.FORMS))
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> PropertyModel:
-        """Return the law with effects; its parameters are those of the law, and of the effects in their order.
-
-        Args:
-            effects: of the list.
-            uses: of the groups that it is a model of.
-        """
+        """Return the law with effects; its parameters are those of the law, and of the effects in their order."""
         return PropertyModel(self, tuple(effects), self.used_for(*uses))
 
 

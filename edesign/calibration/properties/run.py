@@ -6,15 +6,16 @@ import math
 import time as clock
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
 from edesign.calibration.properties.campaign import PropertyCampaign
 from edesign.calibration.properties.corrected import table_law
-from edesign.calibration.properties.from_campaign import EVERY, property_problem
-from edesign.calibration.properties.left import relative, shape_of
+from edesign.calibration.properties.from_campaign import property_problem
 from edesign.calibration.properties.next_test import next_test
 from edesign.calibration.properties.problem import PropertyProblem
+from edesign.calibration.properties.residual_words import describe_residual, relative_errors
 from edesign.calibration.residual.series import STAGES, Errors, Stage
 from edesign.calibration.results.evidence import (
     Evidence,
@@ -22,18 +23,19 @@ from edesign.calibration.results.evidence import (
     Steps,
     depths_of,
     searched,
-    share_left,
+    unexplained_share,
     verdict_of,
     why_withheld,
 )
 from edesign.calibration.results.fit import Kept, kept, law_estimates, unbounded
-from edesign.calibration.results.floor import MOST, worst_of
-from edesign.calibration.results.law_file import carried
+from edesign.calibration.results.floor import MOST, Part, worst_of
+from edesign.calibration.results.law_file import why_not_carried
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
-from edesign.damper.fitting.identifiable import HELD, why_held
+from edesign.damper.fitting.identifiable import reasons_held
+from edesign.damper.testing.measured_histories import USES
 from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
 from edesign.estimation.model import PredictionError
 from edesign.one_thread import one_thread
@@ -88,9 +90,9 @@ def calibrate_properties(
     problem = property_problem(campaign, CYCLES, SAMPLES, threads)
     declared = np.array([one.centre for one in quick.inner.base])
     rows: dict[Stage, PropertyRows] = {
-        "declared": problem.model((), EVERY).properties(declared),
-        "refit": problem.model((), EVERY).properties(found.base.fit.values),
-        "corrected": problem.model(final.model.effects, EVERY).properties(final.model.fit.values),
+        "declared": problem.model((), USES).properties(declared),
+        "refit": problem.model((), USES).properties(found.base.fit.values),
+        "corrected": problem.model(final.model.effects, USES).properties(final.model.fit.values),
     }
     return _Outcome(campaign, quick, problem, found, settings, final, rows).calibration(steps, begin)
 
@@ -125,17 +127,19 @@ class _Outcome:
         final = found.base if withheld else self.kept.model
         if withheld:
             errors["corrected"], rows["corrected"] = errors["refit"], rows["refit"]
-        evidence = Evidence(unbounded(quick, self.settings), found, self.kept, self._validate, self._why_not_carried)
-        effects, hypotheses = evidence.told(steps, withheld, with_effects)
+        evidence = Evidence(
+            unbounded(quick, self.settings), found, self.kept, self._validate, partial(why_not_carried, quick.inner)
+        )
+        effects, hypotheses = evidence.effects(steps, withheld, with_effects)
         floor = quick.repeats**2
         corrected = errors["corrected"]
-        worst = worst_of([(g.name, corrected.tests[g.name], floor, 3 * g.rows.size) for g in campaign.groups])
+        worst = worst_of([Part(g.name, corrected.tests[g.name], floor, 3 * g.rows.size) for g in campaign.groups])
         reached = worst is None and max(corrected.fit, corrected.validate) <= MOST * floor
         further = steps.take(
             "asking which further test would tell more", lambda: next_test(quick, evidence.posterior), None
         )
         inner = quick.inner
-        told = Calibration(
+        calibration = Calibration(
             title=campaign.title or campaign.specimen.name,
             law=inner.law.name,
             verdict=verdict_of(reached, bool(effects), steps.ending),
@@ -152,8 +156,8 @@ class _Outcome:
             },
             law_held=not inner.base,
             series=(),
-            unexplained_share=0.0 if reached else share_left(errors, floor),
-            unexplained_shape="" if reached else shape_of(rows["corrected"], campaign.table),
+            unexplained_share=0.0 if reached else unexplained_share(errors, floor),
+            unexplained_shape="" if reached else describe_residual(rows["corrected"], campaign.table),
             models=evidence.posterior.compared() if steps.ending != "interrupted" else (),
             depths=depths_of(found),
             forms=len(quick.effects),
@@ -162,37 +166,22 @@ class _Outcome:
             next_test=further,
             law_file=table_law(self.problem, final, found.base, withheld),
             worst=worst,
-            held=self._held(),
+            held=reasons_held(inner.law, [one.name for one in inner.base]) if inner.refit else {},
             subject="table",
             seconds=clock.perf_counter() - begin,
         )
-        return PropertyCalibration(told, campaign, rows, quick.repeats)
+        return PropertyCalibration(calibration, campaign, rows, quick.repeats)
 
     def _errors(self, rows: PropertyRows) -> Errors:
-        squares = np.mean([r**2 for r in relative(rows, self.campaign.table).values()], axis=0)
+        squares = np.mean([r**2 for r in relative_errors(rows, self.campaign.table).values()], axis=0)
         groups = self.campaign.groups
         fit, validate = (
-            float(np.mean(squares[np.concatenate([g.rows for g in groups if g.use == use])])) for use in EVERY
+            float(np.mean(squares[np.concatenate([g.rows for g in groups if g.use == use])])) for use in USES
         )
         return Errors(fit, validate, {group.name: float(np.mean(squares[group.rows])) for group in groups})
 
     def _validate(self, model: FittedModel) -> float:
         try:
-            return self._errors(self.problem.model(model.effects, EVERY).properties(model.fit.values)).validate
+            return self._errors(self.problem.model(model.effects, USES).properties(model.fit.values)).validate
         except PredictionError:
             return math.nan
-
-    def _why_not_carried(self, model: FittedModel, index: int) -> str:
-        effect = model.effects[index]
-        if effect.kind != "damper":
-            return "it is no part of the damper"
-        if effect.name == "arrangement":
-            return ""
-        own = np.array([model.fit.values[i] for i in model.places(index)])
-        return "law files have no such form" if carried(self.quick.inner, effect, own) is None else ""
-
-    def _held(self) -> dict[str, str]:
-        inner = self.quick.inner
-        fitted = {one.name for one in inner.base}
-        names = HELD.get(inner.law.name, {}) if inner.refit else {}
-        return {name: why_held(inner.law, name) for name in names if name not in fitted}

@@ -12,25 +12,20 @@ import numpy as np
 import yaml
 
 from edesign.archive.files import make_folder, write_text, write_yaml
-from edesign.calibration.properties.from_campaign import EVERY
-from edesign.calibration.properties.left import relative
 from edesign.calibration.properties.repeatability import QUANTITIES
+from edesign.calibration.properties.residual_words import relative_errors
 from edesign.calibration.properties.run import PropertyCalibration
 from edesign.calibration.residual.series import STAGES
-from edesign.calibration.results.law_file import law_lines, temperature_block
+from edesign.calibration.results.law_file import law_lines, prototype_block, temperature_block
 from edesign.calibration.results.write import JSON, LAW, calibration_json
 from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
-from edesign.damper.testing.measured_histories import Use
+from edesign.damper.testing.measured_histories import USES, Use
 
 
 def property_calibration_json(calibration: PropertyCalibration) -> dict[str, Any]:
-    """Return all that was found, and the rows; errors are mean squares of relative errors, moduli in Pa.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return all that was found, and the rows; errors are mean squares of relative errors, moduli in Pa."""
     table = calibration.campaign.table
     use = {int(row): group.use for group in calibration.campaign.groups for row in group.rows}
     columns: dict[str, Any] = {
@@ -45,23 +40,19 @@ def property_calibration_json(calibration: PropertyCalibration) -> dict[str, Any
     rms = {
         stage: {
             part: {name: float(np.sqrt(np.mean(r[_used(calibration, part)] ** 2))) for name, r in residuals.items()}
-            for part in EVERY
+            for part in USES
         }
         for stage in STAGES
-        for residuals in (relative(calibration.rows[stage], table),)
+        for residuals in (relative_errors(calibration.rows[stage], table),)
     }
     told = calibration_json(calibration.found)
     return {**told, "repeatability": calibration.repeats, "rms_relative_error": rms, "rows": rows}
 
 
 def property_law_text(calibration: PropertyCalibration) -> str:
-    """Return the corrected law as a law file.
-
-    Args:
-        calibration: what was found.
-    """
+    """Return the corrected law as a law file."""
     found, law = calibration.found, law_of(calibration.found.law)
-    file, specimen, table = found.law_file, calibration.campaign.specimen, calibration.campaign.table
+    file, table = found.law_file, calibration.campaign.table
     data: dict[str, Any] = {
         "type": law.name,
         "parameters": _six_digits(write_parameters(law, _rounded(file.parameters))),
@@ -72,11 +63,7 @@ def property_law_text(calibration: PropertyCalibration) -> str:
             effect["parameters"] = _six_digits(effect["parameters"])
     if file.temperature is not None:
         data["temperature_law"] = temperature_block(file.temperature)
-    data["prototype"] = {
-        "layers": specimen.layers,
-        "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
-        "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
-    }
+    data["prototype"] = prototype_block(calibration.campaign.specimen)
     data["tested"] = {
         "shear_strain": _span(100.0 * table.strain, "%"),
         "frequency": _span(table.frequency, "Hz"),

@@ -81,7 +81,9 @@ class Evidence:
             best = self.fitting.fit(final.effects, final.fit.values, best.noise) or best
         return Posterior.of(self.fitting, self.found, best)
 
-    def told(self, steps: Steps, withheld: str, corrected: float) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
+    def effects(
+        self, steps: Steps, withheld: str, corrected: float
+    ) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
         """Return the effects of the corrected model, and those that were found and are no part of it.
 
         Args:
@@ -91,19 +93,19 @@ class Evidence:
         """
         model = self.kept.model
         every = range(len(model.effects))
-        told = steps.take(
+        found = steps.take(
             "comparing the models of the search",
             lambda: tuple(self._effect(self.posterior, model, i, i, corrected) for i in every),
             None,
             True,
         )
-        posterior = self.posterior if told is not None else None
+        posterior = self.posterior if found is not None else None
         dropped = [Hypothesis(self._effect(posterior, m, i, None, corrected), why) for m, i, why in self.kept.dropped]
-        if told is None:  # interrupted
-            told = tuple(self._effect(None, model, i, i, corrected) for i in every)
+        if found is None:  # interrupted
+            found = tuple(self._effect(None, model, i, i, corrected) for i in every)
         if withheld:
-            return (), (*(Hypothesis(one, withheld) for one in told), *dropped)
-        return told, tuple(dropped)
+            return (), (*(Hypothesis(one, withheld) for one in found), *dropped)
+        return found, tuple(dropped)
 
     def _effect(
         self, posterior: Posterior | None, model: FittedModel, index: int, stands: int | None, corrected: float
@@ -122,7 +124,7 @@ class Evidence:
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
-            alike = posterior.alike(effect.name)
+            alike = posterior.indistinguishable_from(effect.name)
             fewer, ahead = without(posterior, stands)
             if fewer is not None and ahead is not None:
                 gain, error = ahead.total, ahead.error
@@ -202,7 +204,7 @@ def why_withheld(model: FittedModel, errors: Mapping[Stage, Errors]) -> str:
     )
 
 
-def share_left(errors: Mapping[Stage, Errors], noise: float) -> float:
+def unexplained_share(errors: Mapping[Stage, Errors], noise: float) -> float:
     """Return the share of the excess over noise of the refitted model that is left in the validation tests.
 
     Args:
@@ -214,11 +216,7 @@ def share_left(errors: Mapping[Stage, Errors], noise: float) -> float:
 
 
 def depths_of(found: Found) -> tuple[SearchDepth, ...]:
-    """Return the rounds of a search for people.
-
-    Args:
-        found: by the search.
-    """
+    """Return the rounds of a search for people."""
     return tuple(
         SearchDepth(
             _labels(one.best), one.screening.screened, one.fitted, () if one.adopted is None else _labels(one.adopted)

@@ -36,21 +36,12 @@ class Kept:
 
 
 def unbounded(problem: Problem, settings: SearchSettings) -> Fitting:
-    """Return what fits models of a problem without counting the effort.
-
-    Args:
-        problem: of the tests.
-        settings: of the search.
-    """
+    """Return what fits models of a problem without counting the effort."""
     return Fitting(problem, replace(settings, effort=math.inf))
 
 
 def at_full_rate(fitting: Fitting, model: FittedModel) -> FittedModel:
     """Return a model fitted to all samples; where it cannot be, with the values that it has.
-
-    Args:
-        fitting: of the problem at full rate.
-        model: fitted at another sampling.
 
     Raises:
         PredictionError: it cannot predict at full rate.
@@ -69,12 +60,7 @@ def at_full_rate(fitting: Fitting, model: FittedModel) -> FittedModel:
 
 
 def kept(fitting: Fitting, model: FittedModel) -> Kept:
-    """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again.
-
-    Args:
-        fitting: of the problem.
-        model: fitted.
-    """
+    """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again."""
     dropped: list[tuple[FittedModel, int, str]] = []
     while True:
         may_be_nothing = [(i, size) for i in range(len(model.effects)) if (size := _size(model, i)) is not None]
@@ -110,11 +96,7 @@ def _own(model: FittedModel, index: int) -> Iterator[tuple[Parameter, Estimate]]
 
 
 def estimates(model: FittedModel) -> list[Estimate]:
-    """Return all parameters of a model with their 95 % intervals, SI.
-
-    Args:
-        model: fitted.
-    """
+    """Return all parameters of a model with their 95 % intervals, SI."""
     sure, bounds = uncertainty(model.fit, model.noise), at_bounds(model.fit)
     found = []
     for i, one in enumerate(model.fit.model.parameters):
@@ -122,14 +104,14 @@ def estimates(model: FittedModel) -> list[Estimate]:
             float(model.fit.values[i]),
             sure.standard_error(np.eye(sure.z.size)[i]) * _rate(one, float(sure.z[i])),
         )
-        untold = (
+        not_determined = (
             f"at its {bounds[i]} bound"
             if bounds[i]
             else ""
             if sure.determined(i)
             else _untold(one, float(sure.loose[i]))
         )
-        found.append(Estimate(value, math.inf if bounds[i] else error, one.unit, sure.interval(i), untold))
+        found.append(Estimate(value, math.inf if bounds[i] else error, one.unit, sure.interval(i), not_determined))
     return found
 
 
@@ -143,23 +125,13 @@ def _untold(one: Parameter, loose: float) -> str:
 
 
 def base_estimates(model: FittedModel) -> dict[str, Estimate]:
-    """Return the parameters of the base of a model by name, with their 95 % intervals, SI.
-
-    Args:
-        model: fitted.
-    """
+    """Return the parameters of the base of a model by name, with their 95 % intervals, SI."""
     base = model.fit.model.parameters[: model.places(0).start if model.effects else None]
     return dict(zip((one.name for one in base), estimates(model), strict=False))
 
 
 def effect_estimates(model: FittedModel, every: list[Estimate], index: int) -> Mapping[str, Estimate]:
-    """Return the parameters of an effect by name.
-
-    Args:
-        model: fitted.
-        every: its estimates.
-        index: of the effect.
-    """
+    """Return the parameters of an effect by name."""
     names = [one.name for one in model.effects[index].parameters]
     return dict(zip(names, (every[i] for i in model.places(index)), strict=True))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from scipy.special import chdtri
@@ -16,9 +17,9 @@ from edesign.calibration.residual.motion import Motion
 from edesign.calibration.residual.repeatability import repeatability
 from edesign.calibration.residual.series import Errors, Worst
 from edesign.calibration.residual.tones import without_tones
-from edesign.calibration.results.predictions import EVERY, judged
+from edesign.calibration.results.predictions import judged
 from edesign.calibration.search.models import FittedModel
-from edesign.damper.testing.measured_histories import Use
+from edesign.damper.testing.measured_histories import USES, Use
 
 MOST = 2.0
 """Times its floor, up to which an error (NRMS, a power) is noise alone: 1.4 times the noise in rms. Estimates of noise
@@ -36,13 +37,11 @@ class Floor:
     Attributes:
         problem: with all tests, at full rate.
         noise: (tests,) standard deviation, N: the larger one of the noise of the channels and of what does not repeat.
-        repeats: (tests,) of what does not repeat from cycle to cycle, or in a test made again, N; nan: not known.
         thermal: (tests,) mean square of what an error of the thermometer changes, N^2.
     """
 
     problem: DamperProblem
     noise: tuple[float, ...]
-    repeats: tuple[float, ...]
     thermal: tuple[float, ...]
 
     @staticmethod
@@ -64,65 +63,57 @@ class Floor:
         noise = [
             max(one.noise, 0.0 if math.isnan(r) else r) for one, r in zip(problem.experiments, repeats, strict=True)
         ]
-        doubts = problem.model(model.effects, EVERY).doubts(model.fit.values)
-        thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in doubts]
-        return Floor(problem, tuple(noise), tuple(repeats), tuple(thermal))
+        changes = problem.model(model.effects, USES).input_uncertainty(model.fit.values)
+        thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in changes]
+        return Floor(problem, tuple(noise), tuple(thermal))
 
     def nrms(self, use: Use) -> float:
-        """Return the NRMS over the tests of one use.
-
-        Args:
-            use: of the tests.
-        """
+        """Return the NRMS over the tests of one use."""
         chosen = [i for i, one in enumerate(self.problem.experiments) if one.use == use]
         size = {i: judged(self.problem.experiments[i], self.problem.experiments[i].force) for i in chosen}
         power = sum(float(force @ force) for force in size.values())
         return sum((self.noise[i] ** 2 + self.thermal[i]) * size[i].size for i in chosen) / max(power, 1e-300)
 
     def worst(self, errors: Errors) -> Worst | None:
-        """Return the test that leaves most over its noise, of those that leave more than chance makes of it.
-
-        Args:
-            errors: of the corrected law.
-
-        Returns:
-            None: every test is at its floor.
-        """
-        found: Worst | None = None
+        """Return the test that leaves most over its noise; None: every test is at its floor."""
+        parts = []
         for one, noise, thermal in zip(self.problem.experiments, self.noise, self.thermal, strict=True):
             force = judged(one, one.force)
-            power, random = max(float(np.mean(force**2)), 1e-300), noise**2
-            most = MOST * float(chdtri(force.size, _CHANCE / len(self.noise))) / force.size
-            floor, allowed = (random + thermal) / power, (most * random + _FARTHEST**2 * thermal) / power
-            error = errors.tests[one.name]
-            if error > allowed and (found is None or error / floor > found.times):
-                found = Worst(one.name, error, floor)
-        return found
+            power = max(float(np.mean(force**2)), 1e-300)
+            parts.append(Part(one.name, errors.tests[one.name], noise**2 / power, force.size, thermal / power))
+        return worst_of(parts)
 
     def reached(self, errors: Errors) -> bool:
-        """Say whether only noise is left, in all tests together and in every single one.
-
-        Args:
-            errors: of the corrected law.
-        """
+        """Say whether only noise is left, in all tests together and in every single one."""
         every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
         return self.worst(errors) is None and all(error <= MOST * self.nrms(use) for use, error in every.items())
 
 
-def worst_of(parts: Sequence[tuple[str, float, float, int]]) -> Worst | None:
-    """Return the part of the data that leaves most over its noise, of those that leave more than chance makes of it.
+class Part(NamedTuple):
+    """A part of the data, as a test.
 
-    Args:
-        parts: name, error and floor (NRMS), and number of values of each.
-
-    Returns:
-        None: every part is at its floor.
+    Attributes:
+        name: for people.
+        error, floor: NRMS, and that of random noise.
+        size: number of values.
+        thermal: NRMS of what an error of the thermometer changes.
     """
+
+    name: str
+    error: float
+    floor: float
+    size: int
+    thermal: float = 0.0
+
+
+def worst_of(parts: Sequence[Part]) -> Worst | None:
+    """Return the part that leaves most over its noise, and more than chance makes of that; None: there is none."""
     found: Worst | None = None
-    for name, error, floor, size in parts:
-        most = MOST * float(chdtri(size, _CHANCE / len(parts))) / size
-        if error > most * floor and (found is None or error / floor > found.times):
-            found = Worst(name, error, floor)
+    for one in parts:
+        most = MOST * float(chdtri(one.size, _CHANCE / len(parts))) / one.size
+        floor, allowed = one.floor + one.thermal, most * one.floor + _FARTHEST**2 * one.thermal
+        if one.error > allowed and (found is None or one.error / floor > found.times):
+            found = Worst(one.name, one.error, floor)
     return found
 
 

@@ -1,14 +1,15 @@
 """What a law file carries of a model: parameters and effects of the damper exactly as they were found.
 
-Effects of rig and instruments are no part of a damper; they are told. A law file that lacks an effect of the damper,
-as it has no such form, says so.
+Effects of rig and instruments are no part of a damper; they stand in comments. A law file that lacks an effect of the
+damper, as it has no such form, says so.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 import yaml
@@ -18,7 +19,7 @@ from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Res
 from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import Stage
-from edesign.calibration.results.predictions import errors_of, predicted
+from edesign.calibration.results.predictions import validation_error
 from edesign.calibration.results.result import Calibration, LawFile
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
@@ -32,11 +33,12 @@ from edesign.damper.temperature import LINEAR_LAWS, REFERENCE_C, FerryShift, Gam
 from edesign.damper.testing.campaign import Campaign
 from edesign.damper.testing.specimen import Specimen
 from edesign.errors import InputError
-from edesign.estimation.model import PredictionError
 
 _STRAIGHT = 1e9  # K: p2 of Ferry's shift, beside which any difference of temperatures is nothing
 _APART = 2.5  # K between rows of a table of gamma_T, beside those at the temperatures of the tests
 _CONSTANT = "constant"
+ARRANGEMENT = "arrangement"
+"""Name of the effect that tables of moduli may show: other arrangements of the law's elements."""
 
 
 @dataclass(frozen=True)
@@ -53,11 +55,7 @@ class Carried:
 
 
 def form_in_law_files(form: EffectForm) -> bool:
-    """Return whether law files carry a form of an effect, of some law at least.
-
-    Args:
-        form: of the library.
-    """
+    """Return whether law files carry a form of an effect, of some law at least."""
     acts = [act for act in form.acts if not isinstance(act, Rest | LastingExtremes)]
     if form.kind != "damper" or not acts:
         return False
@@ -67,11 +65,7 @@ def form_in_law_files(form: EffectForm) -> bool:
 
 
 def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
-    """Return the parameters that law files have of a form, by name.
-
-    Args:
-        form: of the library.
-    """
+    """Return the parameters that law files have of a form, by name."""
     kinds = [kind for act in form.amendments if (kind := _kind(form, act)) is not None]
     return {one.name: one for kind in kinds for one in kind.parameters}
 
@@ -149,89 +143,105 @@ def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[s
     )
 
 
-def law_file(problem: DamperProblem, final: FittedModel, refit: FittedModel, withheld: str = "") -> LawFile:
-    """Return the corrected law as a law file carries it; the refit, where that predicts the validation tests better.
+Validate = Callable[[list[Effect], np.ndarray], float]
+"""NRMS of what was held out, by effects and values, SI, of the law and these; infinite: there is no prediction."""
+
+Arranged = Callable[[Effect, Mapping[str, float]], tuple[dict[str, float], list[Amendment]]]
+"""Parameters of the law, of those fitted, and amendments, by which a law file carries another arrangement of it."""
+
+
+def law_file(
+    problem: DamperProblem,
+    final: FittedModel,
+    refit: FittedModel,
+    withheld: str = "",
+    validate: Validate | None = None,
+    arranged: Arranged | None = None,
+    held_out: str = "the validation tests",
+) -> LawFile:
+    """Return the corrected law as a law file carries it; the refit, where that predicts what was held out better.
 
     Args:
         problem: at full rate.
         final: the corrected model.
         refit: the law fitted again, without effects.
         withheld: why the corrected model is the refit already, for people; "" if it is not.
+        validate: error of what was held out; None: that of the validation tests of the problem.
+        arranged: of effects that are another arrangement of the law.
+        held_out: what was, for people.
     """
-    found = _law_file(problem, final, "corrected" if final.effects else "refit")
-    if not found.lacking:
-        return LawFile(**{**vars(found), "withheld": withheld})
-    plain = _law_file(problem, refit, "refit")
-    if found.validate <= plain.validate:
-        return LawFile(**{**vars(found), "withheld": withheld})
-    why = (
-        f"law files cannot carry {', '.join(found.lacking)}; without it the validation tests are predicted worse "
-        f"({100.0 * found.validate:.3g} %) than by the refitted law ({100.0 * plain.validate:.3g} %)"
-    )
-    return LawFile(**{**vars(plain), "told": found.told, "lacking": found.lacking, "withheld": why})
+    validate = validate or partial(validation_error, problem)
+    found = _law_file(problem, final, "corrected" if final.effects else "refit", validate, arranged)
+    if found.lacking:
+        plain = _law_file(problem, refit, "refit", validate, arranged)
+        if found.validate > plain.validate:
+            why = (
+                f"law files cannot carry {', '.join(found.lacking)}; without it {held_out} are predicted worse "
+                f"({100.0 * found.validate:.3g} %) than by the refitted law ({100.0 * plain.validate:.3g} %)"
+            )
+            return replace(plain, measurement_effects=found.measurement_effects, lacking=found.lacking, withheld=why)
+    return replace(found, withheld=withheld)
 
 
-def _law_file(problem: DamperProblem, model: FittedModel, stage: Stage) -> LawFile:
+def _law_file(
+    problem: DamperProblem,
+    model: FittedModel,
+    stage: Stage,
+    validate: Validate,
+    arranged: Arranged | None,
+) -> LawFile:
     base, every = len(problem.base), list(model.fit.values)
-    values = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
-    amendments: list[Amendment] = []
+    fitted = {**problem.declared, **dict(zip((one.name for one in problem.base), map(float, every), strict=False))}
+    values, amendments, numbers = fitted, list[Amendment](), every[:base]
     temperature: GammaT | FerryShift | None = own_temperature(problem)
-    told: list[str] = []
-    lacking: list[str] = []
-    left: list[Effect] = []
-    numbers = every[:base]
+    measured, lacking, known = list[str](), list[str](), list[Effect]()
     for index, effect in enumerate(model.effects):
         own = np.array([every[i] for i in model.places(index)])
-        found = carried(problem, effect, own) if effect.kind == "damper" else None
         if effect.kind != "damper":
-            told.append(f"{effect.label} ({effect.kind}): {effect.data.form.title}")
-        elif found is None:
-            lacking.append(effect.label)
-            continue
-        else:
+            measured.append(f"{effect.label} ({effect.kind}): {effect.data.title}")
+        elif effect.name == ARRANGEMENT and arranged is not None:
+            values, beside = arranged(effect, fitted)
+            amendments += beside
+        elif (found := carried(problem, effect, own)) is not None:
             amendments += found.amendments
             temperature = found.temperature or temperature
-        left.append(effect)
+        else:
+            lacking.append(effect.label)
+            continue
+        known.append(effect)
         numbers += own.tolist()
-    try:
-        validate = errors_of(problem, predicted(problem, left, np.array(numbers))).validate
-    except PredictionError:
-        validate = math.inf
-    return LawFile(stage, values, tuple(amendments), temperature, tuple(told), tuple(lacking), validate)
+    error = validate(known, np.array(numbers))
+    return LawFile(stage, values, tuple(amendments), temperature, tuple(measured), tuple(lacking), error)
+
+
+def why_not_carried(problem: DamperProblem, model: FittedModel, index: int) -> str:
+    """Return why no law file carries an effect of a model, by its index, for people; "" if one does."""
+    effect = model.effects[index]
+    if effect.kind != "damper":
+        return "it is no part of the damper"
+    own = np.array([model.fit.values[i] for i in model.places(index)])
+    there = effect.name == ARRANGEMENT or carried(problem, effect, own) is not None
+    return "" if there else "law files have no such form"
 
 
 def own_temperature(problem: DamperProblem) -> GammaT | None:
-    """Return the change with temperature that the law has by itself, as the tests were predicted with it.
-
-    Args:
-        problem: of the tests.
-    """
+    """Return the change with temperature that the law has by itself, as the tests were predicted with it."""
     gamma = GammaT(of=problem.gamma_of)
     away = any(one.temperature != REFERENCE_C for one in problem.experiments)
     return gamma if problem.law.name in gamma.laws and away else None
 
 
 def law_text(found: Calibration, campaign: Campaign) -> str:
-    """Return the law file: parameters, effects of the damper, specimen, what the tests covered.
-
-    Args:
-        found: by the calibration.
-        campaign: the tests.
-    """
+    """Return the law file: parameters, effects of the damper, specimen, what the tests covered."""
     law, file = law_of(found.law), found.law_file
     data: dict[str, object] = {"type": found.law, "parameters": write_parameters(law, file.parameters)}
     if file.amendments:
         data["effects"] = write_effects(file.amendments)
     if file.temperature is not None:
         data["temperature_law"] = temperature_block(file.temperature)
-    specimen = campaign.specimen
-    if specimen is not None:
-        data["prototype"] = {
-            "layers": specimen.layers,
-            "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
-            "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
-        }
-    data["tested"] = _tested(found, specimen)
+    if campaign.specimen is not None:
+        data["prototype"] = prototype_block(campaign.specimen)
+    data["tested"] = _tested(found, campaign.specimen)
     head = "".join(f"# {line}\n" for line in _head(found))
     return head + yaml.safe_dump(data, sort_keys=False, allow_unicode=True, width=1000)
 
@@ -261,11 +271,7 @@ def _head(found: Calibration) -> list[str]:
 
 
 def law_lines(found: Calibration) -> list[str]:
-    """Return what a law file says of itself in comments: what it lacks, what is no part of it, what is held.
-
-    Args:
-        found: by the calibration.
-    """
+    """Return what a law file says of itself in comments: what it lacks, what is no part of it, what is held."""
     file, lines = found.law_file, list[str]()
     if file.withheld:
         lines.append(f"not the corrected law: {file.withheld}")
@@ -274,7 +280,7 @@ def law_lines(found: Calibration) -> list[str]:
             f"INCOMPLETE: law files cannot carry {', '.join(file.lacking)}; with it the validation NRMS is "
             f"{100 * found.errors['corrected'].validate:.3g} %"
         )
-    lines += [f"no part of the damper: {text}" for text in file.told]
+    lines += [f"no part of the damper: {text}" for text in file.measurement_effects]
     lines += [
         f"the tests cannot tell {one.label} ({one.kind}) from {' or '.join(one.indistinguishable_from)}: "
         "it may be either"
@@ -286,12 +292,17 @@ def law_lines(found: Calibration) -> list[str]:
     return lines
 
 
-def temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
-    """Return a change with temperature as the block `temperature_law` of a law file.
+def prototype_block(specimen: Specimen) -> dict[str, object]:
+    """Return what was tested as the block `prototype` of a law file."""
+    return {
+        "layers": specimen.layers,
+        "layer_area": f"{1e6 * specimen.layer_area:.12g} mm^2",
+        "layer_thickness": f"{1e3 * specimen.layer_thickness:.12g} mm",
+    }
 
-    Args:
-        law: of the change.
-    """
+
+def temperature_block(law: GammaT | FerryShift) -> dict[str, object]:
+    """Return a change with temperature as the block `temperature_law` of a law file."""
     if isinstance(law, FerryShift):
         return {"ferry": {"p1": law.p1, "p2": f"{law.p2:.12g} K", "reference": f"{law.reference:g} degC"}}
     block: dict[str, object] = {"gamma_T": {f"{t:.12g} degC": gamma for t, gamma in law.table}}

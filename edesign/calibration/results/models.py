@@ -101,21 +101,14 @@ class Posterior:
         return difference(self.scores[0], self.scores[i])
 
     def probability(self, name: str) -> float:
-        """Return the probability of an effect, whatever its equation and what is beside it.
-
-        Args:
-            name: of the effect.
-        """
+        """Return the probability of an effect, whatever its equation and what is beside it."""
         return float(sum(p for p, m in zip(self.probabilities, self.models, strict=True) if name in m.names))
 
-    def alike(self, name: str) -> dict[str, float]:
+    def indistinguishable_from(self, name: str) -> dict[str, float]:
         """Return what the tests cannot tell from an effect of the best model: other effects in its place.
 
         They stand in models that are not surely behind the best one, by the rule of adoption. A richer model that is
         ahead, though not surely, takes nothing off them.
-
-        Args:
-            name: of the effect.
 
         Returns:
             Probability of each by name beside the best model, at most one half, the most probable first.
@@ -171,12 +164,7 @@ def _models(found: Found) -> Iterator[FittedModel]:
 
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
-    """Return the best model without one of its effects, the others fitted again, and how far that is behind.
-
-    Args:
-        posterior: of the search.
-        index: of the effect.
-    """
+    """Return the best model without one of its effects, the others fitted again, and how far that is behind."""
     best, fitting = posterior.best, posterior.fitting
     others, values = best.without(index)
     rough = fitting.fit(others, values, best.noise)

@@ -19,10 +19,10 @@ from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.results.models import Posterior
-from edesign.calibration.results.predictions import EVERY
 from edesign.calibration.results.result import NextTest
 from edesign.calibration.search.models import FittedModel
 from edesign.damper.history import spline_velocity
+from edesign.damper.testing.measured_histories import USES
 from edesign.estimation.model import PredictionError
 
 _RATE, _PER_CYCLE = 60.0, (40, 600)  # samples of the tests thought of, per second; least and most per cycle
@@ -52,22 +52,14 @@ class Reach:
 
     @staticmethod
     def of(tests: Sequence[Experiment]) -> Reach:
-        """Return the reach of tests.
-
-        Args:
-            tests: all of the campaign.
-        """
+        """Return the reach of tests."""
         motions = [one.motion for one in tests]
         degrees, own = [one.temperature for one in tests], [_frequency(one) for one in motions]
         u, v, a = (max(float(np.max(np.abs(one.samples[k]))) for one in motions) for k in (1, 2, 3))
         return Reach(u, v, a, (min(own), max(own)), (min(degrees), max(degrees)))
 
     def makes(self, motion: Motion) -> bool:
-        """Say whether a motion is no larger and no faster.
-
-        Args:
-            motion: of the test thought of.
-        """
+        """Say whether a motion is no larger and no faster."""
         largest = [float(np.max(np.abs(values))) for values in motion.samples[1:]]
         reach = self.displacement, self.velocity, self.acceleration
         return all(one <= most * (1.0 + 1e-9) for one, most in zip(largest, reach, strict=True))
@@ -116,7 +108,7 @@ def _forces(problem: DamperProblem, models: Sequence[FittedModel]) -> list[np.nd
     """Return the force (n,) N of each model in the last test; None: one cannot predict it."""
     found = []
     for model in models:
-        one = replace(problem.model(model.effects, EVERY), tests=(len(problem.experiments) - 1,))
+        one = replace(problem.model(model.effects, USES), tests=(len(problem.experiments) - 1,))
         (forces,) = one.forces(model.fit.values)
         if isinstance(forces, PredictionError):
             return None
@@ -126,7 +118,7 @@ def _forces(problem: DamperProblem, models: Sequence[FittedModel]) -> list[np.nd
 
 def _so_far(problem: DamperProblem, one: FittedModel, other: FittedModel) -> float:
     """Return the largest NRMS between the predictions of two models in the tests made."""
-    both = [problem.model(model.effects, EVERY).forces(model.fit.values)[0] for model in (one, other)]
+    both = [problem.model(model.effects, USES).forces(model.fit.values)[0] for model in (one, other)]
     if any(isinstance(forces, PredictionError) for forces in both):
         return 0.0
     return max(_nrms(a, b) for a, b in zip(*both, strict=True))

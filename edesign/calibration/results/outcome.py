@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -13,18 +13,18 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.record import FEWEST
 from edesign.calibration.residual.series import Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
-from edesign.calibration.results.evidence import Evidence, Steps, depths_of, share_left, verdict_of, why_withheld
+from edesign.calibration.results.evidence import Evidence, Steps, depths_of, unexplained_share, verdict_of, why_withheld
 from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded
 from edesign.calibration.results.floor import Floor
-from edesign.calibration.results.law_file import carried, law_file
+from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.other_law import other_law
-from edesign.calibration.results.predictions import errors_of, predicted
+from edesign.calibration.results.predictions import errors_of, predicted, validation_error
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
-from edesign.damper.fitting.identifiable import HELD, why_held
+from edesign.damper.fitting.identifiable import reasons_held
 from edesign.damper.testing.campaign import Campaign
 from edesign.estimation.model import PredictionError
 
@@ -56,14 +56,7 @@ class Outcome:
 
     @staticmethod
     def of(campaign: Campaign, found: Found, settings: SearchSettings, steps: Steps) -> Outcome:
-        """Return the outcome of a search.
-
-        Args:
-            campaign: tests.
-            found: by the search.
-            settings: of the search.
-            steps: taken.
-        """
+        """Return the outcome of a search."""
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
         whole, thin = problem.full_rate, unbounded(problem, settings)
         fitting = unbounded(whole, settings)
@@ -94,11 +87,7 @@ class Outcome:
         return why_withheld(self.kept.model, self.errors)
 
     def calibration(self, steps: Steps) -> Calibration:
-        """Return all of it for people and files.
-
-        Args:
-            steps: taken.
-        """
+        """Return all of it for people and files."""
         withheld, found, whole = self.withheld, self.found, self.whole
         final = self.refit if withheld else self.kept.model
         errors, forces = dict(self.errors), dict(self.forces)
@@ -107,7 +96,7 @@ class Outcome:
         floor = Floor.under(whole, final, forces["corrected"])
         evidence = self.evidence
         posterior = evidence.posterior
-        effects, hypotheses = evidence.told(steps, withheld, self.errors["corrected"].validate)
+        effects, hypotheses = evidence.effects(steps, withheld, self.errors["corrected"].validate)
         reached = floor.reached(errors["corrected"])
         verdict = verdict_of(reached, bool(effects), steps.ending)
         series = self._series(forces, floor)
@@ -140,7 +129,7 @@ class Outcome:
             },
             law_held=not self.problem.refit,
             series=series,
-            unexplained_share=0.0 if reached else share_left(errors, floor.nrms("validate")),
+            unexplained_share=0.0 if reached else unexplained_share(errors, floor.nrms("validate")),
             unexplained_shape="" if reached else _shape(series),
             models=posterior.compared() if steps.ending != "interrupted" else (),
             depths=depths_of(found),
@@ -151,7 +140,7 @@ class Outcome:
             law_file=law_file(whole, final, self.refit, withheld),
             other_law=better,
             worst=floor.worst(errors["corrected"]),
-            held=_held(self.problem),
+            held=reasons_held(whole.law, [one.name for one in whole.base]) if whole.refit else {},
             lasting=self.problem.lasting,
             gamma_of=self.problem.gamma_of,
             fitted_first=law.fitted,
@@ -160,23 +149,12 @@ class Outcome:
     @cached_property
     def evidence(self) -> Evidence:
         """What the models of the search say of the effects."""
-        return Evidence(
-            unbounded(self.problem, self.settings), self.found, self.kept, self._validate, self._why_not_carried
-        )
-
-    def _why_not_carried(self, model: FittedModel, index: int) -> str:
-        """Return why no law file carries an effect, for people; "" if one does."""
-        effect = model.effects[index]
-        if effect.kind != "damper":
-            return "it is no part of the damper"
-        own = np.array([model.fit.values[i] for i in model.places(index)])
-        return "law files have no such form" if carried(self.whole, effect, own) is None else ""
+        not_carried = partial(why_not_carried, self.whole)
+        return Evidence(unbounded(self.problem, self.settings), self.found, self.kept, self._validate, not_carried)
 
     def _validate(self, model: FittedModel) -> float:
-        try:
-            return errors_of(self.whole, predicted(self.whole, model.effects, model.fit.values)).validate
-        except PredictionError:
-            return math.nan
+        error = validation_error(self.whole, model.effects, model.fit.values)
+        return error if math.isfinite(error) else math.nan
 
     def _series(self, forces: Mapping[Stage, Sequence[np.ndarray]], floor: Floor) -> tuple[Series, ...]:
         found = []
@@ -207,10 +185,3 @@ def _shape(series: Sequence[Series]) -> str:
     """Return what is left in words; "" if the tests are too short for that."""
     long = [one.residual("corrected") for one in series if one.time[one.judged].size >= FEWEST]
     return describe_residual(long) if long else ""
-
-
-def _held(problem: DamperProblem) -> dict[str, str]:
-    """Return parameters of the law that are not fitted as others do what they do, with the reason."""
-    fitted = {one.name for one in problem.base}
-    names = HELD.get(problem.law.name, {}) if problem.refit else {}
-    return {name: why_held(problem.law, name) for name in names if name not in fitted}

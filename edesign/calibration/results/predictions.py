@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -10,10 +11,8 @@ from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import Errors
 from edesign.calibration.search.problem import Effect
-from edesign.damper.testing.measured_histories import Use
+from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
-
-EVERY: tuple[Use, ...] = ("fit", "validate")
 
 
 def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndarray) -> list[np.ndarray]:
@@ -27,7 +26,7 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
     Raises:
         PredictionError: there is none.
     """
-    model = problem.model(effects, EVERY)
+    model = problem.model(effects, USES)
     (forces,) = model.forces(values)
     if isinstance(forces, PredictionError):
         raise forces
@@ -64,6 +63,20 @@ def errors_of(problem: DamperProblem, forces: Sequence[np.ndarray]) -> Errors:
         power[one.name] = max(float(np.sum(judged(one, one.force) ** 2)), 1e-300)
     each = {name: squared[name] / power[name] for name in power}
     return Errors(_over(problem, "fit", squared, power), _over(problem, "validate", squared, power), each)
+
+
+def validation_error(problem: DamperProblem, effects: Sequence[Effect], values: np.ndarray) -> float:
+    """Return the NRMS of the validation tests; infinite: they cannot be predicted.
+
+    Args:
+        problem: with all tests.
+        effects: of the model.
+        values: (p,) SI, of the law and the effects.
+    """
+    try:
+        return errors_of(problem, predicted(problem, effects, values)).validate
+    except PredictionError:
+        return math.inf
 
 
 def _over(problem: DamperProblem, use: Use, squared: Mapping[str, float], power: Mapping[str, float]) -> float:

@@ -26,23 +26,18 @@ class Estimate:
     Attributes:
         value, standard_error, unit: of the number; the error is 0 where it was not fitted.
         interval: lowest and highest value that the tests leave, at 95 %; not symmetric where a logarithm was fitted.
-        untold: why the tests do not determine it, for people; "" if they do.
+        not_determined: why the tests do not determine it, for people; "" if they do.
     """
 
     value: float
     standard_error: float
     unit: str
     interval: tuple[float, float]
-    untold: str = ""
+    not_determined: str = ""
 
     @staticmethod
     def held(value: float, unit: str) -> Estimate:
-        """Return a number that was not fitted.
-
-        Args:
-            value: the number.
-            unit: of it.
-        """
+        """Return a number that was not fitted."""
         return Estimate(value, 0.0, unit, (value, value))
 
     def scaled(self, scale: float, unit: str) -> Estimate:
@@ -173,7 +168,7 @@ class LawFile:
         parameters: of the law, by name, SI.
         amendments: effects of the damper.
         temperature: how parameters change with temperature, if that was found or is the law's own; None: not said.
-        told: effects of rig and instruments, which are no part of a damper.
+        measurement_effects: of rig and instruments, which are no part of a damper.
         lacking: labels of effects of the damper that it cannot carry.
         validate: NRMS of the validation tests with this law, and with what rig and instruments did.
         withheld: why it is not the corrected law, for people; "" if it is.
@@ -183,7 +178,7 @@ class LawFile:
     parameters: Mapping[str, float]
     amendments: tuple[Amendment, ...]
     temperature: GammaT | FerryShift | None
-    told: tuple[str, ...]
+    measurement_effects: tuple[str, ...]
     lacking: tuple[str, ...]
     validate: float
     withheld: str = ""

@@ -110,11 +110,7 @@ def _root(campaign: Path, title: str, folder: Path) -> Group:
 
 
 def archive_groups(found: Calibration) -> dict[str, Group]:
-    """Return histories of every test or channel: motion, what was measured and predicted; by the name of the group.
-
-    Args:
-        found: by the calibration.
-    """
+    """Return histories of every test or channel: motion, what was measured and predicted; by the name of the group."""
     groups = {}
     for series in found.series:
         judged_from = series.start.judged_from if series.start else 0.0
@@ -134,11 +130,7 @@ def archive_groups(found: Calibration) -> dict[str, Group]:
 
 
 def calibration_json(found: Calibration) -> dict[str, Any]:
-    """Return all that was found, in SI; NRMS as ratios, numbers that are not finite as null.
-
-    Args:
-        found: by the calibration.
-    """
+    """Return all that was found, in SI; NRMS as ratios, numbers that are not finite as null."""
     better = None if found.other_law is None else _finite_values(asdict(found.other_law))
     return {
         "title": found.title,
@@ -209,7 +201,7 @@ def _law_file(law: LawFile) -> dict[str, Any]:
         "stage": law.stage,
         "validate": _finite(law.validate),
         "effects": [{"name": one.name, "form": one.form, "placement": one.placement} for one in law.amendments],
-        "told": list(law.told),
+        "measurement_effects": list(law.measurement_effects),
         "lacking": list(law.lacking),
         "withheld": law.withheld,
     }
@@ -250,7 +242,7 @@ def _estimate(estimate: Estimate) -> dict[str, Any]:
         "standard_error": _finite(estimate.standard_error),
         "interval": [_finite(end) for end in ends],
         "unit": estimate.unit,
-        **({"not_determined": estimate.untold} if estimate.untold else {}),
+        **({"not_determined": estimate.not_determined} if estimate.not_determined else {}),
     }
 
 

@@ -2,7 +2,7 @@
 
 `run.py` calibrates a building: `calibrate_structure(campaign)`. `campaign.py` reads a campaign of records,
 `from_campaign.py` makes its problem. `corrected.py` has what files say of a corrected building, `write.py` makes them,
-`left.py` says in words what is left unexplained.
+`residual_words.py` says in words what is left unexplained.
 
 `building.py` has the declared building, `response.py` its response to base motion, `isolation.py` the law of its
 isolation layer. `effect.py` says where an effect acts, `effects` holds the tables of their forms, `sizes.py` what their

@@ -16,6 +16,7 @@ from edesign.calibration.search.problem import Effect
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.effect import ChangedBuilding, FormInStructure, StructureForm
+from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.damper.amendments import Amendment
 from edesign.damper.effects_file import write_effects
@@ -75,11 +76,11 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
     if campaign.isolation is not None:
         fitted = dict(zip((one.name for one in problem.base), map(float, final.fit.values), strict=False))
         parameters = {name: fitted.get(name, value) for name, value in campaign.isolation.values.items()}
-    amendments, told, lacking = [], [], []
+    amendments, measured, lacking = [], [], []
     for index, effect in enumerate(final.effects):
         of: FormInStructure = effect.data
         if effect.kind != "structure":
-            told.append(f"{effect.label} ({effect.kind}): {of.title}")
+            measured.append(f"{effect.label} ({effect.kind}): {of.title}")
         elif effect.label in _AMENDMENTS:
             name, form = _AMENDMENTS[effect.label].split(".")
             values = of.values(final.fit.values[i] for i in final.places(index))
@@ -87,17 +88,11 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
         elif not where_carried(effect):
             lacking.append(effect.label)
     stage: Stage = "corrected" if final.effects else "refit"
-    return LawFile(stage, parameters, tuple(amendments), None, tuple(told), tuple(lacking), validate)
+    return LawFile(stage, parameters, tuple(amendments), None, tuple(measured), tuple(lacking), validate)
 
 
-def corrected_texts(found: Calibration, campaign: StructureCampaign, problem: StructureProblem) -> dict[str, str]:
-    """Return the files of a corrected building by name.
-
-    Args:
-        found: by the calibration.
-        campaign: records.
-        problem: of them.
-    """
+def corrected_texts(found: Calibration, campaign: StructureCampaign) -> dict[str, str]:
+    """Return the files of a corrected building by name."""
     head = [
         f"{found.title}, calibrated by {len(found.tests)} tests: {found.verdict_words}",
         f"NRMS of the validation tests {100.0 * found.errors['corrected'].validate:.3g} %, as declared "
@@ -105,15 +100,14 @@ def corrected_texts(found: Calibration, campaign: StructureCampaign, problem: St
     ]
     hypotheses = [f"hypothesis, in no file: {one.effect.label}: {one.why}" for one in found.hypotheses]
     return {
-        STRUCTURE: _structure_text(found, campaign, problem, head, hypotheses),
+        STRUCTURE: _structure_text(found, campaign, head, hypotheses),
         **_law_texts(found, campaign, head, hypotheses),
     }
 
 
-def _structure_text(
-    found: Calibration, campaign: StructureCampaign, problem: StructureProblem, head: list[str], tail: list[str]
-) -> str:
+def _structure_text(found: Calibration, campaign: StructureCampaign, head: list[str], tail: list[str]) -> str:
     """Return `structure` and `law` of a campaign file; what these cannot say stands in comments."""
+    problem = blank_problem(campaign)
     forms = {effect.label: effect.data for effect in problem.effects}
     building = problem.building({name: one.value for name, one in found.parameters["corrected"].items()})[0]
     comments = []

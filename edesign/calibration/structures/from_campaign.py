@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
+from edesign.calibration.dampers.from_campaign import check_uses
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.problem import StructureProblem
+from edesign.damper.testing.measured_histories import USES
 from edesign.errors import InputError
 from edesign.estimation.model import PredictionError
 
@@ -23,17 +25,7 @@ def structure_problem(campaign: StructureCampaign, threads: int | None = None) -
     Raises:
         InputError: there are too few tests, or their channels cannot be those of the declared building.
     """
-    fitted = sum(test.use == "fit" for test in campaign.tests)
-    if fitted < 2:
-        raise InputError(
-            f"{campaign.path}: tests: {fitted} with `use: fit`; an effect is adopted when it lowers the error on tests "
-            "it was not fitted to, so that two are the least"
-        )
-    if fitted == len(campaign.tests):
-        raise InputError(
-            f"{campaign.path}: tests: none has `use: validate`; the error before and after is reported on tests that "
-            "nothing was fitted to, so that one is the least"
-        )
+    check_uses(campaign.path, campaign.tests)
     problem = blank_problem(campaign, threads)
     _check_channels(problem, campaign)
     return problem
@@ -49,14 +41,10 @@ def blank_problem(campaign: StructureCampaign, threads: int | None = None) -> St
     return StructureProblem(campaign.building, campaign.isolation, campaign.refit, campaign.tests, threads)
 
 
-def _centres(problem: StructureProblem) -> np.ndarray:
-    return np.array([one.centre for one in problem.base])
-
-
 def _check_channels(problem: StructureProblem, campaign: StructureCampaign) -> None:
     """Refuse channels of the wrong unit or sign, which no effect is to absorb."""
     try:
-        histories = problem.model((), ("fit", "validate")).histories(_centres(problem))
+        histories = problem.model((), USES).histories(np.array([one.centre for one in problem.base]))
     except PredictionError as error:
         raise InputError(f"{campaign.path}: the declared building has no response: {error}") from error
     correlations = []

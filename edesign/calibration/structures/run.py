@@ -16,12 +16,12 @@ from edesign.calibration.results.evidence import (
     Steps,
     depths_of,
     searched,
-    share_left,
+    unexplained_share,
     verdict_of,
     why_withheld,
 )
 from edesign.calibration.results.fit import Kept, base_estimates, kept, unbounded
-from edesign.calibration.results.floor import MOST, worst_of
+from edesign.calibration.results.floor import MOST, Part, worst_of
 from edesign.calibration.results.result import Calibration, Estimate
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
@@ -29,16 +29,15 @@ from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.calibration.structures.campaign import StructureCampaign
 from edesign.calibration.structures.corrected import law_file, where_carried
 from edesign.calibration.structures.from_campaign import structure_problem
-from edesign.calibration.structures.left import describe_left
 from edesign.calibration.structures.problem import LEAST_NOISE, StructureProblem
 from edesign.calibration.structures.record import UNITS
-from edesign.damper.fitting.identifiable import HELD, why_held
+from edesign.calibration.structures.residual_words import describe_residual
+from edesign.damper.fitting.identifiable import reasons_held
 from edesign.damper.laws import law as law_of
-from edesign.damper.testing.measured_histories import Use
+from edesign.damper.testing.measured_histories import USES, Use
 from edesign.estimation.model import PredictionError
 from edesign.one_thread import one_thread
 
-_EVERY: tuple[Use, ...] = ("fit", "validate")
 _TEMPERATURE = 20.0  # degC; records of structures have none, and no effect of a structure asks for it
 
 
@@ -102,9 +101,9 @@ class _Outcome:
         steps.progress("predicting all tests")
         centres = np.array([one.centre for one in problem.base])
         histories: dict[Stage, Sequence[np.ndarray]] = {
-            "declared": problem.model((), _EVERY).histories(centres),
-            "refit": problem.model((), _EVERY).histories(found.base.fit.values),
-            "corrected": problem.model(final.model.effects, _EVERY).histories(final.model.fit.values),
+            "declared": problem.model((), USES).histories(centres),
+            "refit": problem.model((), USES).histories(found.base.fit.values),
+            "corrected": problem.model(final.model.effects, USES).histories(final.model.fit.values),
         }
         noise = tuple(
             np.maximum(problem.channel_noise(i), LEAST_NOISE * np.sqrt(np.mean(test.values**2, axis=0)))
@@ -124,22 +123,17 @@ class _Outcome:
         evidence = Evidence(
             unbounded(found.base.problem, self.settings), found, self.kept, self._validate, self._why_not_carried
         )
-        effects, hypotheses = evidence.told(steps, withheld, with_effects)
-        floor = {use: self._floor(use) for use in _EVERY}
+        effects, hypotheses = evidence.effects(steps, withheld, with_effects)
+        floor = {use: self._floor(use) for use in USES}
         series = self._series(final, histories)
+        corrected = errors["corrected"]
         worst = worst_of(
             [
-                (
-                    one.name,
-                    errors["corrected"].of(one),
-                    one.noise**2 / float(np.mean(one.measured**2)),
-                    one.measured.size,
-                )
+                Part(one.name, corrected.of(one), one.noise**2 / float(np.mean(one.measured**2)), one.measured.size)
                 for one in series
             ]
         )
-        both = {"fit": errors["corrected"].fit, "validate": errors["corrected"].validate}
-        reached = worst is None and all(both[use] <= MOST * floor[use] for use in _EVERY)
+        reached = worst is None and all(getattr(corrected, use) <= MOST * floor[use] for use in USES)
         mode = self._first_mode(final)
         return Calibration(
             title=campaign.title or campaign.name,
@@ -158,8 +152,8 @@ class _Outcome:
             },
             law_held=not problem.base,
             series=series,
-            unexplained_share=0.0 if reached else share_left(errors, floor["validate"]),
-            unexplained_shape="" if reached else describe_left(series, mode),
+            unexplained_share=0.0 if reached else unexplained_share(errors, floor["validate"]),
+            unexplained_shape="" if reached else describe_residual(series, mode),
             models=evidence.posterior.compared() if steps.ending != "interrupted" else (),
             depths=depths_of(found),
             forms=len(problem.effects),
@@ -185,7 +179,7 @@ class _Outcome:
             left = np.sum((test.values - values) ** 2, axis=0) / np.sum(test.values**2, axis=0)
             channels |= {f"{test.name}: {c.label}": float(e) for c, e in zip(test.channels, left, strict=True)}
         of_use: dict[Use, float] = {}
-        for use in _EVERY:
+        for use in USES:
             names = [problem.tests[i].name for i in problem.used_for(use)]
             of_use[use] = sum(squared[name] for name in names) / sum(power[name] for name in names)
         each = {name: squared[name] / power[name] for name in power}
@@ -202,7 +196,7 @@ class _Outcome:
 
     def _validate(self, model: FittedModel) -> float:
         try:
-            histories = self.problem.model(model.effects, _EVERY).histories(model.fit.values)
+            histories = self.problem.model(model.effects, USES).histories(model.fit.values)
         except PredictionError:
             return math.nan
         return self._errors(histories).validate
@@ -215,7 +209,7 @@ class _Outcome:
 
     def _series(self, final: FittedModel, histories: Mapping[Stage, Sequence[np.ndarray]]) -> tuple[Series, ...]:
         """Return one a channel; displacement and velocity are those of its floor in the corrected model."""
-        responses = self.problem.model(final.effects, _EVERY).responses(final.fit.values)
+        responses = self.problem.model(final.effects, USES).responses(final.fit.values)
         found = []
         for order, (test, response) in enumerate(zip(self.problem.tests, responses, strict=True)):
             for i, channel in enumerate(test.channels):
@@ -253,5 +247,4 @@ def _held(campaign: StructureCampaign, problem: StructureProblem) -> dict[str, s
     """Return parameters of the isolation law that are not fitted as others do what they do, with the reason."""
     if campaign.isolation is None or not campaign.isolation.refit:
         return {}
-    law, fitted = law_of(campaign.isolation.law), {one.name for one in problem.base}
-    return {name: why_held(law, name) for name in HELD.get(law.name, {}) if name not in fitted}
+    return reasons_held(law_of(campaign.isolation.law), [one.name for one in problem.base])

@@ -69,20 +69,12 @@ class StructureSizes:
 
 
 def is_isolated(s: StructureSizes) -> bool:
-    """Return whether a structure has an isolation layer.
-
-    Args:
-        s: its sizes.
-    """
+    """Return whether a structure has an isolation layer."""
     return s.building.isolated
 
 
 def has_storeys(s: StructureSizes) -> bool:
-    """Return whether a structure has storeys that are no isolation layer.
-
-    Args:
-        s: its sizes.
-    """
+    """Return whether a structure has storeys that are no isolation layer."""
     return len(s.building.storeys) > 0
 
 

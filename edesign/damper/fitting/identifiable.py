@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass
 
 from edesign.damper.fitting.scales import Scales
@@ -98,6 +98,16 @@ def why_held(law: Law, name: str) -> str:
     """
     held = HELD.get(law.name, {}).get(name) or HELD.get(law.name, {}).get(_first(name))
     return held.why if held else ""
+
+
+def reasons_held(law: Law, fitted: Collection[str]) -> dict[str, str]:
+    """Return the parameters that are held by default and were not fitted, with the reason.
+
+    Args:
+        law: the law.
+        fitted: names of the parameters that were fitted.
+    """
+    return {name: why_held(law, name) for name in HELD.get(law.name, {}) if name not in fitted}
 
 
 def _first(name: str) -> str:

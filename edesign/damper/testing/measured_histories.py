@@ -11,6 +11,7 @@ from edesign.damper.testing.start import StartKind
 from edesign.errors import InputError
 
 Use = Literal["fit", "validate"]
+USES: tuple[Use, ...] = ("fit", "validate")
 FEWEST = 3  # samples
 LARGEST = 1e15  # of any number in SI units: beyond it squares overflow in sums, and no test has been made
 SMALLEST = 1e-12  # m, of a motion

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibration.properties.left import relative
+from edesign.calibration.properties.residual_words import relative_errors
 from edesign.calibration.properties.run import PropertyCalibration
 from edesign.damper.testing.steady_state import PropertyRows
 from edesign.report.calibration.error_tables import STAGES
@@ -48,7 +48,7 @@ def property_errors_table(calibration: PropertyCalibration) -> Table:
     columns = ("law", "rows", *(name for name, _, _ in QUANTITIES.values()), "all")
     table = Table("Relative errors of the properties, rms [%]", columns, left=2, name="property_errors")
     for stage, label in STAGES.items():
-        residuals = relative(calibration.rows[stage], calibration.campaign.table)
+        residuals = relative_errors(calibration.rows[stage], calibration.campaign.table)
         for use, words in (("fit", "fitted"), ("validate", "held out")):
             rows = np.concatenate([group.rows for group in calibration.campaign.groups if group.use == use])
             each = [float(np.sqrt(np.mean(r[rows] ** 2))) for r in residuals.values()]
@@ -89,5 +89,5 @@ def property_calibration_figures(calibration: PropertyCalibration) -> Iterator[t
         yield (
             f"residuals-{stage}",
             f"Relative residuals of the law {label}, means over temperature.",
-            residual_figure(relative(calibration.rows[stage], table), measured),
+            residual_figure(relative_errors(calibration.rows[stage], table), measured),
         )

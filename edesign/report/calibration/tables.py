@@ -170,15 +170,15 @@ def law_table(calibration: Calibration) -> Table:
 
 def _interval(estimate: Estimate) -> str:
     """The 95 % interval; why there is none stands below the table."""
-    return UNKNOWN if estimate.untold else interval_text(estimate)
+    return UNKNOWN if estimate.not_determined else interval_text(estimate)
 
 
 def _untold(estimates: Mapping[str, Estimate], of: str) -> list[str]:
     """Why the tests do not determine parameters, one line for each reason."""
     reasons: dict[str, list[str]] = {}
     for name, one in estimates.items():
-        if one.untold:
-            reasons.setdefault(one.untold, []).append(name)
+        if one.not_determined:
+            reasons.setdefault(one.not_determined, []).append(name)
     return [f"{of}{', '.join(names)} not determined, {why}" for why, names in reasons.items()]
 
 

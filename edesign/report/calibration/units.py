@@ -42,8 +42,8 @@ def error_text(estimate: Estimate) -> str:
 def interval_text(estimate: Estimate) -> str:
     """The 95 % interval, or why there is none."""
     error = estimate.standard_error
-    if estimate.untold:
-        return f"{UNKNOWN}: {estimate.untold}"
+    if estimate.not_determined:
+        return f"{UNKNOWN}: {estimate.not_determined}"
     if not math.isfinite(error):
         return UNKNOWN
     if error == 0.0:
@@ -58,7 +58,7 @@ def plus_minus(estimate: Estimate) -> str:
     if error == "held":
         return f"{value_text(estimate)}{unit}"
     if error == UNKNOWN:
-        why = f"{UNKNOWN}: {estimate.untold}" if estimate.untold else f"uncertainty {UNKNOWN}"
+        why = f"{UNKNOWN}: {estimate.not_determined}" if estimate.not_determined else f"uncertainty {UNKNOWN}"
         return f"{value_text(estimate)}{unit} ({why})"
     return f"{value_text(estimate)} ± {error}{unit}"
 

@@ -41,7 +41,7 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
         [other_law_text(calibration)],
         [_found(calibration), *ended(calibration)],
         [_errors(calibration), *_worst(calibration)],
-        _doubts(calibration),
+        _warnings(calibration),
         [_file(calibration)],
         [
             f"A hypothesis, no part of the {MODELS[calibration.subject]}: {effect_text(one.effect)}; {one.why}."
@@ -155,11 +155,11 @@ def _worst(calibration: Calibration) -> list[str]:
     ]
 
 
-def _doubts(calibration: Calibration) -> list[str]:
+def _warnings(calibration: Calibration) -> list[str]:
     """What makes effects doubtful that predict well: numbers at their bounds, a law that is another one beside them."""
     texts = []
     for effect in calibration.effects:
-        at = [name for name, one in effect.parameters.items() if one.untold.startswith("at its")]
+        at = [name for name, one in effect.parameters.items() if one.not_determined.startswith("at its")]
         if at:
             texts.append(
                 f"{', '.join(at)} of {effect.label} {'is' if len(at) == 1 else 'are'} at the end of what is likely: a "
@@ -170,7 +170,7 @@ def _doubts(calibration: Calibration) -> list[str]:
         far = {
             name: own[name].value / alone[name].value
             for name in own
-            if own[name].value * alone[name].value > 0.0 and own[name].standard_error and not own[name].untold
+            if own[name].value * alone[name].value > 0.0 and own[name].standard_error and not own[name].not_determined
         }
         moved = [f"{name} is {_times(x)}" for name, x in far.items() if max(x, 1.0 / x) > _ANOTHER]
         if moved:
@@ -201,7 +201,7 @@ def _file(calibration: Calibration) -> str:
         text += f": {file.withheld}"
     elif file.lacking:
         text += f", but lacks {', '.join(file.lacking)}, which law files cannot carry"
-    if file.told:
+    if file.measurement_effects:
         text += "; what the rig and the instruments did is no part of it"
     return f"{text}."
 
@@ -214,7 +214,7 @@ def _structure_file(calibration: Calibration) -> str:
         text = "structure.yaml has the building as declared"
     if lacking:
         text += f", but no key of it, or of a law, carries {', '.join(lacking)}: comments tell"
-    if calibration.law_file.told:
+    if calibration.law_file.measurement_effects:
         text += "; what the instruments did is no part of it"
     return f"{text}."
 

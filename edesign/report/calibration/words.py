@@ -70,6 +70,6 @@ def numbers_text(effect: Effect, most: int) -> str:
 
 def _in_text(estimate: Estimate) -> str:
     """A number in a sentence, without its reason if it is not determined."""
-    if estimate.untold:
+    if estimate.not_determined:
         return f"{value_text(estimate)} {estimate.unit}".rstrip() + f" ({UNKNOWN})"
     return plus_minus(estimate)

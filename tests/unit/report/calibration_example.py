@@ -45,9 +45,9 @@ def nrms(series: Sequence[Series], stage: Stage) -> float:
     return squared / sum(float(np.sum(one.measured**2)) for one in series)
 
 
-def estimate(value: float, error: float, unit: str, untold: str = "") -> Estimate:
+def estimate(value: float, error: float, unit: str, not_determined: str = "") -> Estimate:
     """A number with the interval of a normal distribution, two standard errors to each side."""
-    return Estimate(value, error, unit, (value - 2.0 * error, value + 2.0 * error), untold)
+    return Estimate(value, error, unit, (value - 2.0 * error, value + 2.0 * error), not_determined)
 
 
 def gain(error: float = 5e-4) -> Effect:
@@ -160,7 +160,7 @@ def more_is_left() -> Calibration:
         unexplained_share=1.0,
         unexplained_shape=shape,
         law_held=False,
-        law_file=replace(found.law_file, stage="refit", told=()),
+        law_file=replace(found.law_file, stage="refit", measurement_effects=()),
         parameters=dict(found.parameters) | {"corrected": found.parameters["refit"]},
     )
 

@@ -185,7 +185,7 @@ def test_a_hypothesis_stands_beside_the_effects_with_its_reason() -> None:
 
 
 def test_what_the_tests_do_not_determine_is_told_with_the_reason() -> None:
-    bound = estimate(0.5, math.inf, "", untold="at its upper bound")
+    bound = estimate(0.5, math.inf, "", not_determined="at its upper bound")
     effect = replace(example.gain(), parameters={"g": bound})
     found = example.calibration((effect,))
     table = effect_parameters_table(found)

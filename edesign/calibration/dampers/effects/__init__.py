@@ -30,10 +30,6 @@ TABLES = (
 
 
 def forms(sizes: Sizes) -> tuple[EffectForm, ...]:
-    """Return all forms that a campaign can show, of whatever law.
-
-    Args:
-        sizes: of the campaign.
-    """
+    """Return all forms that a campaign can show, of whatever law."""
     every = (*(form for table in TABLES for form in table.FORMS), *gain.from_test(sizes))
     return tuple(form for form in every if form.shown(sizes))

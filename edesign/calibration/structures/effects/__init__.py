@@ -11,10 +11,6 @@ TABLES = (base, damping, isolation, channel)
 
 
 def forms(sizes: StructureSizes) -> tuple[StructureForm, ...]:
-    """Return all forms that a structure and its channels can show.
-
-    Args:
-        sizes: of the structure.
-    """
+    """Return all forms that a structure and its channels can show."""
     every = (*partitions.of(sizes), *mass.of(sizes), *(form for table in TABLES for form in table.FORMS))
     return tuple(form for form in every if form.shown(sizes))

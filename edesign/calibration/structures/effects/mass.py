@@ -36,9 +36,6 @@ def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
 
     Base motion shows stiffness over mass: where the stiffness of all that carries a building is a parameter, the mass
     of all floors adds nothing.
-
-    Args:
-        sizes: of the structure.
     """
     n = sizes.building.floors
 

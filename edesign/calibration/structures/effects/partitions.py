@@ -55,11 +55,7 @@ _LOST = replace(
 
 
 def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
-    """Return the forms for a building; where the stiffness of all storeys is a parameter, one of all adds nothing.
-
-    Args:
-        sizes: of the structure.
-    """
+    """Return the forms for a building; where the stiffness of all storeys is a parameter, one of all adds nothing."""
     storeys = sizes.building.storeys
 
     def single(i: int) -> StructureForm:

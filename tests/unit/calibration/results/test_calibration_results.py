@@ -12,7 +12,7 @@ from kelvin_voigt_campaign import C, K, campaign, lawful
 from edesign.calibration import calibrate
 from edesign.calibration.results import outcome
 from edesign.calibration.results.evidence import verdict_of
-from edesign.calibration.results.floor import worst_of
+from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.result import Calibration
 from edesign.calibration.results.write import calibration_json
@@ -86,7 +86,7 @@ def test_the_law_file_makes_the_corrected_force_by_the_ordinary_path(hard, tmp_p
         force = damper.force(series.time, series.displacement, series.velocity)
         # parameters stand in the file with twelve digits
         assert force == pytest.approx(series.predicted["corrected"], abs=1e-9 * abs(force).max())
-    assert found.law_file.stage == "corrected" and not found.law_file.lacking and not found.law_file.told
+    assert found.law_file.stage == "corrected" and not found.law_file.lacking and not found.law_file.measurement_effects
 
 
 def test_what_people_read_names_the_effect_and_the_file(hard):
@@ -175,7 +175,8 @@ def test_a_law_without_a_spring_is_told_to_be_another(tmp_path: Path):
 
 def test_the_worst_part_is_that_farthest_over_its_own_floor() -> None:
     # 1.4 times its floor is noise, with however many values; of few values more is
-    parts = [("quiet", 1.4e-4, 1e-4, 5000), ("few", 2.2e-4, 1e-4, 12), ("many", 2.6e-4, 1e-4, 5000)]
+    every = ("quiet", 1.4e-4, 1e-4, 5000), ("few", 2.2e-4, 1e-4, 12), ("many", 2.6e-4, 1e-4, 5000)
+    parts = [Part(*one) for one in every]
     found = worst_of(parts)
     assert found is not None and (found.name, found.times) == ("many", pytest.approx(2.6))
     assert worst_of(parts[:2]) is None

@@ -17,7 +17,6 @@ from edesign.calibration.results.result import Calibration
 from edesign.calibration.structures.building import Building, Damping
 from edesign.calibration.structures.campaign import Isolation, StructureCampaign
 from edesign.calibration.structures.corrected import corrected_texts
-from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.record import Channel, StructureTest
 from edesign.calibration.structures.run import calibrate_structure
 
@@ -169,7 +168,7 @@ def test_what_a_building_hides(made: Made, label: str, value: float, key: str, e
     # the damping of few cycles is less sure than frequencies are
     assert sizes(found) == {label: pytest.approx(value, rel=0.05)}
     assert _left(found, "corrected") == pytest.approx(NOISE, rel=0.1)
-    text = corrected_texts(found, campaign, blank_problem(campaign))["structure.yaml"]
+    text = corrected_texts(found, campaign)["structure.yaml"]
     block = yaml.safe_load(text)["structure"][key]
     told = [block["ratio"], block["share"]] if key == "damping" else block
     assert [float(one.split()[0]) for one in told] == pytest.approx(expected, rel=0.05)

@@ -14,7 +14,7 @@ _THERMOMETER = 0.2
 
 
 @dataclass(frozen=True, eq=False)
-class Doubt:
+class UncertainInput:
     """Tests as they would be one standard deviation from what is thought of them.
 
     Attributes:
@@ -28,8 +28,10 @@ class Doubt:
     through_law: bool
 
 
-def doubts(experiments: Sequence[Experiment], law: str, depends_on_temperature: bool) -> tuple[Doubt, ...]:
-    """Return the doubts about tests.
+def uncertain_inputs(
+    experiments: Sequence[Experiment], law: str, depends_on_temperature: bool
+) -> tuple[UncertainInput, ...]:
+    """Return what is not known of tests.
 
     Before a record that begins in motion the specimen may have gone as far, or as fast, as in it: a standard deviation
     is what that softens more than the extremes do that were found.
@@ -43,10 +45,10 @@ def doubts(experiments: Sequence[Experiment], law: str, depends_on_temperature: 
     degrees = [one.temperature for one in experiments]
     if max(degrees) - min(degrees) > _THERMOMETER:
         warmer = tuple(replace(one, temperature=one.temperature + _THERMOMETER) for one in experiments)
-        found.append(Doubt(warmer, ("temperature_law",), depends_on_temperature))
+        found.append(UncertainInput(warmer, ("temperature_law",), depends_on_temperature))
     if law in SOFTENED and any(one.been_unknown for one in experiments):
         for softened in (_as_far, _as_fast):
-            found.append(Doubt(tuple(_softened(one, softened) for one in experiments), ("extremes",), True))
+            found.append(UncertainInput(tuple(_softened(one, softened) for one in experiments), ("extremes",), True))
     return tuple(found)
 
 

@@ -11,15 +11,15 @@ from edesign.damper.testing.steady_state import PropertyRows
 _WORDS = {"G_storage": "G'", "G_eq": "G_eq", "loss_factor": "the loss factor"}
 
 
-def relative(rows: PropertyRows, table: PropertyTable) -> dict[str, np.ndarray]:
+def relative_errors(rows: PropertyRows, table: PropertyTable) -> dict[str, np.ndarray]:
     """Predicted over measured less one, (n,) each."""
     return {name: getattr(rows, name) / getattr(table, name) - 1.0 for name in QUANTITIES}
 
 
-def shape_of(rows: PropertyRows, table: PropertyTable) -> str:
+def describe_residual(rows: PropertyRows, table: PropertyTable) -> str:
     """Mean and size of what is left of each quantity, and where it is largest in the mean."""
     texts = []
-    for name, residual in relative(rows, table).items():
+    for name, residual in relative_errors(rows, table).items():
         driver, place, mean = _worst(residual, table)
         average, size = 100.0 * float(residual.mean()), 100.0 * float(np.sqrt(np.mean(residual**2)))
         most = f"most over {driver} ({100.0 * mean:+.1f} % at {place})"

@@ -50,4 +50,4 @@ def test_softening_before_a_record_is_a_share_of_its_own():
         # by the definition: the force after such extremes less that after none
         assert np.array_equal(columns[MOVING][:, k], forces(moving(been, False))[MOVING] - plain)
     assert not any(np.any(column) for i, column in enumerate(columns) if i != MOVING)
-    assert problem("mgmm").doubts == ()
+    assert problem("mgmm").uncertain_inputs == ()

@@ -11,7 +11,7 @@ from edesign.calibration.residual.series import Series
 _STEPS = 41
 
 
-def describe_left(series: Sequence[Series], mode: float) -> str:
+def describe_residual(series: Sequence[Series], mode: float) -> str:
     """Where the residual of the corrected model is: in which test and channel, at which frequencies, how it grows.
 
     Args:
