@@ -85,8 +85,8 @@ class CoreDamper:
         brace: stiffness in series, N/m; 0: rigid.
         play: of the pins of the brace, from end to end, m.
         amendments: effects that the law has not; they act together.
-        been: largest and smallest deformation, m, largest and smallest velocity, m/s, that the damper went through
-            before; the MGMM alone minds.
+        prior_extremes: largest and smallest deformation, m, largest and smallest velocity, m/s, that the damper went
+            through before; the MGMM alone minds.
 
     Raises:
         CoreError: a parameter or extreme is not allowed, or the law takes no amendments with a brace, or none at this
@@ -99,7 +99,7 @@ class CoreDamper:
         parameters: Sequence[float],
         brace: float = 0.0,
         amendments: Sequence[AmendmentValues] = (),
-        been: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
+        prior_extremes: tuple[float, float, float, float] = (0.0, 0.0, 0.0, 0.0),
         play: float = 0.0,
     ) -> None:
         status, message = ffi.new("int *"), ffi.new("char[256]")
@@ -109,8 +109,8 @@ class CoreDamper:
             raise CoreError(status_name(status[0]), ffi.string(message).decode(errors="replace"))
         self._handle = ffi.gc(handle, lib.ed_damper_free)
         lib.ed_damper_ask(handle, STOP)
-        if lib.ed_damper_been(handle, been) != lib.ED_OK:
-            text = f"extremes {been} are not allowed: largest at least 0, smallest at most 0, finite"
+        if lib.ed_damper_been(handle, prior_extremes) != lib.ED_OK:
+            text = f"extremes {prior_extremes} are not allowed: largest at least 0, smallest at most 0, finite"
             raise CoreError("ED_E_ARGUMENT", text)
         for amendment in amendments:
             number, values = amendment_number(amendment.kind), [float(value) for value in amendment.values]
@@ -178,22 +178,22 @@ class CoreDamper:
         play: float = 0.0,
         factor: ArrayLike | None = None,
         added: ArrayLike | None = None,
-        bend: float = 0.0,
-        within: float = 0.0,
+        cubic: float = 0.0,
+        play_stiffness: float = 0.0,
         spring: ArrayLike | None = None,
         power: float = 1.0,
-        back: float = 1.0,
+        compression_ratio: float = 1.0,
         damping: float = 0.0,
         method: Method = "best",
         length: float | None = None,
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return the force history in series with a rig whose pins have play and whose parts are flexible.
 
-        The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is within (e - z) +
-        stiffness z (1 + bend z^2), e the stretch of the rig and z what of it is beyond half the play, either way: none
-        within the play, unless it is a soft part that closes there; and damping e' beside all of it. Held at the first
-        deformation for long before. The stretch is a parabola between samples (third order in the step, second with
-        damping), and linear over sixths of a step in which it comes to an end of the play.
+        The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is play_stiffness
+        (e - z) + stiffness z (1 + cubic z^2), e the stretch of the rig and z what of it is beyond half the play, either
+        way: none within the play, unless it is a soft part that closes there; and damping e' beside all of it. Held at
+        the first deformation for long before. The stretch is a parabola between samples (third order in the step,
+        second with damping), and linear over sixths of a step in which it comes to an end of the play.
 
         Args:
             time: (n,) s, ascending.
@@ -203,12 +203,12 @@ class CoreDamper:
             play: of the pins from end to end, m, at least 0.
             factor: (n,) of the damper's force, at least 0; None: 1.
             added: (n,) N, carried by the rig beside the damper's force; None: 0.
-            bend: by which the rig stiffens, 1/m2, at least 0.
-            within: stiffness within the play, N/m, at least 0.
+            cubic: by which the rig stiffens, 1/m2, at least 0.
+            play_stiffness: stiffness within the play, N/m, at least 0.
             spring: (n,) N/m beside the damper's force, at least 0; None: 0.
-            power: above 1, of a rig that carries stiffness z |sqrt(bend) z|^(power - 1), as bodies in contact do:
-                with a bend above 0, without play.
-            back: times as stiff where it is pushed together (e < 0), above 0.
+            power: above 1, of a rig that carries stiffness z |sqrt(cubic) z|^(power - 1), as bodies in contact do:
+                with cubic above 0, without play.
+            compression_ratio: times as stiff where it is pushed together (e < 0), above 0.
             damping: N s/m, at least 0.
             method: as in `force`.
             length: as in `force`.
@@ -232,7 +232,7 @@ class CoreDamper:
                 text = f"{name[:-1]} = {one.min():g} is not allowed: at least 0"
                 raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
             given.append(ffi.NULL if one is None else ffi.from_buffer("double[]", one))
-        rig = SeriesRig(stiffness, play, bend, within, power, back, damping)
+        rig = SeriesRig(stiffness, play, cubic, play_stiffness, power, compression_ratio, damping)
         force, own, done = np.empty_like(t), np.empty_like(t), ffi.new("int *")
         status = lib.ed_damper_history_in_series(
             self._handle,

@@ -14,17 +14,17 @@ from edesign.core.errors import CoreError
 class SeriesRig:
     """Pins with play and flexible parts in series with a damper.
 
-    At a stretch e they carry within (e - z) + stiffness z (1 + bend z^2), z what of e is beyond half the play, either
-    way; and damping e' beside all of it.
+    At a stretch e they carry play_stiffness (e - z) + stiffness z (1 + cubic z^2), z what of e is beyond half the play,
+    either way; and damping e' beside all of it.
 
     Attributes:
         stiffness: N/m, above 0.
         play: of the pins from end to end, m, at least 0.
-        bend: by which the parts stiffen, 1/m2, at least 0.
-        within: stiffness within the play, N/m, at least 0.
-        power: above 1, of parts that carry stiffness z |sqrt(bend) z|^(power - 1), as bodies in contact do: with a
-            bend above 0, without play.
-        back: times as stiff where they are pushed together (e < 0), above 0.
+        cubic: by which the parts stiffen, 1/m2, at least 0.
+        play_stiffness: stiffness within the play, N/m, at least 0.
+        power: above 1, of parts that carry stiffness z |sqrt(cubic) z|^(power - 1), as bodies in contact do: with
+            cubic above 0, without play.
+        compression_ratio: times as stiff where they are pushed together (e < 0), above 0.
         damping: N s/m, at least 0.
 
     Raises:
@@ -33,28 +33,36 @@ class SeriesRig:
 
     stiffness: float
     play: float = 0.0
-    bend: float = 0.0
-    within: float = 0.0
+    cubic: float = 0.0
+    play_stiffness: float = 0.0
     power: float = 1.0
-    back: float = 1.0
+    compression_ratio: float = 1.0
     damping: float = 0.0
 
     def __post_init__(self) -> None:
-        for name in ("stiffness", "back"):
+        for name in ("stiffness", "compression_ratio"):
             value = getattr(self, name)
             if not (value > 0.0 and isfinite(value)):
                 _refuse(f"{name} = {value:g} is not allowed: finite and above 0")
         power = self.power
-        if not (power >= 1.0 and isfinite(power)) or (power > 1.0 and not (self.bend > 0.0 and self.play == 0.0)):
-            _refuse(f"power = {power:g} is not allowed: 1, or above with bend > 0 and without play")
-        for name in ("play", "bend", "within", "damping"):
+        if not (power >= 1.0 and isfinite(power)) or (power > 1.0 and not (self.cubic > 0.0 and self.play == 0.0)):
+            _refuse(f"power = {power:g} is not allowed: 1, or above with cubic > 0 and without play")
+        for name in ("play", "cubic", "play_stiffness", "damping"):
             value = getattr(self, name)
             if not (value >= 0.0 and isfinite(value)):
                 _refuse(f"{name} = {value:g} is not allowed: finite, at least 0")
 
     def for_core(self) -> Any:
         """Return the core's structure; it lives as long as what this returns."""
-        values = (self.stiffness, self.back, self.bend, self.power, self.within, self.play, self.damping)
+        values = (
+            self.stiffness,
+            self.compression_ratio,
+            self.cubic,
+            self.power,
+            self.play_stiffness,
+            self.play,
+            self.damping,
+        )
         return ffi.new("ed_rig *", values)
 
 

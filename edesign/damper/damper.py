@@ -27,7 +27,7 @@ class Damper:
         amendments: effects that the law has not.
         temperature_C: of the damper, degC, for amendments that change with it; the parameters are those of this
             temperature. None: the one at which these amendments have no effect.
-        been: what it went through before: some laws are softened by it for good.
+        prior_extremes: what it went through before: some laws are softened by it for good.
     """
 
     law: Law
@@ -35,7 +35,7 @@ class Damper:
     brace: float = 0.0
     amendments: tuple[Amendment, ...] = ()
     temperature_C: float | None = None
-    been: Extremes = NONE
+    prior_extremes: Extremes = NONE
     values: dict[str, float] = field(init=False)
 
     def __post_init__(self) -> None:
@@ -45,7 +45,7 @@ class Damper:
     def core(self) -> CoreDamper:
         """The damper in the core."""
         amendments = [one.for_core(self.temperature_C) for one in self.amendments]
-        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments, self.been)
+        return CoreDamper(self.law.name, list(self.values.values()), self.brace, amendments, self.prior_extremes)
 
     def at(self, temperature_C: float, model: TemperatureModel | None = None) -> tuple[Damper, tuple[str, ...]]:
         """Return the damper at a temperature if its parameters are those of the reference, and warnings.

@@ -203,18 +203,18 @@ def test_refusals(options: dict, words: str) -> None:  # type: ignore[type-arg]
 
 
 def test_a_rig_that_stiffens_balances_and_closes_on_a_spring() -> None:
-    # an elastic specimen k and a rig K z (1 + bend z^2), z beyond half the play: the stretch is the root of a cubic
-    k, stiffness, bend, play = 4e6, 2e7, 1.0 / 2e-4**2, 1e-4
+    # an elastic specimen k and a rig K z (1 + cubic z^2), z beyond half the play: the stretch is the root of a cubic
+    k, stiffness, cubic, play = 4e6, 2e7, 1.0 / 2e-4**2, 1e-4
     t = np.linspace(0.0, 2.0, 401)
     u, v = 4e-3 * np.sin(np.pi * t), 4e-3 * np.pi * np.cos(np.pi * t)
     spring = CoreDamper("kelvin_voigt", [k, 1e-3])
-    force, own = spring.force_in_series(t, u, v, stiffness, play, bend=bend)
+    force, own = spring.force_in_series(t, u, v, stiffness, play, cubic=cubic)
     expected = np.zeros_like(u)
     for i in np.flatnonzero(np.abs(u) > play / 2):
         size = abs(u[i]) - play / 2
-        roots = np.roots([stiffness * bend, 0.0, stiffness + k, -k * size])
+        roots = np.roots([stiffness * cubic, 0.0, stiffness + k, -k * size])
         z = float(roots[np.abs(roots.imag) < 1e-9 * np.abs(roots.real).max()].real[0])
-        expected[i] = np.sign(u[i]) * stiffness * z * (1.0 + bend * z**2)
+        expected[i] = np.sign(u[i]) * stiffness * z * (1.0 + cubic * z**2)
     # balances are kept to 1e-8 of the largest force, 12 kN; the dashpot that the law needs, 1e-3 N s/m, gives 1e-5 N
     assert force == pytest.approx(expected, abs=1e-3)
     assert force == pytest.approx(k * own, abs=1e-3)
@@ -242,7 +242,7 @@ def test_bodies_in_contact_before_a_dashpot_and_a_spring(power: float) -> None:
     for every in (2, 1):
         u, v = moves(t[::every])
         force, own = CoreDamper("kelvin_voigt", (k, c)).force_in_series(
-            t[::every], u, v, stiffness, bend=1.0 / reached**2, power=power
+            t[::every], u, v, stiffness, cubic=1.0 / reached**2, power=power
         )
         np.testing.assert_allclose(force, carried(u - own), rtol=1e-9, atol=1e-6)
         later = t[::every] > 0.5  # at first the velocity jumps
@@ -251,8 +251,8 @@ def test_bodies_in_contact_before_a_dashpot_and_a_spring(power: float) -> None:
     assert worst[0] > 3.0 * worst[1]  # second order, as before a bare dashpot: a quarter
 
 
-@pytest.mark.parametrize("given", [{"power": 0.9}, {"power": 1.5}, {"power": 1.5, "bend": 1.0, "play": 1e-3}])
-def test_a_power_is_one_or_more_and_has_a_bend_and_no_play(given: dict[str, float]) -> None:
+@pytest.mark.parametrize("given", [{"power": 0.9}, {"power": 1.5}, {"power": 1.5, "cubic": 1.0, "play": 1e-3}])
+def test_a_power_is_one_or_more_and_has_a_cubic_part_and_no_play(given: dict[str, float]) -> None:
     spring = CoreDamper("kelvin_voigt", (1e6, 0.0))
     with pytest.raises(CoreError, match="power = "):
         spring.force_in_series([0.0, 1.0], [0.0, 1e-3], [1e-3, 1e-3], 1e7, **given)

@@ -88,16 +88,16 @@ class RigValues(NamedTuple):
     Attributes:
         stiffness: N/m.
         play: from end to end, m.
-        bend: by which the rig stiffens, 1/m2.
-        within: stiffness across the play, N/m.
-        power: with which the force goes, if none of the above: stiffness z |sqrt(bend) z|^(power - 1), z the stretch.
+        cubic: by which the rig stiffens, 1/m2.
+        play_stiffness: stiffness across the play, N/m.
+        power: with which the force goes, if none of the above: stiffness z |sqrt(cubic) z|^(power - 1), z the stretch.
         damping: beside all of it, N s/m.
     """
 
     stiffness: float
     play: float = 0.0
-    bend: float = 0.0
-    within: float = 0.0
+    cubic: float = 0.0
+    play_stiffness: float = 0.0
     power: float = 1.0
     damping: float = 0.0
 
@@ -118,15 +118,15 @@ class RigValues(NamedTuple):
         if any(one.power > 1.0 for one in each):
             raise PredictionError("a rig that stiffens with a power of its stretch has no other one in series")
         stiffness = 1.0 / sum(1.0 / one.stiffness for one in each)
-        # e = F/s - b (F/s)^3 of each, for a little bend; 1/(s + i w c) = 1/s - i w c/s^2
-        bend = sum(one.bend * (stiffness / one.stiffness) ** 3 for one in each)
+        # e = F/s - b (F/s)^3 of each, for a little of the cubic part; 1/(s + i w c) = 1/s - i w c/s^2
+        cubic = sum(one.cubic * (stiffness / one.stiffness) ** 3 for one in each)
         damping = sum(one.damping * (stiffness / one.stiffness) ** 2 for one in each)
-        soft = [one.within if one.play > 0.0 else one.stiffness for one in each]
+        soft = [one.play_stiffness if one.play > 0.0 else one.stiffness for one in each]
         if 0.0 in soft:
-            return RigValues(stiffness, sum(one.play for one in each), bend, damping=damping)
-        within = 1.0 / sum(1.0 / one for one in soft)
-        play = sum(one.play * one.within for one in each) / within
-        return RigValues(stiffness, play, bend, within, damping=damping)
+            return RigValues(stiffness, sum(one.play for one in each), cubic, damping=damping)
+        play_stiffness = 1.0 / sum(1.0 / one for one in soft)
+        play = sum(one.play * one.play_stiffness for one in each) / play_stiffness
+        return RigValues(stiffness, play, cubic, play_stiffness, damping=damping)
 
 
 @dataclass(frozen=True)

@@ -65,12 +65,12 @@ class Experiment:
         return self.start is None
 
     @property
-    def been(self) -> Extremes:
+    def prior_extremes(self) -> Extremes:
         """Extremes that the specimen went through before the test, of which its record does not tell."""
-        return NONE if self.start is None else self.start.been
+        return NONE if self.start is None else self.start.prior_extremes
 
     @property
-    def been_unknown(self) -> bool:
+    def prior_extremes_unknown(self) -> bool:
         """Whether nothing but its force tells what the specimen went through before the test."""
         return self.start is not None and not self.start.known
 

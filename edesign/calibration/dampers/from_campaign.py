@@ -225,8 +225,8 @@ def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None
     model = gamma if problem.law.name in gamma.laws else None
     values = tuple(at(problem.law, problem.declared, one.temperature, model)[0].values())
 
-    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, been: Extremes) -> np.ndarray:
-        return CoreDamper(problem.law.name, values, been=been).force(time, displacement, velocity)
+    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, prior: Extremes) -> np.ndarray:
+        return CoreDamper(problem.law.name, values, prior_extremes=prior).force(time, displacement, velocity)
 
     try:
         start = find_start(record, test.start, test.ramp, force_of)
@@ -234,10 +234,10 @@ def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None
             return start
         weight = np.ones(motion.time.size) if one.weight is None else one.weight
         first, known = start.first(motion.time), (motion.time, motion.displacement, motion.velocity)
-        been = extremes_before(record, first, weight, lambda been: force_of(*known, been))
+        prior = extremes_before(record, first, weight, lambda prior: force_of(*known, prior))
     except CoreError:  # a test that the law cannot predict from another beginning keeps the usual one
         return None
-    return replace(start, been=been)
+    return replace(start, prior_extremes=prior)
 
 
 def _check_forces(problem: DamperProblem, campaign: Campaign, predicted: Sequence[np.ndarray]) -> None:

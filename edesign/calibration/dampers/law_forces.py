@@ -29,7 +29,7 @@ class LawTest:
         values: parameters in the order of the core, SI.
         amendments: beside or on it.
         rig: in series with it; None: nothing.
-        been: extremes that the specimen went through before.
+        prior_extremes: extremes that the specimen went through before.
         rest: s since the test before.
     """
 
@@ -37,7 +37,7 @@ class LawTest:
     values: tuple[float, ...]
     amendments: tuple[AmendmentValues, ...]
     rig: RigValues | None
-    been: Extremes
+    prior_extremes: Extremes
     rest: float = LONG
 
 
@@ -83,7 +83,10 @@ def _together(runs: Sequence[Run], threads: int, length: float) -> list[list[np.
     out: list[list[np.ndarray] | PredictionError] = []
     for i, run in enumerate(runs):
         try:
-            dampers[i] = [CoreDamper(one.law, one.values, amendments=one.amendments, been=one.been) for one, _ in run]
+            dampers[i] = [
+                CoreDamper(one.law, one.values, amendments=one.amendments, prior_extremes=one.prior_extremes)
+                for one, _ in run
+            ]
             out.append([])
         except CoreError as error:
             out.append(PredictionError(str(error)))

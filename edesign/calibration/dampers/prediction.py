@@ -189,7 +189,7 @@ class Prediction:
         rig = RigValues.together(rigs) if rigs else None
         changes = _acts(effects, LawParameters)
         at_temperature: dict[float, tuple[float, ...]] = {}
-        been, found = NONE, []
+        prior, found = NONE, []
         before: tuple[Hashable, ...] = ()
         for i in range(wanted[-1] + 1) if carries or lasting else wanted:
             test = self._experiments[i]
@@ -199,19 +199,21 @@ class Prediction:
             if changes or test.temperature not in at_temperature:
                 at_temperature[test.temperature] = self._law_values(values, test, changes)
             # what the force asked for was asked of a fresh specimen: where extremes last, it is what earlier tests did
-            own_been = been if lasting and i > 0 and test.been_unknown else widest(been, test.been)
+            own_extremes = (
+                prior if lasting and i > 0 and test.prior_extremes_unknown else widest(prior, test.prior_extremes)
+            )
             law_test = LawTest(
                 self._law.name,
                 at_temperature[test.temperature],
                 tuple(act.in_test(p, test) for act, p in amendments),
                 rig,
-                own_been,
+                own_extremes,
                 rest,
             )
             own = (i, parts, key, law_test)
             before = (*before, own) if carries else (own,)
             if lasting:
-                been = widest(own_been, motion.extremes)
+                prior = widest(own_extremes, motion.extremes)
             if carries or i in wanted:
                 found.append(_Asked(i, before, law_test, motion, actuator, parts))
         return found

@@ -46,7 +46,7 @@ def uncertain_inputs(
     if max(degrees) - min(degrees) > _THERMOMETER:
         warmer = tuple(replace(one, temperature=one.temperature + _THERMOMETER) for one in experiments)
         found.append(UncertainInput(warmer, ("temperature_law",), depends_on_temperature))
-    if law in SOFTENED and any(one.been_unknown for one in experiments):
+    if law in SOFTENED and any(one.prior_extremes_unknown for one in experiments):
         for softened in (_as_far, _as_fast):
             found.append(UncertainInput(tuple(_softened(one, softened) for one in experiments), ("extremes",), True))
     return tuple(found)
@@ -56,8 +56,8 @@ def _softened(test: Experiment, before: Callable[[Extremes], Extremes]) -> Exper
     """Return a test whose specimen went before it as it does in it, if that is not known."""
     if test.start is None or test.start.known:
         return test
-    been = widest(test.start.been, before(test.motion.extremes))
-    return replace(test, start=replace(test.start, been=been, known=True))
+    prior = widest(test.start.prior_extremes, before(test.motion.extremes))
+    return replace(test, start=replace(test.start, prior_extremes=prior, known=True))
 
 
 def _as_far(own: Extremes) -> Extremes:

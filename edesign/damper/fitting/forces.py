@@ -154,7 +154,7 @@ def core_predict(law: Law) -> Predict:
     """
 
     def predict(values: Mapping[str, float], loading: Loading) -> np.ndarray:
-        damper = Damper(law, values, been=loading.been)
+        damper = Damper(law, values, prior_extremes=loading.prior_extremes)
         return damper.force(loading.time, loading.displacement, loading.velocity)
 
     return predict

@@ -33,7 +33,7 @@ class Loading:
         temperature_C: degC.
         frequency: mean frequency of the cycles, Hz: rms velocity / rms displacement / 2 pi.
         weight: factor of its squared errors.
-        been: what the specimen went through before.
+        prior_extremes: what the specimen went through before.
         start: how the test starts away from rest; None: at rest.
     """
 
@@ -45,7 +45,7 @@ class Loading:
     temperature_C: float
     frequency: float
     weight: float = 1.0
-    been: Extremes = NONE
+    prior_extremes: Extremes = NONE
     start: Start | None = None
 
     def starting(self, start: Start | None) -> Loading:
@@ -54,7 +54,7 @@ class Loading:
         Args:
             start: None: at rest.
         """
-        return replace(self, start=start, been=NONE if start is None else start.been)
+        return replace(self, start=start, prior_extremes=NONE if start is None else start.prior_extremes)
 
     @property
     def first(self) -> int:

@@ -65,7 +65,7 @@ def same_starts(some: Sequence[Loading], others: Sequence[Loading], values_at: V
     for one, other in zip(some, others, strict=True):
         if (one.start is None) != (other.start is None) or abs(one.first - other.first) > _SOON * one.time.size:
             return False
-        if one.been != other.been:
+        if one.prior_extremes != other.prior_extremes:
             forces = (np.asarray(predict(values_at(one.temperature_C), each)) for each in (one, other))
             change = np.subtract(*forces)[max(one.first, other.first) :]
             if np.sqrt(np.mean(change**2)) > _ALIKE * _LEAST * one.rms:
@@ -100,17 +100,17 @@ def _start(loading: Loading, test: DamperTest, law: Law, values_at: ValuesAt, pr
         max(noise(loading.force), _LEAST * loading.rms),
     )
 
-    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, been: Extremes) -> np.ndarray:
-        other = replace(loading, time=time, displacement=displacement, velocity=velocity, been=been)
+    def force_of(time: np.ndarray, displacement: np.ndarray, velocity: np.ndarray, prior: Extremes) -> np.ndarray:
+        other = replace(loading, time=time, displacement=displacement, velocity=velocity, prior_extremes=prior)
         return np.asarray(predict(values, other))
 
     start = find_start(record, test.start, test.ramp, force_of)
     if start is None or start.known or law.name not in SOFTENED:
         return start
-    been = extremes_before(
+    prior = extremes_before(
         record,
         loading.starting(start).first,
         np.ones(loading.time.size),
-        lambda been: np.asarray(predict(values, replace(loading, been=been))),
+        lambda prior: np.asarray(predict(values, replace(loading, prior_extremes=prior))),
     )
-    return replace(start, been=been)
+    return replace(start, prior_extremes=prior)

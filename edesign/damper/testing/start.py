@@ -53,7 +53,7 @@ class Start:
         displacement, velocity: of the first sample, m, m/s.
         judged_from: s from the first sample; what went before matters until then.
         dies_away: whether it does within the longest time that is left out.
-        been: what the specimen went through before: as a step from rest has it, or as the force asks for.
+        prior_extremes: what the specimen went through before: as a step from rest has it, or as the force asks for.
         known: whether `been` follows from what is said of the test.
     """
 
@@ -61,7 +61,7 @@ class Start:
     velocity: float
     judged_from: float
     dies_away: bool
-    been: Extremes = NONE
+    prior_extremes: Extremes = NONE
     known: bool = False
 
     @property
@@ -86,7 +86,8 @@ class Start:
     @property
     def before(self) -> tuple[float, float]:
         """Largest deformation, m, and velocity, m/s, before the test, the larger one of both ways."""
-        return max(self.been[0], -self.been[1]), max(self.been[2], -self.been[3])
+        prior = self.prior_extremes
+        return max(prior[0], -prior[1]), max(prior[2], -prior[3])
 
 
 class Recorded(NamedTuple):
@@ -170,10 +171,10 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     first = min(int(late[-1]) + 1 if late.size else 0, int(_LONGEST * test.time.size))
     dies_away = not late.size or first == int(late[-1]) + 1
     u, v = float(test.displacement[0]), float(test.velocity[0])
-    been, known = NONE, kind == "at_rest"
+    prior, known = NONE, kind == "at_rest"
     if known:
-        been = one_way(u, u / ramp)
-    return Start(u, v, float(test.time[first] - test.time[0]), dies_away, been, known)
+        prior = one_way(u, u / ramp)
+    return Start(u, v, float(test.time[first] - test.time[0]), dies_away, prior, known)
 
 
 def extremes_before(
@@ -195,8 +196,8 @@ def extremes_before(
     """
     side = math.copysign(1.0, test.displacement[0])
 
-    def residual(been: Extremes) -> np.ndarray:
-        return np.asarray((weight * (test.force - force_of(been)) / test.noise)[first:])
+    def residual(prior: Extremes) -> np.ndarray:
+        return np.asarray((weight * (test.force - force_of(prior)) / test.noise)[first:])
 
     def to_the_side(deformation: float, velocity: float) -> Extremes:
         return one_way(side * deformation, side * velocity)
@@ -206,10 +207,10 @@ def extremes_before(
     for one in found:
         one.search(test.largest)
     best = min(found, key=lambda one: one.left)
-    independent = max(independent_errors([residual(best.been)]), 2.0)
+    independent = max(independent_errors([residual(best.prior_extremes)]), 2.0)
     best.drop(math.exp((_LEAST_BIC + math.log(independent)) / independent))
     best.least(max(best.left / independent, 1.0))
-    return best.been
+    return best.prior_extremes
 
 
 class _Went:
@@ -229,7 +230,7 @@ class _Went:
         self.left = left
 
     @property
-    def been(self) -> Extremes:
+    def prior_extremes(self) -> Extremes:
         """As far as it was found."""
         return self._way(*self._size)
 
@@ -331,5 +332,5 @@ def _difference(test: Recorded, force_of: ForceOf, before: Before) -> np.ndarray
     own = test.time, test.displacement, test.velocity
     t, u, v = (np.concatenate(both) for both in zip(before, own, strict=True))
     fastest = max(float(np.max(np.abs(v))), _PEAK * float(np.max(np.abs(np.diff(u) / np.diff(t)))))
-    been = either_way(float(np.max(np.abs(u))), fastest)
-    return np.asarray(force_of(t, u, v, been)[before[0].size :] - force_of(*own, been))
+    prior = either_way(float(np.max(np.abs(u))), fastest)
+    return np.asarray(force_of(t, u, v, prior)[before[0].size :] - force_of(*own, prior))

@@ -9,7 +9,7 @@ from edesign.core import AmendmentValues, CampaignTest, CoreDamper, CoreError, S
 
 MGMM = (0.515e6, 15.1e3, 0.107e6, 21e3, 0.374, 3.741e6, 3.613e6, 7.966e-3, 902e3, 190e3, 13.468e-3, 0.0)
 MODIFIED = (30e6, 20e6, 5e-3, 1e-3, 0.05, 1.0, 0.5, 0.5, 1.5, 50e3, 0.5)
-RIG = SeriesRig(80e6, play=5e-4, back=0.8, damping=1e4)
+RIG = SeriesRig(80e6, play=5e-4, compression_ratio=0.8, damping=1e4)
 
 
 def swept(n: int, amplitude: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -51,7 +51,7 @@ def test_it_is_the_single_histories_to_the_last_bit_with_any_threads(threads):
             ENDS,
             100.0 * ENDS,
             spring=1e5 * ENDS,
-            back=RIG.back,
+            compression_ratio=RIG.compression_ratio,
             damping=RIG.damping,
         )
         last = 0.5 * damper.force(*MOTIONS[2]) + 1e5 * MOTIONS[2][1]

@@ -20,9 +20,16 @@ NOISE = 100.0  # N
 T = np.arange(0.0, 8.0, STEP)
 
 
-def force_of(law: Law, values: dict[str, float], been: Extremes = NONE):  # type: ignore[no-untyped-def]
-    def force(time: np.ndarray, u: np.ndarray, v: np.ndarray, been: Extremes) -> np.ndarray:
-        return Damper(law, values, been=been).force(time, u, v)
+def force_after(test):  # type: ignore[no-untyped-def]
+    """Force of the MGMM in a test, of the extremes that it went through before."""
+    return lambda prior: Damper(MGMM, TABLE_4_2, prior_extremes=prior).force(
+        test.time, test.displacement, test.velocity
+    )
+
+
+def force_of(law: Law, values: dict[str, float], prior: Extremes = NONE):  # type: ignore[no-untyped-def]
+    def force(time: np.ndarray, u: np.ndarray, v: np.ndarray, prior: Extremes) -> np.ndarray:
+        return Damper(law, values, prior_extremes=prior).force(time, u, v)
 
     return force
 
@@ -69,7 +76,7 @@ def test_forces_of_a_test_in_motion_are_not_judged_until_they_have_died_away(at:
     u, before = cut(at)
     test = recorded(ZENER, SOLID, u, before)
     found = start_of(ZENER, SOLID, test)
-    assert found is not None and found.dies_away and found.been == NONE
+    assert found is not None and found.dies_away and found.prior_extremes == NONE
     w, tau = 2.0 * np.pi, SOLID["c1"] / SOLID["k1"]
     state = SOLID["c1"] * w * 3e-3 * np.cos(w * at - np.arctan(w * tau)) / np.hypot(1.0, w * tau)
     left = Damper(ZENER, SOLID).force(test.time, test.displacement, test.velocity) - (
@@ -104,19 +111,18 @@ def test_what_a_step_before_the_first_sample_softened_is_found(fast: float) -> N
     test = recorded(MGMM, TABLE_4_2, u, before)
     found = start_of(MGMM, TABLE_4_2, test)
     assert found is not None and found.dies_away
-    after = lambda been: Damper(MGMM, TABLE_4_2, been=been).force(test.time, test.displacement, test.velocity)  # noqa: E731
     judged = found.first(T)
-    been = extremes_before(test, judged, np.ones(T.size), after)
+    prior = extremes_before(test, judged, np.ones(T.size), force_after(test))
     left = {
-        name: np.mean((test.force - after(one))[judged:] ** 2) / NOISE**2
-        for name, one in (("at rest", NONE), ("found", been))
+        name: np.mean((test.force - force_after(test)(one))[judged:] ** 2) / NOISE**2
+        for name, one in (("at rest", NONE), ("found", prior))
     }
     assert left["at rest"] > 3.0
     assert left["found"] == pytest.approx(1.0, abs=0.1)  # 4000 samples: 0.022 one standard deviation
     # the cubic to the first sample, 12.5 mm/s, is faster than its mean; one way. Of much more than the 13.5 mm/s of
     # v_ref nothing is left to tell how much it was
-    assert been[2] == pytest.approx(0.0358, rel=0.02) if fast < 0.1 else 0.1 < been[2] <= 1.05 * fast
-    assert been[:2] == (0.0, 0.0) and been[3] == 0.0
+    assert prior[2] == pytest.approx(0.0358, rel=0.02) if fast < 0.1 else 0.1 < prior[2] <= 1.05 * fast
+    assert prior[:2] == (0.0, 0.0) and prior[3] == 0.0
 
 
 def test_a_ramp_that_is_said_is_taken() -> None:
@@ -124,10 +130,10 @@ def test_a_ramp_that_is_said_is_taken() -> None:
     test = recorded(MGMM, TABLE_4_2, u)
     found = find_start(test, "at_rest", 7e-5, force_of(MGMM, TABLE_4_2))
     assert found is not None and found.known
-    assert found.been == pytest.approx((7e-5, 0.0, 1.0, 0.0))
+    assert found.prior_extremes == pytest.approx((7e-5, 0.0, 1.0, 0.0))
     down = test._replace(displacement=-test.displacement, velocity=-test.velocity, force=-test.force)
     found = find_start(down, "at_rest", 7e-5, force_of(MGMM, TABLE_4_2))
-    assert found is not None and found.been == pytest.approx((0.0, -7e-5, 0.0, -1.0))
+    assert found is not None and found.prior_extremes == pytest.approx((0.0, -7e-5, 0.0, -1.0))
 
 
 def test_a_larger_motion_before_is_found_where_it_is_said_to_have_been() -> None:
@@ -138,10 +144,9 @@ def test_a_larger_motion_before_is_found_where_it_is_said_to_have_been() -> None
     test = recorded(MGMM, TABLE_4_2, 3e-3 * np.sin(2.0 * np.pi * T), before)
     found = start_of(MGMM, TABLE_4_2, test, "in_motion")
     assert found is not None and not found.known
-    after = lambda been: Damper(MGMM, TABLE_4_2, been=been).force(test.time, test.displacement, test.velocity)  # noqa: E731
-    been = extremes_before(test, found.first(T), np.ones(T.size), after)
-    assert been[0] == pytest.approx(9e-3, rel=0.05)
-    assert been[2] == pytest.approx(2.0 * np.pi * 9e-3, rel=0.2)  # beyond 4 v_ref little softening is left to tell it
+    prior = extremes_before(test, found.first(T), np.ones(T.size), force_after(test))
+    assert prior[0] == pytest.approx(9e-3, rel=0.05)
+    assert prior[2] == pytest.approx(2.0 * np.pi * 9e-3, rel=0.2)  # beyond 4 v_ref little softening is left to tell it
 
 
 def test_nothing_is_found_where_the_record_goes_beyond_what_was_before() -> None:
@@ -149,10 +154,9 @@ def test_nothing_is_found_where_the_record_goes_beyond_what_was_before() -> None
     test = recorded(MGMM, TABLE_4_2, u, before)
     found = start_of(MGMM, TABLE_4_2, test)
     assert found is not None
-    after = lambda been: Damper(MGMM, TABLE_4_2, been=been).force(test.time, test.displacement, test.velocity)  # noqa: E731
-    been = extremes_before(test, found.first(T), np.ones(T.size), after)
+    prior = extremes_before(test, found.first(T), np.ones(T.size), force_after(test))
     reach = test.largest
-    assert been[0] <= 1.05 * reach[0] and been[2] <= 1.2 * reach[1]
+    assert prior[0] <= 1.05 * reach[0] and prior[2] <= 1.2 * reach[1]
 
 
 @pytest.mark.parametrize("name", ["bouc_wen", "elastic_plastic"])

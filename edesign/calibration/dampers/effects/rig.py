@@ -36,7 +36,7 @@ def _closes(s: Sizes) -> Parameter:
 
 def _joint(p: Values) -> RigValues:
     k = p["stiffness"]
-    return RigValues(p["ratio"] * k, play=2.0 * p["F_c"] / k, within=k)
+    return RigValues(p["ratio"] * k, play=2.0 * p["F_c"] / k, play_stiffness=k)
 
 
 def _follow(p: Values, test: Experiment, motion: Motion) -> Motion:
@@ -86,7 +86,7 @@ _SEATED = replace(
     title="clearance of the pins, crossed under a small force, in series with the specimen",
     signature="force that hesitates where it changes its sign; the same length at all amplitudes",
     source=_JOINTS,
-    acts=(Rig(lambda p: RigValues(p["stiffness"], play=p["play"], within=2.0 * p["F_c"] / p["play"])),),
+    acts=(Rig(lambda p: RigValues(p["stiffness"], play=p["play"], play_stiffness=2.0 * p["F_c"] / p["play"])),),
     parameters=lambda s: (
         shape("play", "m", 0.02 * s.displacement, 1e-4 * s.displacement, 0.5 * s.displacement),
         _stiffness(s, 100.0, 2.0),
@@ -154,7 +154,7 @@ _STIFFENING = replace(
     title="parts of the rig in series with the specimen that stiffen with the force",
     signature="as series_flexibility.linear, and more of it at small forces than at large ones",
     source="joints that close: Ibrahim & Pettit (2005), J. Sound Vib. 279, 857-936",
-    acts=(Rig(lambda p: RigValues(p["stiffness"], bend=1.0 / p["e0"] ** 2)),),
+    acts=(Rig(lambda p: RigValues(p["stiffness"], cubic=1.0 / p["e0"] ** 2)),),
     parameters=lambda s: (
         _stiffness(s),
         shape("e0", "m", 0.05 * s.displacement, 1e-4 * s.displacement, 10.0 * s.displacement),
@@ -170,7 +170,7 @@ _POWER = replace(
     title="contacts of the rig in series with the specimen that stiffen with a power of their approach",
     signature="as series_flexibility.linear, and ever more of it at small forces",
     source="Johnson (1985), Contact Mechanics, section 4.2 (Hertz); rough surfaces: Greenwood & Williamson (1966)",
-    acts=(Rig(lambda p: RigValues(p["stiffness"], bend=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])),),
+    acts=(Rig(lambda p: RigValues(p["stiffness"], cubic=(p["stiffness"] / p["F_r"]) ** 2, power=p["n"])),),
     parameters=lambda s: (_stiffness(s), shape("n", "", 1.5, 1.05, 12.0, spread=0.7)),
     starts=lambda s: tuple((20.0 * s.stiffness, n) for n in (1.5, 4.0)),
     constants=lambda s: {"F_r": 0.5 * s.force},

@@ -100,7 +100,7 @@ def test_a_step_that_is_said_is_taken_as_said(tmp_path: Path) -> None:
     """A step within one interval, 35 mm/s, is no step of 1 m/s: the law is not softened enough then."""
     problem = damper_problem(campaign(tmp_path, stepped("at_rest")), threads=1)
     start = problem.experiments[0].start
-    assert start is not None and start.known and start.been[2] == pytest.approx(U0 * 500.0)
+    assert start is not None and start.known and start.prior_extremes[2] == pytest.approx(U0 * 500.0)
     assert problem.model(()).own(np.array([one.centre for one in problem.base]))[0] is None
     assert power_over_noise(problem)[0] > 1.5
 

@@ -17,9 +17,9 @@ FOUND = (8e-3, -8e-3, 0.1, -0.1)  # of displacements of 2 to 8 mm
 MOVING = 2  # the test that begins in motion
 
 
-def moving(been: Extremes, lasting: bool) -> DamperProblem:
+def moving(prior: Extremes, lasting: bool) -> DamperProblem:
     def started(one: Experiment) -> Experiment:
-        return replace(one, start=Start(0.0, 0.1, 0.0, True, been)) if one.order == MOVING else one
+        return replace(one, start=Start(0.0, 0.1, 0.0, True, prior)) if one.order == MOVING else one
 
     tests = problem("mgmm", tests=5, lasting=lasting)
     return tests.with_experiments([started(one) for one in tests.experiments])
@@ -46,8 +46,8 @@ def test_softening_before_a_record_is_a_share_of_its_own():
     own = tests.experiments[MOVING].motion.extremes
     far, fast = max(own[0], -own[1]), max(own[2], -own[3])
     plain = forces(tests)[MOVING]
-    for k, been in enumerate([(far, -far, 0.0, 0.0), (0.0, 0.0, fast, -fast)]):
+    for k, prior in enumerate([(far, -far, 0.0, 0.0), (0.0, 0.0, fast, -fast)]):
         # by the definition: the force after such extremes less that after none
-        assert np.array_equal(columns[MOVING][:, k], forces(moving(been, False))[MOVING] - plain)
+        assert np.array_equal(columns[MOVING][:, k], forces(moving(prior, False))[MOVING] - plain)
     assert not any(np.any(column) for i, column in enumerate(columns) if i != MOVING)
     assert problem("mgmm").uncertain_inputs == ()
