@@ -59,7 +59,8 @@ def _filter_of_a_mass() -> float:
     ids=["mass", "offset", "ageing", "friction", "hum"],
 )
 def test_what_is_hidden_is_found(tmp_path: Path, hidden: Hidden, equations: Mapping[str, tuple[str, float]]) -> None:
-    found = calibrate(campaign(tmp_path, hidden, tests=5), threads=1)
+    # two of them validate, and three would not tell ageing from scatter
+    found = calibrate(campaign(tmp_path, hidden, tests=6 if hidden is _ageing else 5), threads=1)
     (effect,) = found.effects
     assert effect.label in equations and found.verdict == "explained"
     names = {label.partition(".")[0] for label in equations}
@@ -117,7 +118,7 @@ def test_another_law_is_refitted_and_nothing_is_added(tmp_path: Path) -> None:
 
 
 def test_a_law_that_is_not_to_be_fitted_again_stays_beside_what_is_found(tmp_path: Path) -> None:
-    loaded = campaign(tmp_path, _ageing, tests=5)
+    loaded = campaign(tmp_path, _ageing, tests=6)
     assert loaded.law is not None
     found = calibrate(replace(loaded, law=replace(loaded.law, refit=False)), threads=1)
     assert found.law_held and [effect.label for effect in found.effects] == ["ageing.linear"]
