@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+_FIRST = 0.05  # of the size of measured values: what a fair model leaves
 _LEAST = 1e-12  # share of the largest size of measured values: no residual is known to be smaller
 
 
@@ -36,6 +37,16 @@ class Noise:
         """Return the noise of the channels alone, of standard deviations (tests,)."""
         variance = tuple(float(one) ** 2 for one in deviations)
         return Noise(variance, variance)
+
+    @staticmethod
+    def of_first_fit(deviations: Sequence[float], sizes: Sequence[float]) -> Noise:
+        """Return the noise under which a model is fitted before it is known what it leaves.
+
+        Args:
+            deviations: (tests,) standard deviations of the channels' noise.
+            sizes: (tests,) root mean square of the measured values.
+        """
+        return Noise.white([max(_FIRST * size, one) for one, size in zip(deviations, sizes, strict=True)])
 
     @staticmethod
     def left_by(residuals: Sequence[np.ndarray], deviations: Sequence[float], sizes: Sequence[float]) -> Noise:

@@ -35,7 +35,6 @@ from edesign.estimation.noise import Noise
 
 _UNKNOWN = 2.0  # standard deviation of the logarithm of a parameter of which only the order of magnitude is known
 _STARTS, _WIDE = 4, 0.7  # of the law alone; standard deviation of the logarithm of their parameters
-_ROUGH = 0.05  # of the measured force: what the law alone may leave
 _AGAIN = 6  # times that noise is added
 _EVENED = 0.1  # s, over which its effect is evened out
 _MOST_TIMES = 4.0  # its power over that by a model
@@ -96,8 +95,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
 def _alone(problem: DamperProblem) -> dict[str, float]:
     """Return parameters of the law alone by the tests alone, from several starts; {}: none are fitted."""
     model = replace(problem, within=_UNKNOWN).model(())
-    sizes = zip(problem.sizes, problem.deviations, strict=True)
-    noise = Noise.white([max(_ROUGH * size, deviation) for size, deviation in sizes])
+    noise = Noise.of_first_fit(problem.deviations, problem.sizes)
     random, found = np.random.default_rng(len(problem.base)), list[Fit]()
     for number in range(_STARTS if model.parameters else 0):
         start = random.standard_normal(len(model.parameters)) * (_WIDE / _UNKNOWN if number else 0.0)

@@ -18,7 +18,6 @@ from edesign.estimation.uncertainty import uncertainty
 
 Ending = Literal["complete", "effort_spent", "interrupted"]
 Progress = Callable[[str], None]
-_FIRST = 0.05  # of what was measured: noise under which the base model is fitted first
 
 
 @dataclass(frozen=True)
@@ -112,7 +111,7 @@ class Search:
             self._progress(f"screening beside {self._best.label}: {100.0 * self._best.nrms:.3g} % is left")
             self._depths.append(self._depth(self._best))
             adopted = self._depths[-1].adopted
-            if adopted is None or adopted.names in self._been:
+            if adopted is None:
                 break
             self._take(adopted)
 
@@ -131,19 +130,21 @@ class Search:
         for index, effect in enumerate(best.effects):
             self._progress(f"trying others in the place of {effect.label}")
             rest = self._without(best, index)
-            noise = fitting.noise(best, rest) if rest else best.noise
-            screening = screen(fitting, rest, noise, fitting.wrong(rest)) if rest else None
+            if rest is None:
+                self._rivals.append(())
+                continue
+            noise = fitting.noise(best, rest)
             found: dict[str, FittedModel] = {}
-            for start, gain in screening.singles if screening else ():
+            for start, gain in screen(fitting, rest, noise, fitting.wrong(rest)).singles:
                 name = start.effect.name
                 if gain <= 0.0 or len(found) == self._settings.others:
                     break
                 if name == effect.name or name in found:
                     continue
-                grown = None if rest is None else fitting.grown(rest, [start], noise)
+                grown = fitting.grown(rest, [start], noise)
                 if grown is not None:
                     found[name] = fitting.settled(fitting.rough(grown, noise))
-            tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values() if rest]
+            tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values()]
             # what equations may be wrong by, of an effect that does much, must not hide that less is explained
             better = [
                 one
@@ -174,8 +175,7 @@ class Search:
 
     def _base(self) -> FittedModel:
         """Return the base model, fitted."""
-        sizes = zip(self._problem.sizes, self._problem.deviations, strict=True)
-        noise = Noise.white([max(_FIRST * size, deviation) for size, deviation in sizes])
+        noise = Noise.of_first_fit(self._problem.deviations, self._problem.sizes)
         found = self._fitting.fit((), np.array(self._problem.start), noise)
         if found is None:
             raise ValueError("the base model cannot predict with its declared parameters")
@@ -201,14 +201,13 @@ class Search:
         sure = [one.model for one in tried if one.difference.sure]
         # the best one; where all of it is dropped in the end, what is a part of it
         for model in (one for one in sure if one.names <= sure[0].names):
-            adopted = self._needed(self._reformed(model, noise), best)
-            if adopted is not None:
+            needed = self._needed(self._reformed(model, noise), best)
+            if needed is not None and needed.names not in self._been:
+                adopted = needed
                 break
         return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)
 
-    def _difference(
-        self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel | None
-    ) -> Difference:
+    def _difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
         return difference(self._fitting.score(better, noise, known), self._fitting.score(worse, noise, known))
 
     def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:
@@ -259,10 +258,10 @@ class Search:
                 placed = fitting.placed((*others, start.effect), [kept, start.values], slopes, noise)
                 if placed is not None:
                     rough.append(fitting.rough(placed, noise))
-            near = max((fitting.score(one, noise, sure=False).total for one in rough), default=0.0) - LEAST
-            likely = [one for one in rough if fitting.score(one, noise, sure=False).total > near]
-            other = [fitting.in_order(fitting.settled(one), order) for one in likely]
-            model = self._simplest([model, *other], noise)
+            totals = [fitting.score(one, noise, sure=False).total for one in rough]
+            likely = [one for one, total in zip(rough, totals, strict=True) if total > max(totals) - LEAST]
+            others_settled = [fitting.in_order(fitting.settled(one), order) for one in likely]
+            model = self._simplest([model, *others_settled], noise)
         return model
 
     def _simplest(self, models: Sequence[FittedModel], noise: Noise) -> FittedModel:

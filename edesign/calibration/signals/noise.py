@@ -12,7 +12,7 @@ from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
 
 _FEWEST = 64  # samples, for a spectrum
-_LEAST = 1e-3  # of a test's rms force: no load cell, and no law, is better
+_LEAST = 1e-3  # of a test's rms force: reproducibility of a force transducer of class 0.5 (ISO 376:2011, table 2)
 _NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
 
 

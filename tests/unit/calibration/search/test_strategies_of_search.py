@@ -178,4 +178,7 @@ def test_a_search_comes_to_its_end() -> None:
     varies = linear("varies", [a * x for a, x in zip((0.5, -0.2, 0.6, -0.2, 0.45), shape, strict=True)])
     same, small = linear("same", shape), linear("small", columns(5))
     problem = CurveProblem(effects=(same, small), truth=((varies, (1.0,)), (small, (0.1,))))
-    assert found(problem, effort=600.0).ending == "complete"
+    result = found(problem, effort=600.0)
+    assert result.ending == "complete"
+    adopted = [depth.adopted.names for depth in result.depths if depth.adopted is not None]
+    assert len(set(adopted)) == len(adopted) and result.best.names in adopted
