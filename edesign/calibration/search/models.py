@@ -266,7 +266,18 @@ class Fitting:
             leader: the best one of the models.
             known: model of the effects that are known.
         """
-        left = leader.noise
+        return self._at_least(leader.noise, known)
+
+    def noise_left(self, left: Sequence[np.ndarray], known: FittedModel) -> Noise:
+        """Return the noise by which models are compared, of what is left (n_i,) of each test.
+
+        Args:
+            left: by the best that is thought of.
+            known: model of the effects that are known.
+        """
+        return self._at_least(Noise.left_by(left, self.problem.deviations, self.problem.sizes), known)
+
+    def _at_least(self, left: Noise, known: FittedModel) -> Noise:
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
         for index in range(len(known.effects)):
             for i, change in enumerate(known.contribution(index)):

@@ -6,21 +6,26 @@ prior N(0, 1) and
 
     b = c'r / (1 + c'c)        gain = L(r'r) - L(r'r - (c'r)^2 / (1 + c'c)) - 1/2 log(1 + c'c)
 
-L is the log density with the scale of the noise integrated out. Pairs follow from the same products c_i'c_j.
+L is the log density with the scale of the noise integrated out. Pairs follow from the same products c_i'c_j. Shares
+that are each test's own, as of hum, whose phase is any, are integrated out of c and r.
+
+The noise is what all effects together leave. What one effect makes looks like slow noise as long as it is not there;
+under such noise nothing slow would be told from chance.
+
 Sources: grouped orthogonal forward regression: Chen, Billings and Luo (1989), Int. J. Control 50, 1873-1896; with
-priors it is the evidence of a linear model: MacKay (1992), Neural Computation 4, 415-447.
+priors it is the evidence of a linear model: MacKay (1992), Neural Computation 4, 415-447; noise by the full model:
+Mallows (1973), Technometrics 15, 661-675.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 
 from edesign.calibration.search.models import FittedModel, Fitting, Start
-from edesign.calibration.search.problem import Columns, Effect
-from edesign.estimation.least_squares import weighted
 from edesign.estimation.left_out import PRIOR_FREEDOM
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
@@ -29,6 +34,12 @@ _TYPICAL = 0.1  # of what was measured: standard deviation of what an effect doe
 _SEEN = 1e-9  # of what was measured: what does less is not seen
 _LOOKED = 400  # times the number of pairs wanted, that are looked at
 
+Own = Sequence[np.ndarray | None]
+"""(n_i, k) of each test: columns whose shares, N(0, 1), are that test's own; None: there are none."""
+Single = tuple[Start, float]
+Pair = tuple[tuple[Start, Start], float]
+T = TypeVar("T")
+
 
 @dataclass(frozen=True)
 class Screening:
@@ -36,39 +47,63 @@ class Screening:
 
     Attributes:
         screened: forms that were predicted.
+        noise: by which gains are measured.
         singles: start and gain of each form at its best start.
-        pairs: starts and gains of pairs of different effects.
+        pairs: starts and gains of pairs of different effects, one for each pair of names.
     """
 
     screened: int
-    singles: tuple[tuple[Start, float], ...]
-    pairs: tuple[tuple[tuple[Start, Start], float], ...]
+    noise: Noise
+    singles: tuple[Single, ...]
+    pairs: tuple[Pair, ...]
 
 
-def screen(fitting: Fitting, model: FittedModel, noise: Noise, wrong: Columns | None) -> Screening:
+def screen(fitting: Fitting, model: FittedModel, known: FittedModel) -> Screening:
     """Screen all forms of effects that a model does not have.
 
     Args:
         fitting: of the search.
         model: fitted.
-        noise: by which gains are measured.
-        wrong: columns (n_i, k) by which the equations of the model may be wrong; None: there are none.
+        known: a model whose equations may be wrong, which is allowed for.
     """
-    here = model.fit.weighted(noise)
-    free = _freed(model, noise)
-    known = [-np.vstack(here.slopes)]
-    if wrong is not None:
-        known.append(np.concatenate([f(noise.weight(i) * c) for i, (f, c) in enumerate(zip(free, wrong, strict=True))]))
-    base = np.hstack(known)
-    spread = np.linalg.inv(np.linalg.cholesky(base.T @ base + np.eye(base.shape[1])))
-    residual = np.concatenate(here.residuals)
-    freedom = PRIOR_FREEDOM + sum(noise.independent(i, r.size) for i, r in enumerate(here.residuals))
+    tests, starts, own, screened = _candidates(fitting, model, known)
+    plain = model.fit.model.own(model.fit.values)
+    every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in own), strict=True)]
+    noise = fitting.noise_left(_left(tests, every, Noise.white(fitting.problem.deviations)), known)
+    alone = _Evidence.of(tests, plain, noise, len(starts))
+    nothing = float(alone.log_of(0.0, 0.0))
+    singles = alone.singles(starts)
+    pairs = alone.pairs(starts, fitting.settings.pairs)
+    for start, columns in own:
+        beside = _Evidence.of(tests, columns, noise, len(starts))
+        singles.append((start, float(beside.log_of(0.0, 0.0))))
+        pairs += [((start, one), log) for one, log in beside.singles(starts) if one.effect.name != start.effect.name]
+    best = _best(singles, lambda start: start.effect.label)
+    both = _best(pairs, lambda pair: frozenset(start.effect.name for start in pair))[: fitting.settings.pairs]
+    return Screening(
+        screened,
+        noise,
+        tuple((start, log - nothing) for start, log in best),
+        tuple((pair, log - nothing) for pair, log in both),
+    )
+
+
+def _candidates(
+    fitting: Fitting, model: FittedModel, known: FittedModel
+) -> tuple[list[np.ndarray], list[Start], list[tuple[Start, Own]], int]:
+    """Return what the model leaves and what changes it, and the candidates.
+
+    Returns:
+        Columns (n_i, 1 + b + m) of each test: what is left; what each parameter of the model, and of the errors of
+        known equations, makes; what each start makes. Starts (m). Starts of effects that add shares of each test's own,
+        with all such columns. How many forms were predicted.
+    """
     measured = np.concatenate(model.fit.model.measured)
     size = float(np.linalg.norm(measured))
-    starts: list[Start] = []
-    columns: list[np.ndarray] = []
-    alone: list[tuple[Start, float]] = []
-    screened = 0
+    starts, own, screened = list[Start](), list[tuple[Start, Own]](), 0
+    columns = [[r[:, np.newaxis], j] for r, j in zip(model.fit.left, model.fit.slopes, strict=True)]
+    for of_test, wrong in zip(columns, fitting.wrong(known) or (), strict=False):
+        of_test.append(wrong)
     for effect in fitting.problem.effects:
         if effect.name in model.names:
             continue
@@ -77,10 +112,8 @@ def screen(fitting: Fitting, model: FittedModel, noise: Noise, wrong: Columns | 
         values = np.array([[*model.fit.values, *start] for start in effect.starts])
         if effect.own:
             fitting.effort.spend(len(values), effects)
-            alone += [
-                (Start(effect, np.array(s)), _gain_of_own(fitting, model, effects, v, noise, freedom))
-                for s, v in zip(effect.starts, values, strict=True)
-            ]
+            own_of = fitting.problem.model(effects).own
+            own += [(Start(effect, np.array(s)), own_of(v)) for s, v in zip(effect.starts, values, strict=True)]
             continue
         for start, there in zip(effect.starts, fitting.predict(effects, values), strict=True):
             if isinstance(there, PredictionError):
@@ -89,39 +122,111 @@ def screen(fitting: Fitting, model: FittedModel, noise: Noise, wrong: Columns | 
             power = float(np.linalg.norm(np.concatenate(change)))
             if not np.isfinite(power) or power < _SEEN * size:
                 continue
-            unit = _unit(effect, start, power / (_TYPICAL * size))
+            # by how many prior standard deviations of its size it stands for
+            unit = 1.0
+            if effect.parameters:
+                unit = effect.parameters[0].coordinate(start[0]) if effect.linear else power / (_TYPICAL * size)
             starts.append(Start(effect, np.array(start)))
-            columns.append(
-                np.concatenate(
-                    [f(noise.weight(i) / unit * c) for i, (f, c) in enumerate(zip(free, change, strict=True))]
-                )
-            )
-    if not columns:
-        return Screening(screened, tuple(sorted(alone, key=lambda one: -one[1])), ())
-    c = np.column_stack(columns)
-    # (I + B B')^-1 of what the parameters of the model, with their priors, can make of a change
-    shared = spread @ (base.T @ c)
-    pull = spread @ (base.T @ residual)
-    products = c.T @ c - shared.T @ shared
-    along = c.T @ residual - shared.T @ pull
-    power = float(residual @ residual - pull @ pull)
-    own = np.diag(products) + 1.0
-    gains = _gain(along**2 / own, power, freedom) - 0.5 * np.log(own)
-    best: dict[str, tuple[Start, float]] = {}
-    for i in np.argsort(-gains, kind="stable"):
-        best.setdefault(starts[i].effect.label, (_sized(starts[i], along[i] / own[i]), float(gains[i])))
-    for one, gain in sorted(alone, key=lambda one: -one[1]):
-        best.setdefault(one.effect.label, (one, gain))
-    singles = sorted(best.values(), key=lambda one: -one[1])
-    pairs = _pairs(starts, products, along, power, freedom, fitting.settings.pairs)
-    return Screening(screened, tuple(singles), tuple(pairs))
+            for of_test, of_change in zip(columns, change, strict=True):
+                of_test.append(of_change[:, np.newaxis] / unit)
+    return [np.hstack(of_test) for of_test in columns], starts, own, screened
 
 
-def _unit(effect: Effect, start: Sequence[float], typical: float) -> float:
-    """Return by how many prior standard deviations of its size a start stands for."""
-    if not effect.parameters:
-        return 1.0
-    return effect.parameters[0].coordinate(start[0]) if effect.linear else typical
+def _left(tests: Sequence[np.ndarray], own: Own, noise: Noise) -> list[np.ndarray]:
+    """Return what all columns together, each with the prior N(0, 1), leave (n_i,) of each test."""
+    each = [_products(test, of_test, noise.weight(i))[0] for i, (test, of_test) in enumerate(_both(tests, own))]
+    products = np.sum(each, axis=0)
+    sizes = np.linalg.solve(products[1:, 1:] + np.eye(len(products) - 1), products[1:, 0])
+    left = []
+    for i, (test, columns) in enumerate(_both(tests, own)):
+        rest = test[:, 0] - test[:, 1:] @ sizes
+        if columns is not None:
+            u, s, _ = np.linalg.svd(noise.weight(i) * columns, full_matrices=False)
+            rest = rest - u @ (s**2 / (1.0 + s**2) * (u.T @ rest))
+        left.append(rest)
+    return left
+
+
+def _products(test: np.ndarray, own: np.ndarray | None, weight: float) -> tuple[np.ndarray, float]:
+    """Return inner products of columns in units of the noise, own ones integrated out, and their log determinant."""
+    found = weight**2 * (test.T @ test)
+    if own is None:
+        return found, 0.0
+    u, s, _ = np.linalg.svd(weight * own, full_matrices=False)
+    along = weight * s[:, np.newaxis] / np.sqrt(1.0 + s[:, np.newaxis] ** 2) * (u.T @ test)
+    return found - along.T @ along, float(np.sum(np.log1p(s**2)))
+
+
+@dataclass(frozen=True)
+class _Evidence:
+    """Evidence of a model with columns of each test's own, and of starts beside it.
+
+    Attributes:
+        power: of what is left, freed of what the parameters of the model can make of it.
+        along: (m,) product of it with each start's change.
+        products: (m, m) of the changes.
+        determinant: log, of what is integrated out.
+        freedom: independent samples, with those that the prior of the scale is worth.
+    """
+
+    power: float
+    along: np.ndarray
+    products: np.ndarray
+    determinant: float
+    freedom: float
+
+    @staticmethod
+    def of(tests: Sequence[np.ndarray], own: Own, noise: Noise, starts: int) -> _Evidence:
+        """Integrate out the parameters of the model, and the columns that are each test's own."""
+        every = [_products(test, of_test, noise.weight(i)) for i, (test, of_test) in enumerate(_both(tests, own))]
+        products = np.sum([one for one, _ in every], axis=0)
+        rest = [0, *range(len(products) - starts, len(products))]
+        known = np.arange(1, len(products) - starts)
+        root = np.linalg.cholesky(products[np.ix_(known, known)] + np.eye(known.size))
+        made = np.linalg.solve(root, products[np.ix_(known, rest)])
+        products = products[np.ix_(rest, rest)] - made.T @ made
+        determinant = sum(one for _, one in every) + 2.0 * float(np.sum(np.log(np.diag(root))))
+        freedom = PRIOR_FREEDOM + sum(noise.independent(i, len(test)) for i, test in enumerate(tests))
+        return _Evidence(float(products[0, 0]), products[0, 1:], products[1:, 1:], determinant, freedom)
+
+    def log_of(self, explained: np.ndarray | float, determinant: np.ndarray | float) -> np.ndarray:
+        """Return the log evidence where so much power is explained, the scale of the noise integrated out."""
+        left = np.maximum(self.power - explained, 0.0)
+        return np.asarray(-0.5 * self.freedom * np.log1p(left / self.freedom) - 0.5 * (self.determinant + determinant))
+
+    def singles(self, starts: Sequence[Start]) -> list[Single]:
+        """Return each start with the size that the tests ask for, and its log evidence."""
+        own = np.diag(self.products) + 1.0
+        logs = self.log_of(self.along**2 / own, np.log(own))
+        return [(_sized(*of), float(log)) for *of, log in zip(starts, self.along / own, logs, strict=True)]
+
+    def pairs(self, starts: Sequence[Start], number: int) -> list[Pair]:
+        """Return the best pairs of starts of different effects with their log evidence."""
+        own, along, products = np.diag(self.products) + 1.0, self.along, self.products
+        determinant = np.maximum(np.outer(own, own) - products**2, 1e-12 * np.outer(own, own))
+        explained = (
+            np.outer(along**2, own) + np.outer(own, along**2) - 2.0 * products * np.outer(along, along)
+        ) / determinant
+        logs = self.log_of(explained, np.log(determinant))
+        names = np.array([start.effect.name for start in starts])
+        logs[(names[:, np.newaxis] == names) | np.tri(len(starts), dtype=bool)] = -np.inf
+        found: list[Pair] = []
+        for flat in np.argsort(-logs, axis=None, kind="stable")[: _LOOKED * number]:
+            i, k = divmod(int(flat), len(starts))
+            if not np.isfinite(logs[i, k]):
+                break
+            matrix = np.array([[own[i], products[i, k]], [products[i, k], own[k]]])
+            sizes = np.linalg.solve(matrix, along[[i, k]])
+            found.append(((_sized(starts[i], sizes[0]), _sized(starts[k], sizes[1])), float(logs[i, k])))
+        return found
+
+
+def _best(found: Sequence[tuple[T, float]], key: Callable[[T], Hashable]) -> list[tuple[T, float]]:
+    """Return the best of each key, best first."""
+    best: dict[Hashable, tuple[T, float]] = {}
+    for one in sorted(found, key=lambda each: -each[1]):
+        best.setdefault(key(one[0]), one)
+    return list(best.values())
 
 
 def _sized(start: Start, size: float) -> Start:
@@ -132,61 +237,10 @@ def _sized(start: Start, size: float) -> Start:
     return Start(start.effect, np.array([first.value(size), *start.values[1:]]))
 
 
-def _gain(explained: np.ndarray, power: float, freedom: float) -> np.ndarray:
-    """Return the gain of explained power, the scale of the noise integrated out."""
-    left = np.maximum(power - explained, 0.0)
-    return np.asarray(0.5 * freedom * (np.log1p(power / freedom) - np.log1p(left / freedom)))
+def _stacked(columns: Sequence[np.ndarray | None]) -> np.ndarray | None:
+    some = [one for one in columns if one is not None]
+    return np.hstack(some) if some else None
 
 
-def _pairs(
-    starts: Sequence[Start], products: np.ndarray, along: np.ndarray, power: float, freedom: float, number: int
-) -> list[tuple[tuple[Start, Start], float]]:
-    """Return the best pairs of starts of different effects, one for each pair of names."""
-    own = np.diag(products) + 1.0
-    determinant = np.maximum(np.outer(own, own) - products**2, 1e-12 * np.outer(own, own))
-    explained = (
-        np.outer(along**2, own) + np.outer(own, along**2) - 2.0 * products * np.outer(along, along)
-    ) / determinant
-    gains = _gain(explained, power, freedom) - 0.5 * np.log(determinant)
-    names = np.array([start.effect.name for start in starts])
-    gains[(names[:, np.newaxis] == names) | np.tri(len(starts), dtype=bool)] = -np.inf
-    found: list[tuple[tuple[Start, Start], float]] = []
-    seen: set[tuple[str, str]] = set()
-    for flat in np.argsort(-gains, axis=None, kind="stable")[: _LOOKED * number]:
-        i, k = divmod(int(flat), len(starts))
-        pair = str(names[i]), str(names[k])
-        if not np.isfinite(gains[i, k]) or len(found) == number:
-            break
-        if pair in seen:
-            continue
-        seen.add(pair)
-        matrix = np.array([[own[i], products[i, k]], [products[i, k], own[k]]])
-        sizes = np.linalg.solve(matrix, along[[i, k]])
-        found.append(((_sized(starts[i], sizes[0]), _sized(starts[k], sizes[1])), float(gains[i, k])))
-    return found
-
-
-def _freed(model: FittedModel, noise: Noise) -> list[Callable[[np.ndarray], np.ndarray]]:
-    """Return what frees a weighted change of each test of what is that test's own."""
-
-    def of(columns: np.ndarray | None, weight: float) -> Callable[[np.ndarray], np.ndarray]:
-        if columns is None:
-            return lambda change: change
-        u, s, _ = np.linalg.svd(weight * columns, full_matrices=False)
-        shares = u * (1.0 - 1.0 / np.sqrt(1.0 + s**2))
-        return lambda change: change - shares @ (u.T @ change)
-
-    own = model.fit.model.own(model.fit.values)
-    return [of(columns, noise.weight(i)) for i, columns in enumerate(own)]
-
-
-def _gain_of_own(
-    fitting: Fitting, model: FittedModel, effects: Sequence[Effect], values: np.ndarray, noise: Noise, freedom: float
-) -> float:
-    """Return the gain of an effect that adds shares of each test's own."""
-    with_it = fitting.problem.model(tuple(effects))
-    none = [np.zeros((f.size, 0)) for f in model.fit.predicted]
-    before = weighted(model.fit.model, noise, model.fit.values, model.fit.predicted, none)
-    after = weighted(with_it, noise, values, model.fit.predicted, none)
-    power, left = (sum(float(r @ r) for r in one.residuals) for one in (before, after))
-    return float(_gain(np.array(power - left), power, freedom)) - 0.5 * (sum(after.own) - sum(before.own))
+def _both(tests: Sequence[np.ndarray], own: Own) -> list[tuple[np.ndarray, np.ndarray | None]]:
+    return list(zip(tests, own, strict=True))

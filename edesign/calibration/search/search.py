@@ -135,7 +135,7 @@ class Search:
                 continue
             noise = fitting.noise(best, rest)
             found: dict[str, FittedModel] = {}
-            for start, gain in screen(fitting, rest, noise, fitting.wrong(rest)).singles:
+            for start, gain in screen(fitting, rest, rest).singles:
                 name = start.effect.name
                 if gain <= 0.0 or len(found) == self._settings.others:
                     break
@@ -184,8 +184,8 @@ class Search:
 
     def _depth(self, best: FittedModel) -> Depth:
         fitting = self._fitting
-        before, noise = fitting.fitted, fitting.noise(best, best)
-        screening = screen(fitting, best, noise, fitting.wrong(best))
+        before, screening = fitting.fitted, screen(fitting, best, best)
+        noise = screening.noise
         children = self._children(best, screening, noise)
         leaders = [fitting.settled(one) for one in self._different(children, noise)]
         if not leaders:

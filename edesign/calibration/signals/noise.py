@@ -103,7 +103,7 @@ def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, fl
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise
     grid, resampled = even(time, values)
-    found, _ = smoothed(resampled, noise)
+    found = smoothed(resampled, noise)
     if grid is not time:  # what was taken off, so that what the even grid does not resolve stays
         found = values - np.asarray(CubicSpline(grid, resampled - found)(time), dtype=float)
     return found, noise

@@ -154,6 +154,23 @@ def test_effects_are_screened_beside_what_is_each_tests_own() -> None:
     assert found(problem).best.names == {"zero", "lifted"}
 
 
+def test_what_is_slow_and_each_tests_own_is_seen_behind_better_guesses() -> None:
+    """Under slow noise two lines are no evidence; noise by what all effects together leave shows them."""
+    line = effect("line", "own", lambda p, i, u, v: 5.0 * np.linspace(0.0, 1.0, u.size)[:, np.newaxis], own=True)
+    up = effect("up", "x", lambda p, i, u, v: p[0] * (-1.0) ** i * np.linspace(0.0, 1.0, u.size))
+    others = [linear(f"guess_{k}", columns(20 + k)) for k in range(3)]
+    problem = CurveProblem(effects=(line, *others), truth=((up, (2.0,)),), tests=2)
+    assert found(problem, singles=1, pairs=0).best.names == {"line"}
+
+
+def test_what_is_each_tests_own_is_screened_in_pairs() -> None:
+    """Beside its own constant each test shows the second effect; neither is better alone than the other guesses."""
+    lifted = effect("lifted", "x", lambda p, i, u, v: p[0] * (20.0 + np.sin(7.0 * u)))
+    problem = CurveProblem(effects=(OWN, lifted, DRAG), truth=((lifted, (0.03,)),), zeros=2.0)
+    pairs = found(problem).depths[0].screening.pairs
+    assert {start.effect.name for start in pairs[0][0]} == {"zero", "lifted"}
+
+
 def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
     """One test alone goes far enough to tell size and exponent."""
     power = effect(

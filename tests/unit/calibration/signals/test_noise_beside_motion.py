@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from edesign.calibration.signals.noise import smooth, white_noise
+from edesign.core.damper import CoreDamper
 
 RATE, SAMPLES = 250.0, 2000  # Hz, and samples
 TIME = np.arange(SAMPLES) / RATE
@@ -16,6 +17,24 @@ def test_what_a_law_that_is_right_leaves_of_a_force_is_noise(seed: int) -> None:
     left = 60.0 * np.random.default_rng(seed).standard_normal(SAMPLES)
     # estimated from a spectrum of some thirty segments: by chance above or below the deviation of the samples
     assert white_noise(left, TIME) == pytest.approx(60.0, rel=0.15)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_noise_of_a_rest_does_not_make_a_law_creep(seed: int) -> None:
+    """A specimen is pulled in a tenth of a second and held. Noise makes it unload steeper than it loads.
+
+    The path of noise is 2 / sqrt(pi) = 1.1 deviations a sample. Beside the corners, which no frequency tells from
+    noise, deviations of it are left: 2 % of the elastic displacement at the force that is held.
+    """
+    noise, held = 6e-6, 10e-3
+    motion = held * np.clip((TIME - 1.0) / 0.1, 0.0, 1.0)
+    found, _, _, _ = smooth(TIME, motion + noise * np.random.default_rng(seed).standard_normal(SAMPLES))
+    rest = TIME > 2.0
+    assert np.sum(np.abs(np.diff(found[rest]))) < 0.02 * 1.1 * noise * np.count_nonzero(rest)
+    values = {"Fy": 2e5, "Y": 2e-3, "alpha": 0.1, "A": 1.0, "beta": 0.5, "gamma": 0.5, "n": 1.1}
+    specimen = CoreDamper("bouc_wen", tuple(values.values()))
+    force, true = (specimen.force(TIME, u, np.gradient(u, TIME)) for u in (found, motion))
+    assert np.max(np.abs(force - true)[rest]) < 0.03 * np.max(true)
 
 
 @pytest.mark.parametrize("seed", range(3))
