@@ -26,8 +26,9 @@ def common_tones(
 ) -> tuple[float, ...]:
     """Return the frequencies of narrow peaks above the noise, Hz, the strongest first.
 
-    Only frequencies above the seventh harmonic of the fastest motion count, up to half the rate of the slowest
-    sampling. A peak must stand out in the mean of power over background, over tests whose law has no peak there.
+    Of each test only frequencies above the seventh harmonic of its motion count, up to half the rate of the slowest
+    sampling. A peak must stand out in the mean of power over background, over those tests, half of all or more, whose
+    law has no peak there.
 
     Args:
         motions: of the tests, at full rate.
@@ -38,7 +39,8 @@ def common_tones(
         return ()
     longest = max(float(one.since[-1]) for one in motions)
     shortest = min(float(one.since[-1]) for one in motions)
-    lowest = max(_LOWEST, _ABOVE_MOTION * max(one.frequency for one in motions))
+    above = np.array([max(_LOWEST, _ABOVE_MOTION * one.frequency) for one in motions])
+    lowest = float(np.median(above))
     highest = 0.45 / max(float(np.median(one.steps)) for one in motions)
     if highest <= lowest:
         return ()
@@ -46,10 +48,11 @@ def common_tones(
     residuals = [force - of_law for force, of_law in zip(forces, predicted, strict=True)]
     heights = np.array([_over_background(m, r, grid) for m, r in zip(motions, residuals, strict=True)])
     of_law = np.array([_over_background(m, f, grid) for m, f in zip(motions, predicted, strict=True)])
-    counts = of_law < _OF_THE_LAW
-    common = np.sum(np.where(counts, np.minimum(heights, _ONE_TEST), 0.0), axis=0) / np.maximum(counts.sum(axis=0), 1)
+    counts = (of_law < _OF_THE_LAW) & (grid >= above[:, np.newaxis])
+    number = np.maximum(counts.sum(axis=0), 1)
+    common = np.sum(np.where(counts, np.minimum(heights, _ONE_TEST), 0.0), axis=0) / number
     common[counts.sum(axis=0) < 0.5 * len(motions)] = 0.0
-    strength = np.mean(heights, axis=0)
+    strength = np.sum(np.where(counts, heights, 0.0), axis=0) / number
     found: list[float] = []
     while len(found) < _MOST and np.any(common > _STANDS_OUT):
         top = int(np.argmax(np.where(common > _STANDS_OUT, strength, 0.0)))

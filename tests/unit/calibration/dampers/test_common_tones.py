@@ -49,7 +49,7 @@ def test_harmonics_of_the_motion_and_noise_are_no_tones() -> None:
 
 
 def test_a_tone_above_harmonics_of_the_motion_is_found() -> None:
-    # sines of 1, 1.3 and 2 Hz leave their own odd harmonics; below the seventh of 2 Hz no tone is sought
+    # sines of 1, 1.3 and 2 Hz leave their own odd harmonics: up to 14 Hz
     frequencies = (1.0, 1.3, 2.0)
     motions = [sine(200.0, f, i) for i, f in enumerate(frequencies)]
     left = noise(motions, 9)
@@ -59,6 +59,16 @@ def test_a_tone_above_harmonics_of_the_motion_is_found() -> None:
     for one, residual in zip(motions, left, strict=True):
         residual += 60.0 * np.sin(W * 17.3 * one.time)
     assert tones(motions, left) == pytest.approx((17.3,), abs=0.25 / DURATION)
+
+
+def test_a_tone_below_harmonics_of_the_fastest_motion_is_found_by_slower_tests() -> None:
+    frequencies = (1.0, 1.3, 2.0)
+    motions = [sine(200.0, f, i) for i, f in enumerate(frequencies)]
+    left = noise(motions, 9)
+    for one, residual, f in zip(motions, left, frequencies, strict=True):
+        residual += sum(300.0 / n * np.sin(W * f * n * one.time) for n in (3, 5, 7))
+        residual += 60.0 * np.sin(W * 12.3 * one.time)
+    assert tones(motions, left) == pytest.approx((12.3,), abs=0.25 / DURATION)
 
 
 def test_tones_are_told_in_the_order_of_their_size() -> None:
