@@ -28,7 +28,8 @@ def judge(
 
     Returns:
         The score. `first`, `all` are None where there is nothing to name; `ratio` is the error on the tests to
-        validate over the floor of the truth, both as powers, None where there is none.
+        validate over the floor of the truth, both as powers, None where there is none; `inside` are the parameters of
+        the law whose 95 % interval holds the true value, and all that were fitted, where the effects are those hidden.
     """
     about = {
         "name": name,
@@ -47,6 +48,7 @@ def judge(
     found = [e["name"] for e in effects]
     error = _error(truth, result, validate)
     true = [] if about["kind"] == "unlisted" else [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
+    right = about["kind"] != "unlisted" and matched(true, found)
     return {
         **about,
         "found": found,
@@ -55,7 +57,20 @@ def judge(
         "first": bool(found and any(found[0] in names for names in true)) if true else None,
         "all": matched(true, found) if true else None,
         "ratio": None if error is None else error / about["floor"],
+        "inside": _inside(truth, result) if right else None,
     }
+
+
+def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int]:
+    """How many parameters of the law have an interval that holds the true value, and how many were fitted."""
+    fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
+    true = dict(truth["law_true"])
+    if truth["law"] == "bouc_wen":
+        # z has no unit of its own: the fit holds gamma, and with it the size of z
+        size = (truth["law_declared"]["gamma"] / true["gamma"]) ** (1.0 / true["n"])
+        true |= {"Fy": true["Fy"] * size, "Y": true["Y"] * size, "beta": true["beta"] * size ** true["n"]}
+    told = {name: fitted[name]["interval"] for name in true if fitted.get(name, {}).get("standard_error")}
+    return [sum(low <= true[name] <= high for name, (low, high) in told.items()), len(told)]
 
 
 def matched(true: Sequence[set[str]], found: Sequence[str]) -> bool:

@@ -53,6 +53,7 @@ def _column(scores: Sequence[Score]) -> dict[str, str]:
         "two effects: both, no other": _part([s["all"] for s in two]),
         "unlisted: called explained": _part([s["verdict"] == "explained" for s in unlisted]),
         "validation at most 2 x floor": _part([at_floor(s) for s in [*clean, *one, *two]]),
+        "parameters in their intervals": _shares([s["inside"] for s in [*clean, *one, *two] if s["inside"]]),
         "seconds: median": f"{seconds[len(seconds) // 2]:.0f}" if seconds else "-",
         "seconds: longest": f"{seconds[-1]:.0f}" if seconds else "-",
     }
@@ -71,6 +72,11 @@ def _word(score: Score) -> str:
 
 def _names(score: Score) -> str:
     return ", ".join(f"{n} {f}" if f else n for n, f in zip(score["found"], score["forms"], strict=True)) or "none"
+
+
+def _shares(counts: Sequence[Sequence[int]]) -> str:
+    number = sum(all_of_it for _, all_of_it in counts)
+    return f"{100.0 * sum(inside for inside, _ in counts) / number:.0f} %" if number else "-"
 
 
 def _part(values: Sequence[bool]) -> str:

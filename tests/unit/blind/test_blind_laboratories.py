@@ -39,6 +39,7 @@ def truth(category: str, *effects: str, accept: tuple[str, ...] = (), **changed:
         "noise_floor_validate": 0.01,
         "tests_in_motion": [],
         "nrms_is": "root: rms error over rms force",
+        "law_true": {"k0": 2.0},
         **changed,
     }
 
@@ -49,6 +50,7 @@ def result(*names: str, validate: float = 1e-4, verdict: str = "explained", **te
         "error": {"declared": {"validate": 1.0}, "refit": {"validate": 0.5}, "corrected": corrected},
         "effects": [{"name": name, "form": "form"} for name in names],
         "verdict": verdict,
+        "parameters": {"refit": {"k0": {"interval": [1.0, 1.9], "standard_error": 0.2}}},
     }
 
 
@@ -71,6 +73,22 @@ def judged(said: dict[str, Any], found: dict[str, Any] | None, name: str = "001_
 def test_naming_of_one(found: tuple[str, ...], first: bool, all_named: bool) -> None:
     told = judged(truth("one_F", "lag", accept=("inertia",)), result(*found))
     assert (told["first"], told["all"]) == (first, all_named)
+
+
+def test_intervals_count_where_the_effects_are_right() -> None:
+    assert judged(truth("one_F", "lag"), result("lag"))["inside"] == [0, 1]
+    assert judged(truth("one_F", "lag"), result("hum"))["inside"] is None
+    # z of Bouc-Wen is as large as the gamma that the fit holds: with half of the true one, sqrt(1/2) times
+    true = {"Fy": 10.0, "Y": 2.0, "beta": 0.4, "gamma": 0.6, "n": 2.0}
+    said = truth("clean_H", law="bouc_wen", law_true=true, law_declared={"gamma": 0.3})
+    told = result()
+    told["parameters"]["refit"] = {
+        "Fy": {"interval": [7.0, 7.1], "standard_error": 0.03},
+        "Y": {"interval": [1.40, 1.42], "standard_error": 0.01},
+        "beta": {"interval": [0.3, 0.5], "standard_error": 0.1},
+        "n": {"interval": [2.0, 2.0], "standard_error": 0.0},
+    }
+    assert judged(said, told)["inside"] == [2, 3]
 
 
 def test_two_effects_are_a_set() -> None:
@@ -115,6 +133,8 @@ def test_table_counts() -> None:
     assert told["two effects: both, no other"] == ["1 of 1", "-", "1 of 1", "-", "1 of 1"]
     assert told["unlisted: called explained"] == ["1 of 2", "-", "1 of 2", "1 of 2", "-"]
     assert told["validation at most 2 x floor"] == ["4 of 5", "2 of 2", "2 of 3", "2 of 3", "2 of 2"]
+    # refit of k0 = 2 from 1 to 1.9: two campaigns at rest and one in motion have the right effects
+    assert told["parameters in their intervals"] == ["0 %", "0 %", "0 %", "0 %", "0 %"]
     assert told["seconds: longest"] == ["9", "9", "3", "9", "3"]
     assert text.count("001_x") == 4  # hum beside lag, the alarm, the unlisted that is explained, the failure
     assert all(len(row) <= 80 for row in text.split("\n\n")[0].splitlines())
