@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Literal
@@ -150,7 +151,7 @@ class Search:
                 one
                 for one in tried
                 if one.difference.sure and one.model.names not in self._been and self._ahead(one.model, best)
-                if not any(self._may_be_nothing(one.model, i) for i in range(len(one.model.effects)))
+                if not any(self._of_no_size(one.model, i) for i in range(len(one.model.effects)))
             ]
             if better:
                 leader = max(better, key=lambda one: one.difference.total).model
@@ -187,7 +188,7 @@ class Search:
         before, screening = fitting.fitted, screen(fitting, best, best)
         noise = screening.noise
         children = self._children(best, screening, noise)
-        leaders = [fitting.settled(one) for one in self._different(children, noise)]
+        leaders = [fitting.settled(self._reformed(one, noise)) for one in self._different(children, noise)]
         if not leaders:
             return Depth(best, screening, fitting.fitted - before, (), None)
         leader = max(leaders, key=lambda one: fitting.score(one, noise, best, sure=False).total)
@@ -197,14 +198,16 @@ class Search:
         for one in tried:
             d = one.difference
             self._progress(f"  {one.model.label}: {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}")
-        adopted = None
-        sure = [one.model for one in tried if one.difference.sure]
-        # the best one; where all of it is dropped in the end, what is a part of it
-        for model in (one for one in sure if one.names <= sure[0].names):
-            needed = self._needed(self._reformed(model, noise), best)
+        adopted, most = None, -math.inf
+        for one in tried:
+            # of those that pass, the best by what is needed of it; parts of it may be less than the next one
+            if not one.difference.sure or one.difference.total <= most:
+                continue
+            needed = self._needed(one.model, best)
             if needed is not None and needed.names not in self._been:
-                adopted = needed
-                break
+                total = self._difference(needed, best, noise, best).total
+                if total > most:
+                    adopted, most = needed, total
         return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)
 
     def _difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
@@ -274,7 +277,7 @@ class Search:
         return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
     def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
-        """Return the model without effects that it does not need, or whose size may be nothing.
+        """Return the model without effects that it does not need, or that are of no size.
 
         Each effect is needed beside the others, whose equations may be wrong.
         """
@@ -286,7 +289,7 @@ class Search:
                 if one is None:
                     continue
                 noise = self._fitting.noise(model, one)
-                if not self._difference(model, one, noise, one).sure or self._may_be_nothing(model, index):
+                if not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
                     simpler.append(one)
             if not simpler:
                 break
@@ -295,11 +298,16 @@ class Search:
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model
 
-    def _may_be_nothing(self, model: FittedModel, index: int) -> bool:
-        """Return whether the 95 % interval of the size of an effect holds zero."""
+    def _of_no_size(self, model: FittedModel, index: int) -> bool:
+        """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect."""
+        size = model.places(index)[:1]
+        if not size:
+            return False
+        if not model.fit.free[size[0]]:
+            return True
         if not model.effects[index].linear:
             return False
-        low, high = uncertainty(model.fit, model.noise).interval(model.places(index)[0])
+        low, high = uncertainty(model.fit, model.noise).interval(size[0])
         return low <= 0.0 <= high
 
 

@@ -138,6 +138,31 @@ def test_an_equation_that_is_better_where_it_fits_takes_the_place_of_the_one_tha
     assert result.best.label == "hardening.power" and result.best.at_floor
 
 
+def test_an_effect_is_judged_by_its_best_equation() -> None:
+    """Two equations of the true effect are screened before the true one, and another effect is better than both."""
+    true = effect("saw", "true", lambda p, i, u, v: p[0] * np.sin(2.0 * np.pi * p[1] * u), [(1.0, (1.0,))])
+    problem = CurveProblem(effects=(), truth=((true, (0.2, 1.3)),), noise=0.002)
+    motion = [np.sin(2.0 * np.pi * 1.3 * u) for u, _ in problem.motions]
+
+    def like(name: str, form: str, apart: float, seed: int) -> Effect:
+        return linear(name, [m + apart * c for m, c in zip(motion, columns(seed), strict=True)], form)
+
+    near = like("saw", "a", 0.6, 31), like("saw", "b", 0.6, 32), like("other", "x", 0.4, 33)
+    result = found(replace(problem, effects=(true, *near)), depth=1, pairs=0)
+    singles = [start.effect.label for start, _ in result.depths[0].screening.singles]
+    assert singles[0] == "other.x" and singles[-1] == "saw.true"
+    assert result.best.label == "saw.true"
+
+
+def test_an_effect_at_the_bound_of_its_size_is_another_one() -> None:
+    """Half of what was measured is asked for by a size that may be a tenth."""
+    shape = columns(7)
+    size = Parameter("a", "", 0.0, 0.1, 0.05, 0.05)
+    small = Effect("small", "x", "damper", (size,), ((0.05,),), False, False, lambda p, i, u, v: p[0] * shape[i])
+    assert found(CurveProblem(effects=(small,), truth=((linear("large", shape), (0.5,)),))).best.effects == ()
+    assert found(CurveProblem(effects=(small,), truth=((linear("large", shape), (0.08,)),))).best.names == {"small"}
+
+
 def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
     cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
     truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * (u**3 + 0.04 * np.sin(2.0 * np.pi * u) * u**2))
