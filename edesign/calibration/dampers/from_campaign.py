@@ -192,6 +192,9 @@ def _with_noise(problem: DamperProblem, predicted: Sequence[np.ndarray]) -> list
             if one.displacement_noise > 0.0:
                 noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
                 motion, _ = _motion(motion.time, noisy)
+                if not motion.cornered:
+                    # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
+                    motion = replace(motion, velocity=smooth(motion.time, noisy, rests=False)[1])
             again.append(replace(one, motion=motion))
         for own, force, moved in zip(power, predicted, _forces(problem, again), strict=True):
             own += (moved - force) ** 2 / _AGAIN

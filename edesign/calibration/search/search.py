@@ -188,7 +188,7 @@ class Search:
         before, screening = fitting.fitted, screen(fitting, best, best)
         noise = screening.noise
         children = self._children(best, screening, noise)
-        leaders = [fitting.settled(self._reformed(one, noise)) for one in self._different(children, noise)]
+        leaders = [fitting.settled(self._reformed(one, noise, True)) for one in self._different(children, noise)]
         if not leaders:
             return Depth(best, screening, fitting.fitted - before, (), None)
         leader = max(leaders, key=lambda one: fitting.score(one, noise, best, sure=False).total)
@@ -203,7 +203,7 @@ class Search:
             # of those that pass, the best by what is needed of it; parts of it may be less than the next one
             if not one.difference.sure or one.difference.total <= most:
                 continue
-            needed = self._needed(one.model, best)
+            needed = self._needed(self._reformed(one.model, noise), best)
             if needed is not None and needed.names not in self._been:
                 total = self._difference(needed, best, noise, best).total
                 if total > most:
@@ -241,12 +241,20 @@ class Search:
                 found.append(model)
         return found[: self._settings.beam]
 
-    def _reformed(self, model: FittedModel, noise: Noise) -> FittedModel:
-        """Return the model with that equation of each effect that predicts best."""
-        fitting = self._fitting
+    def _reformed(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
+        """Return the model with that equation of each effect that predicts best.
+
+        Args:
+            model: fitted.
+            noise: by which predictions are compared.
+            roughly: whether fewer equations are tried, and none is fitted to the end.
+        """
+        fitting, settings = self._fitting, self._settings
         weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
         for index in range(len(model.effects)):
-            target = np.concatenate([w * c for w, c in zip(weights, model.contribution(index), strict=True)])
+            # what the effect does and should do
+            both = zip(weights, model.contribution(index), model.left, strict=True)
+            target = np.concatenate([w * (c + r) for w, c, r in both])
             like: dict[str, tuple[float, Start]] = {}
             for form, values, change in fitting.in_place(model, index, weights):
                 share = float(change @ target) / float(change @ change)
@@ -257,29 +265,31 @@ class Search:
             slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
             order = [*range(index), len(others), *range(index, len(others))]
             rough: list[FittedModel] = []
-            for _, start in sorted(like.values(), key=lambda one: -one[0])[: self._settings.others]:
+            number = settings.forms if roughly else settings.others
+            for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
                 placed = fitting.placed((*others, start.effect), [kept, start.values], slopes, noise)
                 if placed is not None:
                     rough.append(fitting.rough(placed, noise))
             totals = [fitting.score(one, noise, sure=False).total for one in rough]
             likely = [one for one, total in zip(rough, totals, strict=True) if total > max(totals) - LEAST]
-            others_settled = [fitting.in_order(fitting.settled(one), order) for one in likely]
-            model = self._simplest([model, *others_settled], noise)
+            if not roughly:
+                likely = [fitting.settled(one) for one in likely]
+            model = self._simplest([model, *(fitting.in_order(one, order) for one in likely)], noise, not roughly)
         return model
 
-    def _simplest(self, models: Sequence[FittedModel], noise: Noise) -> FittedModel:
+    def _simplest(self, models: Sequence[FittedModel], noise: Noise, sure: bool) -> FittedModel:
         """Return that of models as good as the best which has fewest parameters, none at a bound if possible.
 
         A form at a bound of a parameter is another form; that bound is no price of a parameter.
         """
-        totals = [self._fitting.score(one, noise).total for one in models]
+        totals = [self._fitting.score(one, noise, sure=sure).total for one in models]
         alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
         return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
     def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
         """Return the model without effects that it does not need, or that are of no size.
 
-        Each effect is needed beside the others, whose equations may be wrong.
+        Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
         """
         while model.effects:
             simpler = []
@@ -289,6 +299,9 @@ class Search:
                 if one is None:
                     continue
                 noise = self._fitting.noise(model, one)
+                if self._difference(model, one, noise, one).sure and one is not known:
+                    one = self._fitting.settled(self._reformed(one, noise, True))
+                    noise = self._fitting.noise(model, one)
                 if not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
                     simpler.append(one)
             if not simpler:

@@ -71,7 +71,9 @@ def _from_differences(values: np.ndarray, time: np.ndarray, order: int = 4) -> f
     return float(np.median(np.abs(differences))) / 0.67449
 
 
-def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
+def smooth(
+    time: np.ndarray, displacement: np.ndarray, rests: bool = True
+) -> tuple[np.ndarray, np.ndarray, np.ndarray, float]:
     """Return a motion freed from its noise before it is differentiated.
 
     The low-pass filter follows from the motion's spectrum and the noise (`smoothing`); velocity and
@@ -81,13 +83,14 @@ def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.n
     Args:
         time: (n,) s, ascending.
         displacement: (n,) m.
+        rests: whether noise of rests is taken off too.
 
     Returns:
         Displacement (n,) m, velocity (n,) m/s, acceleration (n,) m/s^2, and the standard deviation of white noise that
         is as strong next to the motion as that of the channel, m.
     """
     time, displacement = np.asarray(time, dtype=float), np.asarray(displacement, dtype=float)
-    found, noise = _without_noise(time, displacement)
+    found, noise = _without_noise(time, displacement, rests)
     if time.size < 4:
         velocity = np.gradient(found, time) if time.size > 1 else np.zeros_like(found)
         return found, velocity, np.zeros_like(found), noise
@@ -95,7 +98,7 @@ def smooth(time: np.ndarray, displacement: np.ndarray) -> tuple[np.ndarray, np.n
     return found, np.asarray(spline(time, 1)), np.asarray(spline(time, 2)), noise
 
 
-def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, float]:
+def _without_noise(time: np.ndarray, values: np.ndarray, rests: bool) -> tuple[np.ndarray, float]:
     """Return values without noise, and the standard deviation of white noise as strong next to the motion."""
     noise = _noise(values, time)[1]
     if noise**2 > float(np.var(values)):
@@ -103,7 +106,7 @@ def _without_noise(time: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, fl
     if noise == 0.0 or time.size < _FEWEST:
         return values.copy(), noise
     grid, resampled = even(time, values)
-    found = smoothed(resampled, noise)
+    found = smoothed(resampled, noise, rests)
     if grid is not time:  # what was taken off, so that what the even grid does not resolve stays
         found = values - np.asarray(CubicSpline(grid, resampled - found)(time), dtype=float)
     return found, noise

@@ -20,7 +20,7 @@ _WAVELET = "sym8"  # a smooth one: eight vanishing moments
 _COARSEST = 32  # samples that the coarsest of its levels has at least
 
 
-def smoothed(values: np.ndarray, noise: float) -> np.ndarray:
+def smoothed(values: np.ndarray, noise: float, rests: bool = True) -> np.ndarray:
     """Return values (n,) without noise, for even sampling.
 
     Of all gains that decrease with frequency the one with the least expected squared error of the velocity, estimated
@@ -31,6 +31,7 @@ def smoothed(values: np.ndarray, noise: float) -> np.ndarray:
     Args:
         values: (n,) in any unit, evenly sampled.
         noise: standard deviation of theirs, in that unit.
+        rests: whether noise of rests is taken off by wavelets too.
 
     Source: Stein, Ann. Statist. 9 (1981) 1135; Barlow et al., Statistical Inference under Order Restrictions (1972);
     Donoho and Johnstone, Biometrika 81 (1994) 425 (threshold); Coifman and Donoho, Lecture Notes in Statistics 103
@@ -46,7 +47,7 @@ def smoothed(values: np.ndarray, noise: float) -> np.ndarray:
     gain[gain < _LEAST_GAIN] = 0.0
     found = ends.copy()
     found[1:-1] += idst(gain * spectrum, type=1, norm="ortho")
-    return _shrunk(found, noise)
+    return _shrunk(found, noise) if rests else found
 
 
 def _shrunk(values: np.ndarray, noise: float) -> np.ndarray:
