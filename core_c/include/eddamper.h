@@ -56,7 +56,7 @@ enum {
   ED_AMEND_PAYNE_WHOLE = 1,               /* d a0 m tau_a: phi = 1 - d g(a) */
   ED_AMEND_PAYNE_ELASTIC = 2,             /* k a0 m tau_a: -k g(a) u */
   ED_AMEND_MULLINS_PATH = 3,              /* m s0 recovery: phi = 1 + m exp(-s/s0) */
-  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r recovery: phi = 1 - m erf((M - |u|)/r) */
+  ED_AMEND_MULLINS_MAXIMUM = 4,           /* m r beta recovery: phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2)) */
   ED_AMEND_MULLINS_ELASTIC = 5,           /* k s0 recovery: k exp(-s/s0) u */
   ED_AMEND_DEGRADATION_ENERGY = 6,        /* d E0: phi = 1 - d (1 - exp(-max(E, 0)/E0)) */
   ED_AMEND_SELF_HEATING_RATE = 7,         /* beta tau_h: phi = exp(-q) */
@@ -69,7 +69,7 @@ enum {
   ED_AMEND_PAYNE_NETWORK = 14,            /* d s0 tau: phi = 1 - d x, x' = (1 - x) |v|/s0 - x/tau, |v| constant over the step */
   ED_AMEND_MULLINS_DAMAGE = 15,           /* m r p recovery: phi = 1 - m (1 - exp(-(M/r)^p)) */
   ED_AMEND_VELOCITY_EXPONENT_FLOW = 16,   /* f v0: f asinh(v/v0) */
-  ED_AMEND_DEGRADATION_PATH = 17,         /* d p S: phi = 1 - d (s/S)^p */
+  ED_AMEND_DEGRADATION_PATH = 17,         /* d s0: phi = 1 - d (1 - exp(-s/s0)) */
   ED_AMEND_ONE_SIDED_CONTACT = 18,        /* k u0 n side(1, -1) r: k x (x/r)^(n-1) side, x = max(side u - u0, 0) */
   ED_AMEND_ONE_SIDED_EVEN = 19,           /* k n r: k |u| (|u|/r)^(n-1) */
   ED_AMEND_PAYNE_EXPONENTIAL = 20,        /* d a0 m tau_a: phi = 1 - d (1 - exp(-(a/a0)^m)) */

@@ -17,7 +17,7 @@ static const amendment EACH[] = {
     {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 0.4, 1.3, 2.0}},
     {ED_AMEND_PAYNE_ELASTIC, 4, {1.5, 0.4, 0.8, 0.7}},
     {ED_AMEND_MULLINS_PATH, 3, {0.4, 6.0, 0.3}},
-    {ED_AMEND_MULLINS_MAXIMUM, 3, {0.35, 0.8, 0.0}},
+    {ED_AMEND_MULLINS_MAXIMUM, 4, {0.35, 0.6, 0.3, 0.0}},
     {ED_AMEND_MULLINS_ELASTIC, 3, {2.0, 5.0, 1.0}},
     {ED_AMEND_DEGRADATION_ENERGY, 2, {0.25, 3.0}},
     {ED_AMEND_SELF_HEATING_RATE, 2, {0.03, 4.0}},
@@ -30,7 +30,7 @@ static const amendment EACH[] = {
     {ED_AMEND_PAYNE_NETWORK, 3, {0.4, 1.5, 2.0}},
     {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 0.7, 1.4, 0.5}},
     {ED_AMEND_VELOCITY_EXPONENT_FLOW, 2, {0.5, 0.3}},
-    {ED_AMEND_DEGRADATION_PATH, 3, {0.2, 0.8, 20.0}},
+    {ED_AMEND_DEGRADATION_PATH, 2, {0.2, 4.0}},
     {ED_AMEND_ONE_SIDED_CONTACT, 5, {1.4, 0.2, 1.5, -1.0, 0.8}},
     {ED_AMEND_ONE_SIDED_EVEN, 3, {0.9, 2.2, 0.7}},
     {ED_AMEND_PAYNE_EXPONENTIAL, 4, {0.25, 0.5, 1.2, 1.5}},
@@ -127,7 +127,9 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     case ED_AMEND_PAYNE_WHOLE: phi *= 1.0 - p[0] * payne(p, &m->envelope[i], h, u); break;
     case ED_AMEND_PAYNE_ELASTIC: beside -= p[0] * payne(p, &m->envelope[i], h, u) * u; break;
     case ED_AMEND_MULLINS_PATH: phi *= 1.0 + p[0] * exp(-m->path / p[1]); break;
-    case ED_AMEND_MULLINS_MAXIMUM: phi *= 1.0 - p[0] * erf((m->largest - fabs(u)) / p[1]); break;
+    case ED_AMEND_MULLINS_MAXIMUM:
+      phi *= 1.0 - p[0] * erf((m->largest * m->largest - u * u) / (p[1] * p[1] + p[2] * m->largest * m->largest));
+      break;
     case ED_AMEND_MULLINS_ELASTIC: beside += p[0] * exp(-m->path / p[1]) * u; break;
     case ED_AMEND_DEGRADATION_ENERGY: phi *= 1.0 - p[0] * (1.0 - exp(-fmax(m->work, 0.0) / p[1])); break;
     case ED_AMEND_SELF_HEATING_RATE: phi *= exp(-m->heat); break;
@@ -154,7 +156,7 @@ static double expected(memory *m, const int *used, double h, double u, double v,
       beside += p[3] * u > p[1] ? p[3] * p[0] * pow(p[4], 1.0 - p[2]) * pow(p[3] * u - p[1], p[2]) : 0.0;
       break;
     case ED_AMEND_ONE_SIDED_EVEN: beside += p[0] * p[2] * pow(fabs(u) / p[2], p[1]); break;
-    case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * pow(m->path / p[2], p[1]); break;
+    case ED_AMEND_DEGRADATION_PATH: phi *= 1.0 - p[0] * (1.0 - exp(-m->path / p[1])); break;
     case ED_AMEND_PAYNE_EXPONENTIAL: phi *= 1.0 - p[0] * (1.0 - exp(-broken(p, &m->envelope[i], h, u))); break;
     case ED_AMEND_HARDENING_EXPONENTIAL: beside += p[0] * u * (exp(u * u / (p[1] * p[1])) - 1.0); break;
     case ED_AMEND_ONE_SIDED_VALVE: phi *= p[2] * v > 0.0 ? 1.0 + p[0] * (1.0 - 2.0 / (exp(2.0 * p[2] * v / p[1]) + 1.0)) : 1.0; break;

@@ -33,7 +33,7 @@ static void check_rests(void)
     int kind, n;
     double p[4];
   } one[KINDS] = {{ED_AMEND_MULLINS_PATH, 3, {0.3, 0.05, 0.35}},      {ED_AMEND_MULLINS_ELASTIC, 3, {2e6, 0.05, 0.35}},
-                  {ED_AMEND_MULLINS_MAXIMUM, 3, {0.3, 2e-3, 0.35}},   {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
+                  {ED_AMEND_MULLINS_MAXIMUM, 4, {0.3, 2e-3, 0.4, 0.35}},   {ED_AMEND_MULLINS_DAMAGE, 4, {0.3, 4e-3, 1.3, 0.35}},
                   {ED_AMEND_PAYNE_WHOLE, 4, {0.3, 2e-3, 1.0, 10.0}},  {ED_AMEND_PAYNE_NETWORK, 3, {0.3, 5e-3, 20.0}},
                   {ED_AMEND_SELF_HEATING_RATE, 2, {1e-3, 15.0}},      {ED_AMEND_FRICTION_PRESLIDING, 2, {5e3, 1e-3}}};
   static double found[2 * N];
@@ -68,7 +68,7 @@ static void check_rests(void)
         const double power = envelope / 2e-3, factor[KINDS] = {
             [PATH] = 1.0 + 0.3 * left,
             [ELASTIC] = 1.0 + 2e6 / k * left,
-            [MAXIMUM] = 1.0 - 0.3 * erf((largest - fabs(x)) / 2e-3),
+            [MAXIMUM] = 1.0 - 0.3 * erf((largest * largest - x * x) / (4e-6 + 0.4 * largest * largest)),
             [DAMAGE] = 1.0 - 0.3 * (1.0 - exp(-pow(largest / 4e-3, 1.3))),
             [ENVELOPE] = 1.0 - 0.3 * power / (1.0 + power),
             [NETWORK] = 1.0 - 0.3 * network,

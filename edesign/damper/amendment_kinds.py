@@ -155,11 +155,13 @@ def _kinds() -> tuple[AmendmentKind, ...]:
         kind(
             "mullins.maximum",
             "softening below the largest deformation",
-            "phi = 1 - m erf((M - |u|)/r)",
-            "Ogden and Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877, with deformation in place of energy",
+            "phi = 1 - m erf((M^2 - u^2)/(r^2 + beta M^2))",
+            "Ogden and Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877; beta: Abaqus Theory Manual, section "
+            "4.7.1; with the energy of a linear spring",
             (
                 _share("m", "share of the force that goes far below the largest deformation"),
-                _positive("r", "distance from the largest deformation over which it goes", "m"),
+                _positive("r", "root of the fall from M^2 to u^2 over which 84 % of it goes, while M is small", "m"),
+                Parameter("beta", "growth of that fall with M^2", "", lower_allowed=True),
                 _RECOVERY,
             ),
         ),
@@ -199,12 +201,11 @@ def _kinds() -> tuple[AmendmentKind, ...]:
         kind(
             "degradation.path",
             "softening with the path",
-            "phi = 1 - d (s/S)^p",
-            "wear by path: Archard (1953), J. Appl. Phys. 24, 981-988",
+            "phi = 1 - d (1 - exp(-s/s0))",
+            "wear by path: Archard (1953), J. Appl. Phys. 24, 981-988; saturation: Simo (1987)",
             (
-                _share("d", "share of the force that has gone after the path S"),
-                _positive("p", "exponent", ""),
-                Parameter("S", "path after which the share d has gone", "m", fitted=False),
+                _share("d", "share of the force that goes in the end"),
+                _positive("s0", "path after which 1 - 1/e of it has gone", "m"),
             ),
         ),
         kind(

@@ -17,7 +17,7 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "whole"): {"d": 0.3, "a0": 3e-3, "m": 1.2, "tau_a": 3.0},
     ("payne", "elastic"): {"k": 2e6, "a0": 3e-3, "m": 0.8, "tau_a": 1.0},
     ("mullins", "path"): {"m": 0.4, "s0": 0.03},
-    ("mullins", "maximum"): {"m": 0.3, "r": 4e-3, "recovery": 0.5},
+    ("mullins", "maximum"): {"m": 0.3, "r": 3e-3, "beta": 0.4, "recovery": 0.5},
     ("mullins", "elastic"): {"k": 1.5e6, "s0": 0.04},
     ("degradation", "energy"): {"d": 0.25, "E0": 300.0},
     ("self_heating", "rate"): {"beta": 3e-4, "tau_h": 20.0},
@@ -38,7 +38,7 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "network"): {"d": 0.3, "s0": 0.01, "tau": 2.0},
     ("mullins", "damage"): {"m": 0.25, "r": 4e-3, "p": 1.4, "recovery": 0.2},
     ("velocity_exponent", "flow"): {"f": 1.5e3, "v0": 4e-3},
-    ("degradation", "path"): {"d": 0.2, "p": 1.3, "S": 0.1},
+    ("degradation", "path"): {"d": 0.2, "s0": 0.1},
     ("ageing", "logarithmic"): {"rate": -0.03, "n": 7.0, "n0": 0.4},
     ("payne", "exponential"): {"d": 0.25, "a0": 4e-3, "m": 1.3, "tau_a": 2.0},
     ("hardening", "exponential"): {"k": 1e6, "u0": 7e-3},
@@ -190,7 +190,7 @@ def _values(
         case "mullins.path":
             return 1.0 + p["m"] * np.exp(-path / p["s0"])
         case "mullins.maximum":
-            return np.asarray(1.0 - p["m"] * erf((largest - np.abs(u)) / p["r"]))
+            return np.asarray(1.0 - p["m"] * erf((largest**2 - u**2) / (p["r"] ** 2 + p["beta"] * largest**2)))
         case "mullins.damage":
             return 1.0 - p["m"] * (1.0 - np.exp(-((largest / p["r"]) ** p["p"])))
         case "mullins.elastic":
@@ -208,7 +208,7 @@ def _values(
         case "ageing.logarithmic":
             return ones * (1.0 + p["rate"] * log(1.0 + p["n"] / p["n0"]))
         case "degradation.path":
-            return 1.0 - p["d"] * (path / p["S"]) ** p["p"]
+            return 1.0 - p["d"] * (1.0 - np.exp(-path / p["s0"]))
         case "hardening.power":
             return p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0)
         case "hardening.exponential":

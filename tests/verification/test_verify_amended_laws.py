@@ -205,13 +205,14 @@ def test_an_oscillator_follows_the_equations_of_springs_dashpots_and_friction():
     """m u'' + K u + phi_s k u + phi_d c u' + F_c z/x0 = -m a, s' = |u'|, z' = u' - |u'| z/x0."""
     k, c = 0.4 * STIFFNESS, 0.03 * STIFFNESS
     softer = Amendment("mullins", "path", {"m": 0.6, "s0": 0.3}, "springs")
-    weaker = Amendment("degradation", "path", {"d": 0.3, "p": 1.0, "S": 1.0}, "dashpots")
+    weaker = Amendment("degradation", "path", {"d": 0.3, "s0": 0.5}, "dashpots")
     friction = Amendment("friction", "presliding", {"F_c": 4e-3 * STIFFNESS, "x0": 8e-3})
     p = friction.values
 
     def rates(time, y):
         u, v, s, z = y
-        force = (1.0 + 0.6 * np.exp(-s / 0.3)) * k * u + (1.0 - 0.3 * s) * c * v + p["F_c"] * z / p["x0"]
+        worn = 1.0 - 0.3 * (1.0 - np.exp(-s / 0.5))
+        force = (1.0 + 0.6 * np.exp(-s / 0.3)) * k * u + worn * c * v + p["F_c"] * z / p["x0"]
         ground = 2.0 * np.sin(5.0 * time) * np.exp(-0.3 * time) + np.sin(17.0 * time + 0.3)
         return [v, -(STIFFNESS * u + force) / MASS - ground, abs(v), v - abs(v) * z / p["x0"]]
 

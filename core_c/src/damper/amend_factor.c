@@ -95,14 +95,15 @@ static double mullins_path_rested(const double *p, double before)
 const ed_amendment_kind ed_amend_mullins_path = {
     .name = "mullins.path", .is_factor = 1, .has_state = 1, .at_end = mullins_path, .rested = mullins_path_rested};
 
-/* Pseudo-elasticity [Ogden & Roxburgh 1999] with the deformation in place of the energy. */
+/* Pseudo-elasticity [Ogden & Roxburgh 1999; beta: Abaqus Theory Manual, section 4.7.1] with u^2 for the energy, as of a linear spring. */
 static void mullins_maximum(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_MULLINS_MAXIMUM_PARAMETERS };
-  const double u = fabs(ends->u1), largest = fmax(before, u), below = (largest - u) / p[R];
+  const double u = fabs(ends->u1), largest = fmax(before, u), width = p[R] * p[R] + p[BETA] * largest * largest;
+  const double below = (largest - u) * (largest + u) / width;
   *after = largest;
   out->value = 1.0 - p[M] * erf(below);
-  out->by_u1 = u < before ? p[M] * M_2_SQRTPI * exp(-below * below) / p[R] * ed_sign(ends->u1) : 0.0;
+  out->by_u1 = u < before ? p[M] * M_2_SQRTPI * exp(-below * below) * 2.0 * ends->u1 / width : 0.0;
 }
 
 static double mullins_maximum_rested(const double *p, double before)
@@ -136,10 +137,9 @@ const ed_amendment_kind ed_amend_mullins_damage = {
 static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_DEGRADATION_PATH_PARAMETERS };
-  const double path = before + fabs(ends->du), gone = p[D] * pow(path / p[S], p[P]);
-  *after = path;
-  out->value = 1.0 - gone;
-  out->by_u1 = path > 0.0 ? -gone * p[P] / path * ed_sign(ends->du) : 0.0;
+  const double left = ed_path_share(p[S0], before, ends, after, &out->by_u1);
+  out->value = 1.0 - p[D] * (1.0 - left);
+  out->by_u1 *= p[D];
 }
 
 const ed_amendment_kind ed_amend_degradation_path = {

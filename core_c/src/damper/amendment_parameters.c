@@ -40,9 +40,10 @@ const ed_parameters ed_amendment_parameters[] = {
                                              {"s0", 0.0, INFINITY, 0, 1, 0, NULL},
                                              {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_AMEND_MULLINS_MAXIMUM] =
-        {.n = 3,
+        {.n = 4,
          .parameter = (const ed_parameter[]){{"m", -INFINITY, 1.0, 0, 1, 0, NULL},
                                              {"r", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"beta", 0.0, INFINITY, 1, 1, 0, NULL},
                                              {"recovery", 0.0, 1.0, 1, 1, 0, NULL}}},
     [ED_AMEND_MULLINS_DAMAGE] =
         {.n = 4,
@@ -60,10 +61,9 @@ const ed_parameters ed_amendment_parameters[] = {
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
                                              {"E0", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_DEGRADATION_PATH] =
-        {.n = 3,
+        {.n = 2,
          .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
-                                             {"p", 0.0, INFINITY, 0, 1, 0, NULL},
-                                             {"S", 0.0, INFINITY, 0, 1, 0, NULL}}},
+                                             {"s0", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_SELF_HEATING_RATE] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"beta", -INFINITY, INFINITY, 0, 1, 0, NULL},

@@ -86,6 +86,7 @@ _SHAPES: dict[tuple[str, str], _Shape] = {
     ("degradation", "energy"): _Shape(
         "work done (J)", 1.0, _work, lambda p, e: 1.0 - p["d"] * (1.0 - np.exp(-np.maximum(e, 0.0) / p["E0"]))
     ),
+    ("degradation", "path"): _Shape(_PATH, 1.0, _path, lambda p, s: 1.0 - p["d"] * (1.0 - np.exp(-s / p["s0"]))),
     ("temperature_law", "exponential"): _Shape(
         "temperature (°C)", 1.0, _temperature, lambda p, t: np.exp(-p["b"] * (t - p["T0"]))
     ),

@@ -130,14 +130,14 @@ def test_dampers_of_each_test_are_those_of_single_campaigns():
 
 
 def test_amendments_alone_go_on_where_that_is_asked():
-    """The path goes on in 1 - d s/S, whatever the parameters of each test; extremes of the MGMM do not."""
-    d, whole = 0.3, 1.0
-    worn = AmendmentValues("degradation.path", (d, 1.0, whole))
+    """The path goes on in 1 - d (1 - exp(-s/s0)), whatever the parameters of each test; extremes of the MGMM do not."""
+    d, s0 = 0.3, 0.1
+    worn = AmendmentValues("degradation.path", (d, s0))
     before, own = (np.concatenate(([0.0], np.cumsum(np.abs(np.diff(u))))) for _, u, _ in (MOTIONS[0], MOTIONS[2]))
     warmer = (0.8 * MGMM[0], *MGMM[1:])
     tests = [TESTS[0], CampaignTest(*MOTIONS[2], rest=3.0, dampers=[CoreDamper("mgmm", warmer, amendments=[worn])])]
     found = campaign_forces([CoreDamper("mgmm", MGMM, amendments=[worn])], tests, carry="amendments")
-    expected = (1.0 - d * (before[-1] + own) / whole) * CoreDamper("mgmm", warmer).force(*MOTIONS[2])
+    expected = (1.0 - d * (1.0 - np.exp(-(before[-1] + own) / s0))) * CoreDamper("mgmm", warmer).force(*MOTIONS[2])
     # sums in another order
     assert np.max(np.abs(found.force[1][0] - expected)) < 1e-12 * np.max(np.abs(expected))
 

@@ -75,10 +75,10 @@ _MAXIMUM = EffectForm(
     "damper",
     "softening below the largest deformation so far",
     "too much force in cycles smaller than one before, right again where the deformation reaches its largest so far",
-    "Ogden & Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877",
+    "Ogden & Roxburgh (1999), Proc. R. Soc. Lond. A 455, 2861-2877; beta: Abaqus Theory Manual, section 4.7.1",
     (Amendment("mullins.maximum"),),
-    lambda s: (size("m", "", 0.5, -0.9, 0.95), _distance(s, 0.4), *_recovery(s)),
-    lambda s: _with_recovery(s, tuple((0.15, r * s.displacement) for r in (0.1, 0.4, 1.5))),
+    lambda s: (size("m", "", 0.5, -0.9, 0.95), _distance(s, 0.4), share("beta", 0.1, 0.3), *_recovery(s)),
+    lambda s: _with_recovery(s, tuple((0.15, r * s.displacement, 0.1) for r in (0.1, 0.4, 1.5))),
     _constants,
 )
 _DAMAGE = EffectForm(

@@ -72,12 +72,10 @@ _PATH = EffectForm(
     "damper",
     "lasting degradation by the path travelled",
     "the force falls from test to test with the path travelled, small amplitudes counting as much as large ones",
-    "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; power of the damage sum: Marco & Starkey "
-    "(1954), Trans. ASME 76, 627-632",
+    "wear by travelled path: Archard (1953), J. Appl. Phys. 24, 981-988; Simo (1987) (exponential saturation)",
     (Amendment("degradation.path"),),
-    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("p", "", 1.0, 0.1, 6.0, spread=0.8)),
-    lambda s: ((0.1, 0.3), (0.1, 1.0), (0.1, 2.5)),
-    lambda s: {"S": s.path},
+    lambda s: (size("d", "", 0.5, -0.95, 0.95), shape("s0", "m", 0.3 * s.path, 1e-3 * s.path, 1e2 * s.path)),
+    lambda s: (*((0.1, part * s.path) for part in (0.02, 0.1, 0.5)), (0.3, 3.0 * s.path)),
 )
 
 

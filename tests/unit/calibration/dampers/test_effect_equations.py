@@ -197,7 +197,9 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "mullins.path": lambda p: whole(lambda m, i: 1.0 + p["m"] * np.exp(-paths()[i] / p["s0"])),
     "mullins.elastic": lambda p: beside(lambda m, i: p["k"] * np.exp(-paths()[i] / p["s0"]) * m.displacement),
     "mullins.maximum": lambda p: whole(
-        lambda m, i: 1.0 - p["m"] * erf((largest()[i] - np.abs(m.displacement)) / p["r"])
+        lambda m, i: (
+            1.0 - p["m"] * erf((largest()[i] ** 2 - m.displacement**2) / (p["r"] ** 2 + p["beta"] * largest()[i] ** 2))
+        )
     ),
     "mullins.damage": lambda p: whole(lambda m, i: 1.0 + p["m"] * np.expm1(-((largest()[i] / p["r"]) ** p["p"]))),
     "hardening.power": lambda p: beside(
@@ -244,7 +246,7 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "degradation.energy": lambda p: worked(
         p, lambda e: 1.0 + p["d"] * np.expm1(-max(e, 0) / p["E0"]), 1.0, np.inf, True
     ),
-    "degradation.path": lambda p: whole(lambda m, i: 1.0 - p["d"] * (paths()[i] / S.path) ** p["p"]),
+    "degradation.path": lambda p: whole(lambda m, i: 1.0 + p["d"] * np.expm1(-paths()[i] / p["s0"])),
     "ageing.linear": lambda p: whole(lambda m, i: 1.0 + p["rate"] * i),
     "ageing.logarithmic": lambda p: whole(lambda m, i: 1.0 + p["rate"] * np.log(1.0 + i / p["n0"])),
     "friction.coulomb": lambda p: beside(lambda m, i: p["F_c"] * np.tanh(m.velocity / p["v0"])),
