@@ -116,14 +116,6 @@ int ed_damper_step(const ed_damper *damper, int method, double fineness, const d
  * *done: samples that were reached when it fails. */
 int ed_damper_history(const ed_damper *damper, int method, double fineness, int n, const double *time, const double *u,
                       const double *v, double *force, int *done);
-/* Of the terms that relax in the MGMM (ED_E_STATE: not of an MGMM alone), with g = k_mod u (spring), c_mod v (dashpot) and |v|^alpha sgn v (power)
- * along the same cubics, the moments 1/h integral of g(s) T_k(2 s/h - 1) ds over each step, T_k Chebyshev's polynomials: with
- * exp(-(h - s)/t) in a series of T_k they give what any relaxation time t leaves of g. Places and weights of the quadrature suit those of
- * the damper's tau or longer. Each (n - 1) x ED_MOMENTS, row by row, or NULL: not wanted.
- * *held: k_mod u at the first deformation. */
-enum { ED_MOMENTS = 6 };
-int ed_mgmm_moments(const ed_damper *damper, int n, const double *time, const double *u, const double *v, double *spring,
-                    double *dashpot, double *power, double *held, int *done);
 /* What stands in series with a damper. It carries within (e - z) + stiffness * side * z (1 + bend z^2) at a stretch e, z: e beyond play/2,
  * either way; side: 1, or `back` where e < 0. With another power than 1 (at least that) it is stiffness * side * z |sqrt(bend) z|^(power
  * - 1) beyond the play, bend > 0, play = 0. Beside all of it damping e'. stiffness, back > 0; bend, within, play, damping >= 0, play from
@@ -136,15 +128,9 @@ typedef struct {
   double play;            /* m */
   double damping;         /* N s/m */
 } ed_rig;
-/* The same as ed_damper_history in series with a rig: u = u_d + e, and factor F(u_d) + added + spring u_d is what the rig carries.
- * factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0. force: n, through rig and damper; own: n, deformation u_d of the
- * damper. e is a parabola between samples, and linear over parts of a step in which it comes to an end of the play. fineness: of
- * ED_DAMPER_FIXED alone; SUNDIALS has the tolerance that the balance asks for. */
-int ed_damper_history_in_series(const ed_damper *damper, int method, double fineness, int n, const double *time, const double *u,
-                                const double *v, const double *factor, const double *added, const double *spring, const ed_rig *rig,
-                                double *force, double *own, int *done);
-
-/* One test of a campaign. factor (>= 0), added, spring (>= 0): n, or NULL; rig: NULL, none. */
+/* One test of a campaign: the deformation u is u_d of the damper and the stretch e of the rig, whose force is factor F(u_d) + added +
+ * spring u_d. factor (>= 0), added, spring (>= 0): n, or NULL for 1, 0 and 0; rig: NULL, none. e is a parabola between samples, and linear
+ * over parts of a step in which it comes to an end of the play. */
 typedef struct {
   int n;
   const double *time, *u, *v;
@@ -159,10 +145,9 @@ enum { ED_CARRY_NOTHING = 0, ED_CARRY_ALL = 1, ED_CARRY_AMENDMENTS = 2 };
 typedef struct {
   int status, test, sample;
 } ed_campaign_end;
-/* Forces of n_sets dampers in the same n_tests tests: factor F(u_d) + added + spring u_d, with u_d = u without rig, as from
- * ed_damper_history and ed_damper_history_in_series, to the last bit. force: [set][test][sample], the samples of tests one behind the
- * other; own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves NaN from there on and does not stop
- * the others.
+/* Forces of n_sets dampers in the same n_tests tests, without rig as from ed_damper_history to the last bit. force: [set][test][sample],
+ * the samples of tests one behind the other; own: the deformations u_d in the same order, or NULL. end: n_sets; a damper that fails leaves
+ * NaN from there on and does not stop the others. fineness: behind a rig SUNDIALS has the tolerance that the balance asks for.
  * carry: the tests are those of one specimen, in this order. Extremes that soften a law (ED_LAW_MGMM, ED_LAW_MODIFIED_BOUC_WEN) and the
  * states of amendments go on from test to test; over a rest, held at the next first deformation, envelope, network, heat and what relaxes
  * fade, and no way or work is counted. With `recovery` exp(-s/s0) comes back to l + recovery (1 - l), l what was left of it, and M to (1 -

@@ -1,6 +1,7 @@
 #include "random_calls.h"
 
 #include "checks.h"
+#include "in_series.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -146,15 +147,6 @@ static void call_histories(caller *c, const ed_damper *damper)
   int status = expect_listed(c, ed_damper_history(damper, method, fineness, n, time, u, v, force, &done));
   expect_finite(status, force, n);
   CHECK(status != ED_OK || done == n);
-  double *moment[3] = {NULL}, held;
-  for (int k = 0; k < 3; k++)
-    if (chance(c, 0.7))
-      moment[k] = room((n - 1) * ED_MOMENTS);
-  status = expect_listed(c, ed_mgmm_moments(damper, n, time, u, v, moment[0], moment[1], moment[2], &held, &done));
-  for (int k = 0; k < 3; k++)
-    if (moment[k])
-      expect_finite(status, moment[k], (n - 1) * ED_MOMENTS);
-  expect_finite(status, &held, status == ED_OK);
   const int has_power = chance(c, 0.2);
   const ed_rig rig = {.stiffness = or_absurd(c, size_between(c, 1e6, 1e9)), .back = or_absurd(c, size_between(c, 0.3, 3.0)),
                       .bend = or_absurd(c, has_power ? 1e4 : chance(c, 0.5) ? 0.0 : size_between(c, 1e2, 1e6)),
@@ -168,7 +160,7 @@ static void call_histories(caller *c, const ed_damper *damper)
     if (spring)
       spring[i] = size_between(c, 1e3, 1e6);
   }
-  status = expect_listed(c, ed_damper_history_in_series(damper, method, fineness, n, time, u, v, factor, added, spring, &rig, force, own, &done));
+  status = expect_listed(c, history_in_series(damper, method, fineness, n, time, u, v, factor, added, spring, &rig, force, own, &done));
   expect_finite(status, force, n);
   expect_finite(status, own, n);
   const ed_damper *const both[2] = {damper, damper};
@@ -185,7 +177,6 @@ static void call_histories(caller *c, const ed_damper *damper)
   }
   free(all), free(deformations);
   free(time), free(u), free(v), free(force), free(own), free(factor), free(added), free(spring);
-  free(moment[0]), free(moment[1]), free(moment[2]);
 }
 
 void call_damper(caller *c)

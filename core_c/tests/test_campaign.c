@@ -1,6 +1,7 @@
 /* Campaigns: to the last bit what single calls give; one specimen from test to test against one long test; failures and refusals. */
 #include "checks.h"
 #include "edcore.h"
+#include "in_series.h"
 
 #include <math.h>
 #include <string.h>
@@ -78,7 +79,7 @@ static void check_single_calls(int method)
         const ed_test *one = &test[k];
         int done;
         if (one->rig)
-          CHECK_STATUS(ed_damper_history_in_series(damper[s], method, fineness, one->n, one->time, one->u, one->v, one->factor, one->added,
+          CHECK_STATUS(history_in_series(damper[s], method, fineness, one->n, one->time, one->u, one->v, one->factor, one->added,
                                                    one->spring, one->rig, expected, expected_own, &done), ED_OK);
         else
           CHECK_STATUS(ed_damper_history(damper[s], method, fineness, one->n, one->time, one->u, one->v, expected, &done), ED_OK);
@@ -139,7 +140,7 @@ static void check_carry(const ed_rig *rig, double brace)
   for (int i = 0; i < (brace > 0.0 ? 9 : 10); i++)
     CHECK_STATUS(ed_damper_amend(damper, AMENDMENT[i].kind, AMENDMENT[i].placement, AMENDMENT[i].n, AMENDMENT[i].p, message, sizeof message), ED_OK);
   if (rig)
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, LONG, long_t, long_u, long_v, NULL, NULL, NULL, rig, long_force, long_own, &done), ED_OK);
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, LONG, long_t, long_u, long_v, NULL, NULL, NULL, rig, long_force, long_own, &done), ED_OK);
   else
     CHECK_STATUS(ed_damper_history(damper, ED_DAMPER_BEST, 1e-6, LONG, long_t, long_u, long_v, long_force, &done), ED_OK);
   const ed_damper *const one = damper;

@@ -1,6 +1,7 @@
 /* Dampers in series with a rig that has stiffness and play: closed forms, braces, an explicit integration, energy, refusals. */
 #include "checks.h"
 #include "edcore.h"
+#include "in_series.h"
 
 #include <complex.h>
 #include <math.h>
@@ -35,7 +36,7 @@ static void run(int law, int n_parameters, const double *parameters, int n, cons
 {
   int done;
   ed_damper *damper = make(law, n_parameters, parameters, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, n + 1, t, u, v, factor, added, NULL, &(ed_rig){stiffness, 1.0, 0.0, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, n + 1, t, u, v, factor, added, NULL, &(ed_rig){stiffness, 1.0, 0.0, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
   CHECK_INT(done, n + 1);
   ed_damper_free(damper);
 }
@@ -244,8 +245,8 @@ static void check_spring_beside(void)
   ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0), *other = make(ED_LAW_ZENER, 3, stiffer, 0.0);
   for (int i = 0; i < 3; i++) {
     const double play = i == 1 ? 1e-3 : 0.0, within = i == 2 ? 1e6 : 0.0, bend = i == 2 ? 1e6 : 0.0;
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, spring, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
-    CHECK_STATUS(ed_damper_history_in_series(other, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, expected, expected_own, &done),
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, spring, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, force, own, &done), ED_OK);
+    CHECK_STATUS(history_in_series(other, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){2e7, 1.0, bend, 1.0, within, play, 0.0}, expected, expected_own, &done),
                  ED_OK);
     for (int j = 0; j <= N; j++) {
       CHECK_NEAR(force[j], expected[j], 1e-7 * 3e4);
@@ -286,30 +287,30 @@ static void check_refusals(void)
     added[i] = spring[i] = 0.0;
   }
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, factor, added, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, before, before_own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, factor, added, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, before, before_own, &done), ED_OK);
   static const double wrong[][3] = {{0.0, 0.0, 0.0},   {-1.0, 0.0, 0.0}, {NAN, 0.0, 0.0},      {INFINITY, 0.0, 0.0}, {1e7, -1e-9, 0.0},
                                     {1e7, NAN, 0.0},   {1e7, INFINITY, 0.0}, {1e7, 0.0, -1.0}, {1e7, 0.0, NAN}};
   force[0] = own[0] = 77.0;
   for (int i = 0; i < 9; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){wrong[i][0], 1.0, 0.0, 1.0, wrong[i][2], wrong[i][1], 0.0}, force, own, &done),
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){wrong[i][0], 1.0, 0.0, 1.0, wrong[i][2], wrong[i][1], 0.0}, force, own, &done),
                  ED_E_ARGUMENT);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, 0, t, u, v, NULL, NULL, NULL, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done), ED_E_ARGUMENT);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, 0, t, u, v, NULL, NULL, NULL, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done), ED_E_ARGUMENT);
   double *const place[] = {&t[7], &u[8], &v[9], &factor[10], &added[11], &spring[12], &factor[13], &t[14], &spring[15]};
   const double bad[] = {NAN, INFINITY, NAN, NAN, NAN, NAN, -0.1, t[13], -1.0};
   for (int i = 0; i < 9; i++) {
     const double good = *place[i];
     *place[i] = bad[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, factor, added, spring, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done),
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, factor, added, spring, &(ed_rig){1e7, 1.0, 0.0, 1.0, 0.0, 0.0, 0.0}, force, own, &done),
                  i < 6 ? ED_E_NOT_FINITE : ED_E_ARGUMENT);
     CHECK_INT(done, 7 + i);
     *place[i] = good;
   }
   CHECK(force[0] == 77.0 && own[0] == 77.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_OK);
   CHECK_SAME(force, before, N + 1);
   CHECK_SAME(own, before_own, N + 1);
   u[20] = 1e308; /* overflows on the way */
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_E_NOT_FINITE);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 1e-3, 0.0}, force, own, &done), ED_E_NOT_FINITE);
   CHECK_INT(done, 20);
   ed_damper_free(damper);
 }
@@ -322,7 +323,7 @@ static void check_contact(void)
   int done, both = 0;
   sine(N, 0.01, 6e-3, 5.0, 1.0);
   ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, bend, 1.5, 0.0, 0.0, 0.0}, force, own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, bend, 1.5, 0.0, 0.0, 0.0}, force, own, &done), ED_OK);
   for (int i = 0; i <= N; i++) {
     const double e = u[i] - own[i];
     CHECK_NEAR(force[i], K * e * sqrt(sqrt(bend) * fabs(e)), 1e-9 * 6e-3 * k);
@@ -332,7 +333,7 @@ static void check_contact(void)
   CHECK_INT(both, 3);
   static const double wrong[][3] = {{0.9, 1e8, 0.0}, {NAN, 1e8, 0.0}, {1.5, 0.0, 0.0}, {1.5, 1e8, 1e-3}}; /* power, bend, play */
   for (int i = 0; i < 4; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, wrong[i][1], wrong[i][0], 0.0, wrong[i][2], 0.0}, force,
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, wrong[i][1], wrong[i][0], 0.0, wrong[i][2], 0.0}, force,
                                              own, &done),
                  ED_E_ARGUMENT);
   ed_damper_free(damper);
@@ -347,7 +348,7 @@ static void check_sides(void)
   sine(N, 0.01, 6e-3, 5.0, 1.0);
   ed_damper *damper = make(ED_LAW_KELVIN_VOIGT, 2, spring, 0.0);
   ed_rig rig = {K, back, 0.0, 1.0, 0.0, 0.0, 0.0};
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_OK);
   for (int i = 0; i <= N; i++) {
     const double side = u[i] < 0.0 ? back * K : K;
     CHECK_NEAR(force[i], k * side / (k + side) * u[i], 1e-7 * 6e-3 * k); /* the balance is kept to 1e-8 */
@@ -357,7 +358,7 @@ static void check_sides(void)
   static const double wrong[] = {0.0, -1.0, NAN, INFINITY};
   for (int i = 0; i < 4; i++) {
     rig.back = wrong[i];
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_E_ARGUMENT);
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &rig, force, own, &done), ED_E_ARGUMENT);
   }
   ed_damper_free(damper);
 }
@@ -374,7 +375,7 @@ static double damped_error(int n)
   int done;
   sine(PERIODS * n, 2.0 * M_PI / omega / n, amplitude, omega, 0.0);
   ed_damper *damper = make(ED_LAW_ZENER, 3, zener, 0.0);
-  CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, PERIODS * n + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, 0.0, 1.0, 0.0, 0.0, C}, force, own, &done), ED_OK);
+  CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, PERIODS * n + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){K, 1.0, 0.0, 1.0, 0.0, 0.0, C}, force, own, &done), ED_OK);
   for (int i = (PERIODS - 1) * n; i <= PERIODS * n; i++) { /* the rate of the rig is off by (omega h)^2/3 = 1.3e-3 at 100 steps a period */
     const double complex turned = amplitude * cexp(I * omega * t[i]);
     worst = fmax(worst, fabs(force[i] - cimag(together * turned)));
@@ -393,7 +394,7 @@ static void check_damped(void)
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
   static const double wrong[] = {-1.0, NAN, INFINITY};
   for (int i = 0; i < 3; i++)
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, 101, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 0.0, wrong[i]}, force, own, &done),
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, 101, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, 0.0, wrong[i]}, force, own, &done),
                  ED_E_ARGUMENT);
   ed_damper_free(damper);
 }
@@ -408,7 +409,7 @@ static void check_damped_energy(void)
   ed_damper *damper = make(ED_LAW_MGMM, 12, MGMM, 0.0);
   for (int i = 0; i < 2; i++) {
     const double play = i ? 1e-3 : 0.0;
-    CHECK_STATUS(ed_damper_history_in_series(damper, ED_DAMPER_BEST, 0.0, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, play, C}, force, own, &done), ED_OK);
+    CHECK_STATUS(history_in_series(damper, ED_DAMPER_BEST, 1e-6, N + 1, t, u, v, NULL, NULL, NULL, &(ed_rig){4e7, 1.0, 0.0, 1.0, 0.0, play, C}, force, own, &done), ED_OK);
     double all = 0.0, damped = 0.0, inside = 0.0;
     for (int j = N / 2; j < N; j++) {
       const double mean = 0.5 * (force[j] + force[j + 1]), e = u[j + 1] - own[j + 1] - u[j] + own[j];

@@ -11,7 +11,6 @@ from numpy.typing import ArrayLike
 
 from edesign.core._edcore import ffi, lib
 from edesign.core.errors import CoreError, status_name
-from edesign.core.rig import SeriesRig
 from edesign.core.stop import STOP, raise_if_stopped
 
 Method = Literal["best", "ode", "fixed"]
@@ -168,88 +167,6 @@ class CoreDamper:
         )
         _check(status, "damper history", f" at sample {done[0] + 1} of {t.size}")
         return result
-
-    def force_in_series(
-        self,
-        time: ArrayLike,
-        deformation: ArrayLike,
-        velocity: ArrayLike,
-        stiffness: float,
-        play: float = 0.0,
-        factor: ArrayLike | None = None,
-        added: ArrayLike | None = None,
-        cubic: float = 0.0,
-        play_stiffness: float = 0.0,
-        spring: ArrayLike | None = None,
-        power: float = 1.0,
-        compression_ratio: float = 1.0,
-        damping: float = 0.0,
-        method: Method = "best",
-        length: float | None = None,
-    ) -> tuple[np.ndarray, np.ndarray]:
-        """Return the force history in series with a rig whose pins have play and whose parts are flexible.
-
-        The force factor F + added + spring u_d, F that of the damper under its own deformation u_d, is play_stiffness
-        (e - z) + stiffness z (1 + cubic z^2), e the stretch of the rig and z what of it is beyond half the play, either
-        way: none within the play, unless it is a soft part that closes there; and damping e' beside all of it. Held at
-        the first deformation for long before. The stretch is a parabola between samples (third order in the step,
-        second with damping), and linear over sixths of a step in which it comes to an end of the play.
-
-        Args:
-            time: (n,) s, ascending.
-            deformation: (n,) m, of damper and rig.
-            velocity: (n,) m/s; between samples the cubic through deformation and velocity.
-            stiffness: of the rig, N/m, above 0.
-            play: of the pins from end to end, m, at least 0.
-            factor: (n,) of the damper's force, at least 0; None: 1.
-            added: (n,) N, carried by the rig beside the damper's force; None: 0.
-            cubic: by which the rig stiffens, 1/m2, at least 0.
-            play_stiffness: stiffness within the play, N/m, at least 0.
-            spring: (n,) N/m beside the damper's force, at least 0; None: 0.
-            power: above 1, of a rig that carries stiffness z |sqrt(cubic) z|^(power - 1), as bodies in contact do:
-                with cubic above 0, without play.
-            compression_ratio: times as stiff where it is pushed together (e < 0), above 0.
-            damping: N s/m, at least 0.
-            method: as in `force`.
-            length: as in `force`.
-
-        Returns:
-            Force through rig and damper (n,) N, and the damper's own deformation (n,) m.
-
-        Raises:
-            CoreError: a value that is not allowed, samples that are not finite or not ascending, or no balance.
-            ValueError: the samples are not equally many, or none.
-        """
-        t, u, v = (np.ascontiguousarray(values, dtype=float).ravel() for values in (time, deformation, velocity))
-        if not t.size == u.size == v.size >= 1:
-            raise ValueError(f"{t.size} times, {u.size} deformations, {v.size} velocities")
-        given = []
-        for name, values in (("factors", factor), ("added forces", added), ("springs", spring)):
-            one = None if values is None else np.ascontiguousarray(values, dtype=float).ravel()
-            if one is not None and one.size != t.size:
-                raise ValueError(f"{t.size} times, {one.size} {name}")
-            if name != "added forces" and one is not None and np.any(one < 0.0):
-                text = f"{name[:-1]} = {one.min():g} is not allowed: at least 0"
-                raise CoreError("ED_E_ARGUMENT", f"damper in series: {text}")
-            given.append(ffi.NULL if one is None else ffi.from_buffer("double[]", one))
-        rig = SeriesRig(stiffness, play, cubic, play_stiffness, power, compression_ratio, damping)
-        force, own, done = np.empty_like(t), np.empty_like(t), ffi.new("int *")
-        status = lib.ed_damper_history_in_series(
-            self._handle,
-            METHODS[method],
-            fineness(method, TOLERANCE, length),
-            t.size,
-            ffi.from_buffer("double[]", t),
-            ffi.from_buffer("double[]", u),
-            ffi.from_buffer("double[]", v),
-            *given,
-            rig.for_core(),
-            ffi.from_buffer("double[]", force),
-            ffi.from_buffer("double[]", own),
-            done,
-        )
-        _check(status, "damper in series", f" at sample {done[0] + 1} of {t.size}")
-        return force, own
 
     def start(self) -> np.ndarray:
         """Return the state at rest, for `step`.

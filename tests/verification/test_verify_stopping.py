@@ -26,7 +26,7 @@ SOON = 30.0  # s: it asks five times a second, but machines that do other things
 SETTING = """
     import signal
     import numpy as np
-    from edesign.core import Analysis, Model
+    from edesign.core import Analysis, CampaignTest, Model, SeriesRig, campaign_forces
     from edesign.core.damper import CoreDamper
     from edesign.core.spectrum import peak_responses, recursion_peaks, rotated_peak_displacement
     from edesign.ground_motion.response_spectrum import response_spectra
@@ -61,7 +61,7 @@ CALLS = {
     "recursions": "recursion_peaks(samples[:1_000_000], np.ones((40_000, 3)), np.zeros((40_000, 2)), 0.0, 100)",
     "exact steps": "CoreDamper('mgmm', MGMM, brace=1e8).force(time, samples, speed)",
     "SUNDIALS": "power.force(time, samples, speed)",
-    "in series": "mgmm.force_in_series(time, samples, speed, 1e8)",
+    "in series": "campaign_forces([mgmm], [CampaignTest(time, samples, speed, rig=SeriesRig(1e8))], threads=1)",
     "static": "structure.static(pattern, 1.0, 10_000_000)",
     "pushover": "structure.pushover(pattern, top, 'ux', 0.1, 10_000_000)",
     "history": "structure.history(samples, 0.01)",

@@ -1,7 +1,5 @@
 #include "damper/mgmm_terms.h"
 
-#include "damper/moments.h"
-
 #include <math.h>
 
 /* Pieces of quadrature: the powers of e by which the integrand may change over one, for 3 points (all together) and for 5 (each of
@@ -17,7 +15,7 @@ static void add_piece(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_
   static const double none[2] = {0.0};
   const double h = sum->path.h, length = to - from;
   ed_modulus k = ed_softening_modulus(&law->k_mod, of_u, 0.0, none), c = ed_softening_modulus(&law->c_mod, of_v, 0.0, none);
-  double along_u[2] = {0.0}, along_v[2] = {0.0}, place[ED_POWER_MANY], of_spring[ED_POWER_MANY], of_dashpot[ED_POWER_MANY];
+  double along_u[2] = {0.0}, along_v[2] = {0.0};
   for (int i = 0; i < n; i++) {
     const double s = from + length * point[i], u = ed_path_u(&sum->path, s), v = ed_path_u(&sum->velocity, s);
     for (int j = 0; sum->direction && j < 2; j++) {
@@ -28,23 +26,12 @@ static void add_piece(const ed_mgmm_constants *law, ed_mgmm_sums *sum, const ed_
       k = ed_softening_modulus(&law->k_mod, of_u, u, along_u);
     if (of_v->follow != 0.0)
       c = ed_softening_modulus(&law->c_mod, of_v, v, along_v);
-    if (sum->moments) {
-      const double share = weight[i] * length / h;
-      place[i] = 2.0 * s / h - 1.0;
-      of_spring[i] = share * k.value * u;
-      of_dashpot[i] = share * c.value * v;
-      continue;
-    }
     const double share = weight[i] * length / law->tau * exp((s - h) / law->tau);
     const double stiffness = share * law->relaxing * k.value, damping = share * (law->c1 + c.value);
     sum->value += stiffness * u + damping * v;
     for (int j = 0; sum->direction && j < 2; j++)
       sum->slope[j] += stiffness * along_u[j] + damping * along_v[j] + share * (law->relaxing * k.slope[j] * u + c.slope[j] * v);
   }
-  if (sum->moments && sum->spring)
-    ed_add_moments(sum->spring, n, place, of_spring);
-  if (sum->moments && sum->dashpot)
-    ed_add_moments(sum->dashpot, n, place, of_dashpot);
 }
 
 /* Powers of e by which a softening changes over a piece of the path of its quantity, and has faded at the beginning. */

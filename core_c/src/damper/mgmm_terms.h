@@ -26,8 +26,6 @@ typedef struct {
   ed_path path, velocity;
   const ed_path *direction, *velocity_direction; /* NULL when no slopes are wanted */
   double value, slope[2];                        /* Q(h) without Q(0), as far as it is gathered */
-  int moments;              /* those of k_mod u and c_mod v (ed_mgmm_moments) are wanted in place of Q: */
-  double *spring, *dashpot; /* each, or NULL */
 } ed_mgmm_sums;
 
 /* The terms k_mod u and (c1 + c_mod) v. of_u, of_v: pieces of the softening, of which the last ones go to the end of the step. 0: the path

@@ -2,7 +2,6 @@
 
 #include "base/power_exp.h"
 #include "damper/gauss_jacobi.h"
-#include "damper/moments.h"
 
 #include <complex.h>
 #include <math.h>
@@ -13,7 +12,7 @@
  * Where the whole path is slow, the rounding of the power at rest counts. What it takes from the power beside a reversal is a closed
  * form as long as v is a line there; else v (v^2 + rest^2)^((alpha - 1)/2) is smooth on pieces well away from the places where
  * v = +-i rest. */
-enum { GATHERED = ED_PLACES };
+enum { GATHERED = 24 };
 typedef struct {
   const ed_power_rule *rule;
   const ed_path *direction;
@@ -25,11 +24,9 @@ typedef struct {
   int complex_roots; /* the roots are those of v = +-i rest */
   double power;   /* of the base of each place */
   double value, slope[2], chord[2];
-  double *moment; /* wanted in place of the integral; else NULL. Places of several paths are gathered then, each for its own. */
   /* Places that are still to be added: the chord of the power, |v|^(alpha - 1), is base^power. */
   int n;
   double x[GATHERED], v[GATHERED], weight[GATHERED], tangent[GATHERED], base[GATHERED], fading[GATHERED];
-  double *of[GATHERED];
 } sums;
 
 /* Multiples of the speed of rest from which on a path is fast: rounding the power changes its integral by less than 1e-5 of it. */
@@ -140,31 +137,12 @@ static double distance(const sums *sum, int root, double from, double to)
   return both / (to - from);
 }
 
-static void add_to_moments(sums *sum, double share[GATHERED])
-{
-  double place[GATHERED];
-  for (int i = 0; i < sum->n; i++) {
-    place[i] = 2.0 * sum->x[i] - 1.0;
-    share[i] *= sum->weight[i] * sum->v[i];
-  }
-  for (int from = 0, to; from < sum->n; from = to) {
-    for (to = from + 1; to < sum->n && sum->of[to] == sum->of[from];)
-      to++;
-    ed_add_moments(sum->of[from], to - from, place + from, share + from);
-  }
-  sum->n = 0;
-}
-
 static void add_gathered(sums *sum)
 {
   double share[GATHERED];
   for (int i = sum->n; i % ED_POWER_BLOCK; i++)
     sum->base[i] = 1.0, sum->fading[i] = 0.0;
   ed_power_exp(sum->n, sum->power, sum->base, sum->fading, share);
-  if (sum->moment) {
-    add_to_moments(sum, share);
-    return;
-  }
   for (int i = 0; i < sum->n; i++) {
     share[i] *= sum->weight[i] * sum->time;
     sum->value += share[i] * sum->v[i];
@@ -186,8 +164,7 @@ static inline void gather(sums *sum, double x, double v, double weight, double b
   sum->weight[i] = weight;
   sum->base[i] = base;
   sum->tangent[i] = tangent;
-  sum->fading[i] = sum->moment ? 0.0 : -(1.0 - x) * sum->time;
-  sum->of[i] = sum->moment;
+  sum->fading[i] = -(1.0 - x) * sum->time;
   if (sum->n == GATHERED)
     add_gathered(sum);
 }
@@ -226,11 +203,6 @@ static void round_turn(sums *sum, double turn, double other)
   const double share = sum->time * exp(-(1.0 - turn) * sum->time) / steep;
   const double squares = size * size + sum->rest * sum->rest, power = pow(size, alpha), rounded = pow(squares, 0.5 * (alpha + 1.0));
   const double less = (size * power - rounded + pow(sum->rest, alpha + 1.0)) / (alpha + 1.0), last = power - size * rounded / squares;
-  if (sum->moment) {
-    const double place = 2.0 * turn - 1.0, amount = -copysign(less / steep, v);
-    ed_add_moments(sum->moment, 1, &place, &amount);
-    return;
-  }
   const double moment = (other > turn ? size * last - less : less - size * last) / steep;
   sum->value -= copysign(share * less, v);
   for (int j = 0; sum->direction && j < 2; j++) {
@@ -318,7 +290,6 @@ static void add_pieces(sums *sum)
 {
   const ed_power_rule *rule = sum->rule;
   if (rule->alpha < 1.0 && fabs(sum->a) + fabs(sum->b) + fabs(sum->c) < FAST * rule->rest) {
-    add_gathered(sum); /* of paths before this one, with another power */
     sum->rest = rule->rest;
     sum->power *= 0.5; /* of the square of a speed */
     sum->complex_roots = !straight(sum);
@@ -327,7 +298,7 @@ static void add_pieces(sums *sum)
     find_slow_roots(sum);
   else
     find_roots(sum);
-  if (!sum->moment && sum->rest == 0.0 && sum->time >= LAGUERRE_LEAST && far_from(sum, 1.0) && (sum->time >= FORGOTTEN || far_from(sum, 0.0))) {
+  if (sum->rest == 0.0 && sum->time >= LAGUERRE_LEAST && far_from(sum, 1.0) && (sum->time >= FORGOTTEN || far_from(sum, 0.0))) {
     add_settled(sum, 1.0, 1.0);
     if (sum->time < FORGOTTEN)
       add_settled(sum, 0.0, -1.0);
@@ -343,8 +314,6 @@ static void add_pieces(sums *sum)
     }
     if (!(to > from) || ++pieces == MOST_PIECES) {
       sum->value = NAN;
-      if (sum->moment)
-        sum->moment[0] = NAN;
       return;
     }
     longest = LONGER * (to - from);
@@ -353,35 +322,17 @@ static void add_pieces(sums *sum)
 }
 
 /* The struct is set field by field, as clearing its buffers takes as long as a short step. */
-static void begin(sums *sum, const ed_power_rule *rule, const ed_path *direction, double *moment)
+static void begin(sums *sum, const ed_power_rule *rule, const ed_path *path, const ed_path *direction)
 {
+  const double h = path->h;
   sum->rule = rule;
   sum->direction = direction;
   sum->value = sum->slope[0] = sum->slope[1] = sum->chord[0] = sum->chord[1] = 0.0;
-  sum->moment = moment;
   sum->n = 0;
-}
-
-static void set_path(sums *sum, const ed_path *path)
-{
-  const double h = path->h;
   sum->a = path->c[1], sum->b = 2.0 * path->c[2] * h, sum->c = 3.0 * path->c[3] * h * h;
-  sum->h = h, sum->time = h / sum->rule->tau;
+  sum->h = h, sum->time = h / rule->tau;
   sum->rest = 0.0, sum->complex_roots = 0;
-  sum->power = sum->rule->alpha - 1.0;
-}
-
-/* Gathers what the whole path needs. */
-static void gather_path(sums *sum)
-{
-  const ed_power_rule *rule = sum->rule;
-  const int points = plain_points(sum);
-  if (points == 0)
-    add_pieces(sum);
-  else if (points == ED_POWER_FEW)
-    regular_piece(sum, 0.0, 1.0, points, rule->few, rule->few_weight);
-  else
-    regular_piece(sum, 0.0, 1.0, points, rule->many, rule->many_weight);
+  sum->power = rule->alpha - 1.0;
 }
 
 /* The integral over a path that few points suffice for, most of those in a frame: nothing is gathered. */
@@ -414,8 +365,7 @@ double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const e
                          double chord[2])
 {
   sums sum;
-  begin(&sum, rule, direction, NULL);
-  set_path(&sum, path);
+  begin(&sum, rule, path, direction);
   const int points = plain_points(&sum);
   if (points == ED_POWER_FEW)
     return plain_integral(&sum, points, rule->few, rule->few_weight, slope, chord);
@@ -428,27 +378,6 @@ double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const e
     chord[j] = sum.chord[j];
   }
   return sum.value;
-}
-
-int ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment, ed_watch *watch)
-{
-  sums sum;
-  begin(&sum, rule, NULL, moment);
-  sum.rest = 0.0;
-  for (int i = 1; i < n && !ed_watch_step(watch); i++) {
-    ed_path path;
-    ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
-    if (isfinite(ed_path_u(&path, path.h))) {
-      set_path(&sum, &path);
-      gather_path(&sum);
-    } else
-      sum.moment[0] = NAN;
-    if (sum.rest > 0.0)
-      add_gathered(&sum); /* with its own power */
-    sum.moment += ED_MOMENTS;
-  }
-  add_gathered(&sum);
-  return !watch->stopped;
 }
 
 double ed_power_now(const ed_power_rule *rule, double v, double *slope)

@@ -2,7 +2,6 @@
 #ifndef ED_POWER_INTEGRAL_H
 #define ED_POWER_INTEGRAL_H
 
-#include "base/watch.h"
 #include "damper/path.h"
 #include "edcore.h"
 
@@ -25,11 +24,6 @@ void ed_power_rule_prepare(ed_power_rule *rule, double alpha, double tau, double
  * some 40 tau. Not a number where the path is not finite. */
 double ed_power_integral(const ed_power_rule *rule, const ed_path *path, const ed_path *direction, double slope[2],
                          double chord[2]);
-
-/* Adds the moments of |v|^alpha sgn v, 1/h integral of it with T_k(2 s/h - 1), over each step between n samples, in places that suit
- * fadings with tau or slower. moment: (n - 1) x ED_MOMENTS; not a number where a step overflows. 0: it was asked to stop. */
-int ed_power_moments(const ed_power_rule *rule, int n, const double *time, const double *u, const double *v, double *moment,
-                     ed_watch *watch);
 
 /* The rounded power at one velocity. */
 double ed_power_now(const ed_power_rule *rule, double v, double *slope);

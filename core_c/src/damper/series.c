@@ -213,20 +213,3 @@ int ed_test_run_in_series(ed_test_run *run, const ed_test *test, double *force, 
   }
   return status;
 }
-
-int ed_damper_history_in_series(const ed_damper *damper, int method, double fineness, int n, const double *time, const double *u,
-                                const double *v, const double *factor, const double *added, const double *spring, const ed_rig *rig,
-                                double *force, double *own, int *done)
-{
-  const ed_test test = {.n = n, .time = time, .u = u, .v = v, .factor = factor, .added = added, .spring = spring, .rig = rig};
-  int status = ed_check_test(&test, done);
-  if (status != ED_OK)
-    return status;
-  ed_watch watch = ed_watch_of(&damper->stop);
-  ed_test_run run;
-  status = ed_test_run_open(&run, damper, method, method == ED_DAMPER_FIXED ? fineness : ED_SERIES_TOLERANCE, &watch);
-  if (status == ED_OK)
-    status = ed_test_run_in_series(&run, &test, force, own, done);
-  ed_test_run_close(&run);
-  return status;
-}

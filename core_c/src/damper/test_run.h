@@ -49,7 +49,7 @@ int ed_check_test(const ed_test *test, int *done);
 
 /* ed_damper_history. */
 int ed_test_run_history(ed_test_run *run, int n, const double *time, const double *u, const double *v, double *force, int *done);
-/* ed_damper_history_in_series. */
+/* A test with a rig. */
 int ed_test_run_in_series(ed_test_run *run, const ed_test *test, double *force, double *own, int *done);
 
 #endif

@@ -83,7 +83,7 @@ def _parameter_names() -> dict[str, tuple[str, ...]]:
 
 
 class RigValues(NamedTuple):
-    """What stands in series with the specimen (CoreDamper.force_in_series).
+    """What stands in series with the specimen (core.rig.SeriesRig).
 
     Attributes:
         stiffness: N/m.

@@ -44,16 +44,8 @@ def test_it_is_the_single_histories_to_the_last_bit_with_any_threads(threads):
     assert found.failed == {}
     for i, damper in enumerate(sets):
         alone = damper.force(*MOTIONS[0])
-        force, own = damper.force_in_series(
-            *MOTIONS[1],
-            RIG.stiffness,
-            RIG.play,
-            ENDS,
-            100.0 * ENDS,
-            spring=1e5 * ENDS,
-            compression_ratio=RIG.compression_ratio,
-            damping=RIG.damping,
-        )
+        single = campaign_forces([damper], [TESTS[1]], own=True)
+        force, own = single.force[0][0], single.own[0][0]
         last = 0.5 * damper.force(*MOTIONS[2]) + 1e5 * MOTIONS[2][1]
         for one, expected in zip(found.force, (alone, force, last), strict=True):
             assert np.array_equal(one[i], expected)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from series_history import force_in_series
 
 from edesign.core import CoreDamper, CoreError
 
@@ -73,8 +74,13 @@ def test_forces_in_series_with_a_rig_are_smooth():
     slopes = []
     for share in (1e-4, 1e-6):
         up, down = (
-            with_share("modified_bouc_wen", 1, sign * share).force_in_series(
-                *MOTION, 80e6, damping=1e4, method="fixed", length=LENGTH
+            force_in_series(
+                with_share("modified_bouc_wen", 1, sign * share),
+                *MOTION,
+                80e6,
+                damping=1e4,
+                method="fixed",
+                length=LENGTH,
             )[0]
             for sign in (1, -1)
         )
