@@ -1,4 +1,4 @@
-"""Residuals of a campaign read: noise, lag, harmonics, maps over what the error may depend on, its shape.
+"""Residuals of a campaign read: noise, cycles, what the error depends on, its shape.
 
 The verdict says it in words (`shape.py`), and the report draws it.
 """

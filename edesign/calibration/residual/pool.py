@@ -1,18 +1,51 @@
-"""Samples of all tests together, each test over its rms force, and what parts of them a driver explains."""
+"""Samples of all tests together, each over its rms force, in bins of what a residual may depend on."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 from scipy.special import fdtrc
 
-from edesign.calibration.residual.drivers import DRIVERS
 from edesign.calibration.residual.motion import Motion
-from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.series import Residual
 
+Driver = Callable[[Residual, Motion], np.ndarray]
+Way = Literal["force", "factor"]
+_STILL = 0.01  # of the largest speed: no sign of the velocity below it
 _FEWEST_BINS, _MOST_BINS, _PER_BIN = 6, 16, 8.0  # the last: effective samples
+
+
+def _sign(test: Residual, motion: Motion) -> np.ndarray:
+    speed = np.abs(test.velocity)
+    return np.where(speed > _STILL * np.max(speed), np.sign(test.velocity), 0.0)
+
+
+def _energy(test: Residual, motion: Motion) -> np.ndarray:
+    work = 0.5 * (test.measured[1:] + test.measured[:-1]) * np.diff(test.displacement)
+    return np.concatenate(([0.0], np.cumsum(work)))
+
+
+def _path(test: Residual, motion: Motion) -> np.ndarray:
+    return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(test.displacement)))))
+
+
+DRIVERS: dict[str, tuple[str, Driver]] = {
+    "displacement": ("m", lambda test, motion: test.displacement),
+    "velocity": ("m/s", lambda test, motion: test.velocity),
+    "sign of velocity": ("", _sign),
+    "cycle": ("", lambda test, motion: motion.half_cycles.number // 2 + 1.0),
+    "amplitude": ("m", lambda test, motion: motion.half_cycles.amplitude),
+    "frequency": ("Hz", lambda test, motion: motion.half_cycles.frequency),
+    "temperature": ("degC", lambda test, motion: test.temperature),
+    "dissipated energy": ("J", _energy),
+    "path": ("m", _path),
+    "time": ("s", lambda test, motion: test.time - test.time[0]),
+    "test order": ("", lambda test, motion: np.full(test.time.size, float(test.order))),
+}
+"""Unit and values (n,) by name. Cycles, energy, path and time count from the beginning of each test."""
 
 
 @dataclass(frozen=True)
@@ -99,3 +132,45 @@ def bins(values: np.ndarray, most: int) -> np.ndarray:
     number = np.searchsorted(edges, rounded, side="right")
     seen = np.flatnonzero(np.bincount(number))
     return np.asarray(np.searchsorted(seen, number), dtype=int)
+
+
+@dataclass(frozen=True)
+class Dependence:
+    """A residual against one driver, all tests together.
+
+    Attributes:
+        driver: name in `drivers.DRIVERS`.
+        unit: of the driver.
+        way: `force`: the mean of the residual over the rms force of its test, as a force beside the law leaves it.
+            `factor`: the residual as a share of the predicted force (least squares), as a factor on the law leaves it.
+        centre: (b,) mean of the driver in each bin.
+        mean: (b,) residual in each bin, of the rms force or of the predicted force.
+        share: of the sum of squares that the means explain (eta squared), beyond the mean (force) or the factor
+            (factor) of all bins, so that what is the same everywhere counts for no driver.
+        chance: mean share that they would explain of a residual which does not depend on the driver.
+    """
+
+    driver: str
+    unit: str
+    way: Way
+    centre: np.ndarray
+    mean: np.ndarray
+    share: float
+    chance: float
+
+
+def against(pool: Pool) -> tuple[Dependence, ...]:
+    """Dependences on all drivers that change, in both ways."""
+    found = []
+    for driver, number in pool.number.items():
+        count = np.bincount(number).astype(float)
+        centre = np.bincount(number, pool.values[driver]) / count
+        ways: tuple[tuple[Way, np.ndarray], ...] = (
+            ("force", np.ones_like(pool.error)),
+            ("factor", pool.predicted),
+        )
+        for way, regressor in ways:
+            part = pool.explained(pool.error, regressor, number)
+            chance = pool.chance(count.size)
+            found.append(Dependence(driver, DRIVERS[driver][0], way, centre, part.coefficient, part.share, chance))
+    return tuple(found)

@@ -6,14 +6,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
+from scipy.interpolate import CubicSpline
 
-from edesign.calibration.residual.drivers import DRIVERS
-from edesign.calibration.residual.lag import find_lag
 from edesign.calibration.residual.motion import Motion
-from edesign.calibration.residual.pool import Pool
-from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.pool import DRIVERS, Pool
+from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.tones import Tone, find_tones
 from edesign.calibration.residual.whiteness import effective_samples, structured_share
+from edesign.calibration.signals.noise import smooth
 
 WORTH_TELLING = 0.1
 """Share of the squared residual."""
@@ -26,6 +26,7 @@ _MONOTONE, _PARITY = 0.75, 0.8  # rank correlation; share of one parity
 _STATES = ("displacement", "velocity", "sign of velocity")
 _BOTH = ("time", "test order", "temperature")  # offsets change with them as well as factors
 _SCALES = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s")}
+_LAG_STEPS, _LAG_ENOUGH = 8, 1e-4  # of Gauss-Newton; of a standard error of the lag
 
 
 @dataclass(frozen=True)
@@ -164,3 +165,44 @@ def _tones(tones: Sequence[Sequence[Tone]]) -> str:
     alike = sum(any(abs(tone.frequency / strongest.frequency - 1.0) < 0.01 for tone in one) for one in tones)
     size = f"{1e-3 * strongest.amplitude:.3g} kN, in {alike} of {len(tones)} tests"
     return f"a tone of {strongest.frequency:.4g} Hz ({size})"
+
+
+def find_lag(tests: Sequence[Residual]) -> float:
+    """Return the lag with the least squared residual, s; above zero if the measured force is late.
+
+    The residual is taken on the slope of the prediction, again and again with the shifted one. Each test counts by its
+    rms force.
+    """
+    shapes = [_Late(test) for test in tests]
+    lag, best, step = 0.0, np.inf, 0.0
+    for _ in range(_LAG_STEPS):
+        pairs = [shape.shifted(lag + step) for shape in shapes]
+        squares = sum(float(r @ r) for r, _ in pairs)
+        if squares > best:
+            step *= 0.5
+            continue
+        lag, best = lag + step, squares
+        normal = sum(float(v @ v) for _, v in pairs)
+        if normal <= 0.0 or squares <= 0.0:
+            break
+        scatter = sum(float(r @ r) * float(v @ v) / effective_samples(r) for r, v in pairs)
+        step = -sum(float(r @ v) for r, v in pairs) / normal
+        if abs(step) <= _LAG_ENOUGH * float(np.sqrt(scatter)) / normal:
+            break
+    return lag
+
+
+class _Late:
+    """A test with its prediction as a spline without noise, over its rms force."""
+
+    def __init__(self, test: Residual) -> None:
+        self.time, self.measured = test.time, test.measured / test.rms_force
+        predicted = test.predicted / test.rms_force
+        clean = smooth(test.time, predicted)[0]
+        self.rest = predicted - clean  # stays where it is
+        self.spline = CubicSpline(test.time, clean)
+
+    def shifted(self, lag: float) -> tuple[np.ndarray, np.ndarray]:
+        """Residual and slope of the prediction at a lag."""
+        at = np.clip(self.time - lag, self.time[0], self.time[-1])
+        return self.measured - self.rest - self.spline(at), self.spline(at, 1)

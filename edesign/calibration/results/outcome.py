@@ -10,8 +10,7 @@ from functools import cached_property, partial
 import numpy as np
 
 from edesign.calibration.dampers.problem import DamperProblem
-from edesign.calibration.residual.record import FEWEST
-from edesign.calibration.residual.series import Errors, Series, Stage
+from edesign.calibration.residual.series import FEWEST, Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import Evidence, Steps, depths_of, unexplained_share, verdict_of, why_withheld
 from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded

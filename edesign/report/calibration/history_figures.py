@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.calibration.residual.loops import residual_loop
+from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.series import Residual
 from edesign.report.calibration.error_tables import STAGES, noise_of
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.view import (
@@ -28,6 +30,7 @@ if TYPE_CHECKING:
 
 _MARKS = {"declared": ("o", 7.0), "refit": ("^", 6.0), "corrected": ("D", 4.0)}
 _NARROWEST = 12.0  # ends of the axis of errors: a decade is seen as one
+_POINTS = 64  # of a mean cycle
 _LEAST = 1e-6  # %: what stands for an error of zero on a logarithmic axis
 
 
@@ -156,6 +159,38 @@ def _residuals_figure(view: View) -> Figure:
     rows[-1][1].set_xlabel("displacement (mm)")
     _legend(figure, rows[0][0])
     return figure
+
+
+@dataclass(frozen=True)
+class Loop:
+    """A cycle averaged at equal phase, which runs from a zero of the displacement.
+
+    Attributes:
+        displacement: (p,) m.
+        residual: (p,) N.
+    """
+
+    displacement: np.ndarray
+    residual: np.ndarray
+
+
+def residual_loop(test: Residual, motion: Motion, points: int = _POINTS) -> Loop | None:
+    """Mean cycle of the longest steady part of a test; None if it is not periodic or sampled too coarsely."""
+    part = motion.longest()
+    if part is None:
+        return None
+    inside = part.samples(test.time)
+    phase = np.mod((test.time[inside] - part.start) / part.period, 1.0)
+    points = min(points, int(phase.size / part.cycles / 2.0))
+    number = np.minimum((phase * points).astype(int), points - 1)
+    count = np.bincount(number, minlength=points) if points else np.zeros(1)
+    if np.min(count) < 1:
+        return None
+
+    def mean(values: np.ndarray) -> np.ndarray:
+        return np.asarray(np.bincount(number, values[inside], points) / count)
+
+    return Loop(mean(test.displacement), mean(test.residual))
 
 
 def _legend(figure: Figure, axis: Axes) -> None:

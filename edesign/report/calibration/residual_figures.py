@@ -2,25 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from edesign.calibration.residual.against import Dependence
-from edesign.calibration.residual.harmonics import HIGHEST, Harmonics, harmonics
-from edesign.calibration.residual.maps import ResidualMap, residual_map
-from edesign.calibration.residual.series import Stage
+from edesign.calibration.residual.pool import Dependence
+from edesign.calibration.residual.series import Residual, Stage
 from edesign.report.calibration.view import COLOURS, View, excess
-from edesign.report.drawing.style import grid_figure, label_outer, new_figure, styled
+from edesign.report.drawing.style import grid_figure, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 _PANELS = 6
 _LEAST = 0.01  # share of the squared residual that is worth a panel
-_DECADES = 1e-4  # of the largest harmonic: smaller ones are not shown
 _SCALES = {"m": (1e3, "mm"), "m/s": (1e3, "mm/s"), "degC": (1.0, "°C")}
+_CELLS = 20  # of a map each way; even: no cell lies across zero
 _LEVELS = 11  # of colour
 _FULL = 98.0  # percentile of the map's values at the end of the colours
 
@@ -77,64 +76,6 @@ def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Fig
     return figure
 
 
-def harmonic_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
-    """Harmonics of the residual in the steady parts with the largest residual."""
-    found = {stage: _harmonics(view, stage) for stage in view.stages}
-    size = [float(np.sum(one.residual**2) / np.sum(one.force[1] ** 2)) for one in found["declared"]]
-    chosen = sorted(np.argsort(size)[::-1][:_PANELS].tolist())
-    if not chosen:
-        return
-    caption = (
-        "Harmonics of the residual in steady cycles, in per cent of the force at the frequency of the motion. The "
-        "first is an error of stiffness or damping; odd higher ones an error of shape, the same on both sides; even "
-        "ones one side against the other; 0 is the mean."
-    )
-    yield "harmonics", caption, _harmonics_figure(view, {k: [v[i] for i in chosen] for k, v in found.items()})
-
-
-def _harmonics(view: View, stage: Stage) -> list[Harmonics]:
-    return [
-        part
-        for series in view.calibration.series
-        for part in harmonics(series.residual(stage), view.motions[series.name])
-    ]
-
-
-@styled
-def _harmonics_figure(view: View, found: dict[Stage, list[Harmonics]]) -> Figure:
-    from matplotlib.ticker import FuncFormatter, NullFormatter
-
-    count = len(found["declared"])
-    figure, cells = grid_figure(count, 3, 2.4, 1.8)
-    values = {stage: [_relative(one) for one in parts] for stage, parts in found.items()}
-    every = np.concatenate([np.concatenate(parts) for parts in values.values()])
-    largest = float(np.max(every)) or 1.0
-    limits = (max(0.6 * float(np.min(every)), _DECADES * largest), 1.8 * largest)
-    orders = np.arange(HIGHEST + 1)
-    for i, axis in enumerate(cells):
-        for k, (stage, parts) in enumerate(values.items()):
-            shift = 0.34 * (k - 0.5 * (len(values) - 1))
-            height = np.maximum(parts[i], limits[0])
-            axis.bar(orders + shift, height, 0.34, color=COLOURS[stage], label=view.stages[stage])
-        part = found["declared"][i]
-        title = f"{part.test}: {part.frequency:.3g} Hz, {1e3 * part.amplitude:.3g} mm"
-        axis.set_title(title, fontsize=7.5, loc="left")
-        axis.set_yscale("log")
-        axis.set_ylim(*limits)
-        axis.set_xticks(orders)
-        axis.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        axis.yaxis.set_minor_formatter(NullFormatter())
-    label_outer(cells, 3, "harmonic", "amplitude (%)")
-    handles, labels = cells[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=2)
-    return figure
-
-
-def _relative(one: Harmonics) -> np.ndarray:
-    """Amplitudes (8,) of the residual in per cent of the first harmonic of the force."""
-    return np.asarray(100.0 * np.hypot(*one.residual.T) / max(float(np.hypot(*one.force[1])), 1e-300))
-
-
 def map_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
     """Mean residual over displacement and velocity."""
     if not view.residuals("declared"):
@@ -168,3 +109,34 @@ def _maps_figure(view: View, maps: dict[Stage, ResidualMap]) -> Figure:
     bar = figure.colorbar(mesh, ax=axes, extend="both", format="%.3g", ticks=largest * np.linspace(-1.0, 1.0, 5))
     bar.set_label("residual (%)")
     return figure
+
+
+@dataclass(frozen=True)
+class ResidualMap:
+    """Mean residual of each cell.
+
+    Attributes:
+        displacement: (d + 1,) edges, m.
+        velocity: (v + 1,) edges, m/s, closer where it is small: tests of all frequencies fill the map.
+        mean: (d, v) of the rms force of the tests; nan in cells without samples.
+    """
+
+    displacement: np.ndarray
+    velocity: np.ndarray
+    mean: np.ndarray
+
+
+def residual_map(tests: Sequence[Residual]) -> ResidualMap:
+    """Mean residual over displacement and velocity, each test over its own rms force."""
+    u, v = (np.concatenate([getattr(test, name) for test in tests]) for name in ("displacement", "velocity"))
+    error = np.concatenate([test.residual / test.rms_force for test in tests])
+    even = np.linspace(-1.0, 1.0, _CELLS + 1)
+    edges = (even * _reach(u), even * np.abs(even) * _reach(v))
+    count = np.histogram2d(u, v, edges)[0]
+    total = np.histogram2d(u, v, edges, weights=error)[0]
+    mean = np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0.0)
+    return ResidualMap(*edges, mean)
+
+
+def _reach(values: np.ndarray) -> float:
+    return max(float(np.max(np.abs(values))) * (1.0 + 1e-12), float(np.finfo(float).tiny))

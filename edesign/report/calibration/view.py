@@ -8,11 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.residual.against import Dependence, against
 from edesign.calibration.residual.motion import Motion
-from edesign.calibration.residual.pool import Pool
-from edesign.calibration.residual.record import FEWEST, Residual
-from edesign.calibration.residual.series import Series, Stage
+from edesign.calibration.residual.pool import Dependence, Pool, against
+from edesign.calibration.residual.series import FEWEST, Residual, Series, Stage
 from edesign.calibration.residual.whiteness import effective_samples
 from edesign.calibration.results.result import Calibration
 from edesign.report.calibration.error_tables import label_of

@@ -22,7 +22,7 @@ from edesign.calibration.results.result import Calibration, Estimate, Hypothesis
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.error_tables import errors_table
 from edesign.report.calibration.figures import calibration_figures
-from edesign.report.calibration.residual_figures import harmonic_figures, telling_dependences
+from edesign.report.calibration.residual_figures import telling_dependences
 from edesign.report.calibration.tables import (
     effect_parameters_table,
     effects_table,
@@ -336,21 +336,12 @@ def test_every_case_has_its_figures(found: Calibration, curves: bool) -> None:
     figures = {name: (caption, figure) for name, caption, figure in calibration_figures(found)}
     # where nothing but noise is left, the residual goes with nothing
     assert ("dependences" in figures) == curves
-    assert set(figures) - {"dependences"} == {"errors", "loops", "residuals", "harmonics", "map"}
+    assert set(figures) - {"dependences"} == {"errors", "loops", "residuals", "map"}
     (loop, *_) = figures["loops"][1].axes
     assert len(loop.get_lines()) == (3 if curves else 2)  # measured, as declared, and after if anything changed
     marks = {line.get_label(): line.get_xdata() for line in figures["errors"][1].axes[0].get_lines()}
     expected = [100.0 * found.errors["corrected"].tests[name] for name in ("slow", "fast")]
     assert list(marks["corrected"]) == pytest.approx(expected)
-
-
-def test_harmonics_of_the_gain_are_a_share_of_the_first() -> None:
-    ((_, _, figure),) = harmonic_figures(View(example.calibration()))
-    for axis in figure.axes:
-        declared = axis.containers[0]
-        assert declared[1].get_height() == pytest.approx(100.0 * 0.05 / 1.05, rel=1e-3)  # of the measured force
-        # smaller ones lie on the floor of the axis, four decades below
-        assert max(bar.get_height() for bar in [declared[0], *declared[2:]]) < 1e-3 * declared[1].get_height()
 
 
 def test_an_effect_of_the_damper_is_drawn_as_its_factor() -> None:
@@ -378,7 +369,7 @@ def test_the_page_tells_all_numbers_without_script_or_links() -> None:
     ):
         assert told in text
     pictures = re.findall(r'<figure class="picture".*?</figure>', page, flags=re.DOTALL)
-    assert len(pictures) == 7
+    assert len(pictures) == 6
     assert all(re.search(r"<svg .*<figcaption>[^<]{80}", picture, flags=re.DOTALL) for picture in pictures)
 
 

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 
 from edesign.calibration.residual.motion import Motion
-from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.shape import describe_residual
 
 RATE = 250.0  # Hz

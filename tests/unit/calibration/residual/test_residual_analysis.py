@@ -4,19 +4,17 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from residual_examples import NOISE, RATE, Example, K, campaign, cycles, described, force
+from residual_examples import RATE, Example, campaign, cycles, described, force
 
-from edesign.calibration.residual.against import Dependence, against
-from edesign.calibration.residual.harmonics import coefficients, harmonics
-from edesign.calibration.residual.lag import find_lag
-from edesign.calibration.residual.loops import residual_loop
-from edesign.calibration.residual.maps import residual_map
 from edesign.calibration.residual.motion import Motion, reversals
-from edesign.calibration.residual.pool import Pool, bins
-from edesign.calibration.residual.record import Residual
+from edesign.calibration.residual.pool import Dependence, Pool, against, bins
+from edesign.calibration.residual.series import Residual
+from edesign.calibration.residual.shape import find_lag
 from edesign.calibration.residual.tones import find_tones
 from edesign.calibration.residual.whiteness import effective_samples, structured_share
 from edesign.errors import InputError
+from edesign.report.calibration.history_figures import residual_loop
+from edesign.report.calibration.residual_figures import residual_map
 
 LATE = 4e-3  # s
 
@@ -86,30 +84,6 @@ def _common(tests: list[Residual]) -> float:
     e = np.concatenate([test.residual / test.rms_force for test in tests])
     p = np.concatenate([test.predicted / test.rms_force for test in tests])
     return float(e @ p) ** 2 / float(p @ p) / float(e @ e)
-
-
-def test_harmonics_of_a_cubic_spring_beside_a_dashpot() -> None:
-    """(U sin)^3 = U^3 (3 sin - sin 3)/4; c v = c U w cos; quadratic: U^2 (1 - cos 2)/2. Added to the prediction."""
-    k3, k2, c = 2e10, 5e7, 2e5
-    test = campaign(lambda e: k3 * e.displacement**3 + k2 * e.displacement**2 + c * e.velocity, noise=0.0)[2]
-    (found,) = harmonics(test, cycles()[2])
-    u = 12e-3
-    expected = np.zeros((8, 2))
-    expected[0, 0] = k2 * u**2 / 2.0
-    expected[1] = 0.75 * k3 * u**3, c * u * 2.0 * np.pi
-    expected[2, 1] = -k2 * u**2 / 2.0
-    expected[3, 0] = -k3 * u**3 / 4.0
-    assert found.frequency == pytest.approx(1.0, rel=1e-6)
-    # zeros of the cycles are found to 1e-6 of one, times the largest force
-    assert found.residual == pytest.approx(expected, abs=1e-4 * k3 * u**3)
-
-
-def test_coefficients_of_functions_they_consist_of() -> None:
-    phase = 2.0 * np.pi * np.arange(100) / 50.0
-    found = coefficients(phase, 2.0 + 3.0 * np.sin(phase) - 4.0 * np.cos(5.0 * phase))[0]
-    expected = np.zeros((8, 2))
-    expected[0, 0], expected[1, 0], expected[5, 1] = 2.0, 3.0, -4.0
-    assert found == pytest.approx(expected, abs=1e-12)
 
 
 def test_lag_of_a_sine_is_found_to_the_cramer_rao_bound() -> None:
@@ -199,10 +173,3 @@ def test_records_that_do_not_fit_are_refused() -> None:
         Residual("a", 0, "fit", time, time, time, time[1:], time, 20.0)
     with pytest.raises(InputError, match="sample 3 is nan"):
         Residual("a", 0, "fit", time, time, time, time, np.where(time == 2.0, np.nan, time), 20.0)
-
-
-def test_stiffness_is_the_first_harmonic_in_phase() -> None:
-    """Of a residual of 10 % of K u it is 0.1 K U; the scatter of a coefficient is s sqrt(2/n)."""
-    test = campaign(lambda e: 0.1 * K * e.displacement)[2]
-    (found,) = harmonics(test, cycles()[2])
-    assert found.residual[1] == pytest.approx([0.1 * K * 12e-3, 0.0], abs=4.0 * NOISE * np.sqrt(2.0 / 2500.0))
