@@ -1,6 +1,6 @@
 """Write docs/results/figures/thesis_damper_*: Tables A.1-A.4 of the thesis against its law, as printed and refitted.
 
-    python tools/thesis_damper_tables.py [FOLDER]
+    python -m tools.thesis_damper_tables [FOLDER]
 
 Takes some seconds. Prints the figures that docs/results/thesis_damper_tables.md quotes.
 """
@@ -15,7 +15,6 @@ from scipy.optimize import least_squares
 
 from edesign.damper.damper import Damper
 from edesign.damper.laws import law
-from edesign.damper.mgmm_steady import Arrangement, steady_loops, steady_moduli
 from edesign.damper.parameters import write_parameters
 from edesign.damper.temperature import GammaT
 from edesign.damper.testing.steady_state import PropertyRows
@@ -30,6 +29,7 @@ from edesign.damper.thesis_tables import (
 )
 from edesign.report.damper.property_figures import property_figure, residual_figure
 from edesign.report.drawing.style import save
+from tools.mgmm_steady import Arrangement, steady_loops, steady_moduli
 
 NAMES = [p.name for p in law("mgmm").parameters if p.fitted]
 TEMPERATURES = (20.0, 25.0, 30.0, 35.0)

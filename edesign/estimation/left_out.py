@@ -42,13 +42,11 @@ class Score:
         left_out: (tests,) log predictive density of each test, left out; -inf where the others do not tell all flat
             parameters.
         within: (tests,) that of each test, in the fit.
-        moved: largest change of a coordinate when a test is left out, in prior standard deviations.
         evaluations: sets of parameters for which tests were predicted.
     """
 
     left_out: np.ndarray
     within: np.ndarray
-    moved: float
     evaluations: int = 0
 
     @property
@@ -72,20 +70,18 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
     here = _Linear.of(fitted, noise, wrong)
     freedom = np.array([noise.independent(i, f.size) for i, f in enumerate(fitted.predicted)])
     whole = here.step(None)
-    left_out, within, moved, evaluations = [], [], 0.0, 0
+    left_out, within, evaluations = [], [], 0
     for i, n in enumerate(freedom):
         others = PRIOR_FREEDOM + float(np.delete(freedom, i).sum())
         step = here.step(i)
         if step is None or whole is None:
             left_out.append(-math.inf)
             within.append(-math.inf)
-            moved = math.inf
             continue
         power = here.power(whole)
         within.append(_student(power[i], _scale(power, i, others), others, n) - 0.5 * here.own[i])
-        change, at = float(np.max(np.abs(step - whole), initial=0.0)), here
-        moved = max(moved, change)
-        if refits and change > _NEAR:
+        at = here
+        if refits and np.max(np.abs(step - whole), initial=0.0) > _NEAR:
             try:
                 again = fit(fitted.model, noise.without(i), fitted, _REFIT_STEPS, _ROUGH)
                 evaluations += again.evaluations
@@ -96,7 +92,7 @@ def score(fitted: Fit, noise: Noise, wrong: Sequence[np.ndarray] | None = None, 
         quadratic, determinant = at.predicted(i, step)
         density = _student(quadratic, _scale(at.power(step), i, others), others, n)
         left_out.append(density - 0.5 * (at.own[i] + determinant))
-    return Score(np.array(left_out), np.array(within), moved, evaluations)
+    return Score(np.array(left_out), np.array(within), evaluations)
 
 
 def _scale(power: np.ndarray, test: int, others: float) -> float:
@@ -185,7 +181,6 @@ class Difference:
 
     total: float
     error: float
-    over_tests: float = 0.0
 
     @property
     def sure(self) -> bool:
@@ -206,6 +201,4 @@ def difference(better: Score, worse: Score) -> Difference:
     """
     each = better.left_out - worse.left_out
     promised = better.within - worse.within
-    t = each.size
-    over = math.sqrt(t * float(np.var(each, ddof=1))) if t > 1 else math.inf
-    return Difference(float(each.sum()), float(np.sqrt(np.sum((each - promised) ** 2))), over)
+    return Difference(float(each.sum()), float(np.sqrt(np.sum((each - promised) ** 2))))

@@ -18,7 +18,6 @@ _LEVEL = 0.95  # of intervals
 _CLUSTERS = 4  # fewest: of fewer tests, parts are taken
 _DECADE = 0.5 * math.log(10.0)
 _SMALLEST = 1e-9  # singular value, of the largest: what is below comes from errors of differences
-_PART = 0.1  # of a direction, from which a parameter has a part in it
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,7 +34,6 @@ class Uncertainty:
         freedom: degrees of freedom of that scatter.
         pulls: (clusters, p) by how much each test, or block, moves the coordinates, about their mean.
         loose: (p,) share of each coordinate's variance that lies in directions which the tests do not tell.
-        together: indices of the parameters of each such direction: only other combinations of them are known.
         condition: ratio of the singular values of the slopes, with columns of unit length.
 
     Sources: Liang and Zeger (1986), Biometrika 73, 13-22 (covariance A^-1 (sum g_i g_i') A^-1 by clusters); Bester,
@@ -49,7 +47,6 @@ class Uncertainty:
     freedom: float
     pulls: np.ndarray
     loose: np.ndarray
-    together: tuple[tuple[int, ...], ...]
     condition: float
 
     @property
@@ -103,8 +100,8 @@ def uncertainty(
     root = np.sqrt(priors_of(fitted.model.parameters)[index])
     data = triangle(*slopes, np.zeros((index.size, index.size)))
     whole = triangle(*slopes, np.diag(root))
-    spread, _, _ = _inverse(whole)
-    told, ratios, directions = _inverse(data)
+    spread, _ = _inverse(whole)
+    told, ratios = _inverse(data)
     samples = np.array([noise.independent(i, r.size) for i, r in enumerate(here.residuals)])
     freedom = max(float(samples.sum() - np.sum((data @ spread) ** 2)), 1.0)
     sizes = [np.sqrt(float(r @ r) / n * samples.sum() / freedom) for r, n in zip(here.residuals, samples, strict=True)]
@@ -121,9 +118,8 @@ def uncertainty(
     untold = np.diag(np.maximum(1.0 - np.sum((whole @ spread) ** 2, axis=0), 0.0)) * np.mean(np.square(sizes))
     within[np.ix_(index, index)] = spread @ (scatter.T @ scatter + untold) @ spread.T
     loose[index] = np.sum(told[:, lost] ** 2, axis=1) / np.maximum(np.sum(told**2, axis=1), 1e-300)
-    together = tuple(tuple(index[np.abs(v) > _PART].tolist()) for v in directions[lost])
     condition = 1.0 / max(float(ratios.min(initial=1.0)), 1e-300)
-    return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, together, condition)
+    return Uncertainty(fitted.model.parameters, fitted.z, within, freedom, pulls, loose, condition)
 
 
 def at_bounds(fitted: Fit) -> tuple[str, ...]:
@@ -133,8 +129,8 @@ def at_bounds(fitted: Fit) -> tuple[str, ...]:
     return tuple("" if free else "lower" if one else "upper" for free, one in zip(fitted.free, nearer, strict=True))
 
 
-def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return S (p, p) with (R'R)^-1 = S S', and singular values and directions of R with columns of unit length.
+def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return S (p, p) with (R'R)^-1 = S S', and singular values of R with columns of unit length.
 
     Directions that R does not tell have a large variance instead of none.
     """
@@ -143,4 +139,4 @@ def _inverse(root: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     _, singular, vectors = np.linalg.svd(root / length, full_matrices=False)
     largest = max(float(singular.max(initial=0.0)), 1e-150)
     spread = vectors.T / length[:, np.newaxis] / np.maximum(singular, _SMALLEST * largest)
-    return spread, singular / largest, vectors
+    return spread, singular / largest

@@ -1,7 +1,7 @@
 """Predicted properties of steady tests against closed forms; no reference uses the simulation or the C core.
 
 Complex moduli of Kelvin-Voigt, Zener and Maxwell (Christensen 1982); energy of a power-law dashpot (Constantinou &
-Symans 1993); areas of a bilinear loop; the MGMM as Fourier series (edesign.damper.mgmm_steady).
+Symans 1993); areas of a bilinear loop; the MGMM as Fourier series (tools.mgmm_steady).
 """
 
 from __future__ import annotations
@@ -13,11 +13,11 @@ import pytest
 
 from edesign.damper.damper import Damper
 from edesign.damper.laws import LAWS
-from edesign.damper.mgmm_steady import steady_loops, steady_moduli
 from edesign.damper.parameters import read_parameters
 from edesign.damper.testing.specimen import Specimen
 from edesign.damper.testing.steady_state import SAMPLES, predict
 from edesign.errors import InputError
+from tools.mgmm_steady import steady_loops, steady_moduli
 
 UNIT = Specimen("unit", 1, 1.0, 1.0)  # strain and stress are deformation and force
 FREQUENCIES = np.array([0.25, 1.0, 4.0])

@@ -61,7 +61,6 @@ def test_a_fit_that_has_not_ended_has_the_score_of_its_end() -> None:
     model, noise = linear(matrices, measured, normal("abc")), Noise.white([0.5, 0.6, 0.7, 0.5])
     ended, begun = fit(model, noise, settings=TIGHT), fit(model, noise, steps=0)
     np.testing.assert_allclose(score(begun, noise).left_out, score(ended, noise).left_out, rtol=1e-7)
-    assert score(begun, noise).moved == pytest.approx(score(ended, noise).moved, rel=1e-6)
 
 
 def test_the_score_of_a_nonlinear_model_is_near() -> None:
@@ -72,7 +71,6 @@ def test_the_score_of_a_nonlinear_model_is_near() -> None:
     model, noise = FormulaModel(normal("abc"), measured, formula), Noise.white([0.05] * 4)
     found = score(fit(model, noise, settings=TIGHT), noise)
     np.testing.assert_allclose(found.left_out, by_refits(model, noise), atol=0.2)
-    assert 0.0 < found.moved < 0.2
 
 
 def test_own_shares_count_as_parameters_of_a_test() -> None:
@@ -111,7 +109,6 @@ def test_refits_follow_what_one_step_does_not() -> None:
     fitted = fit(model, noise, settings=TIGHT)
     expected = by_refits(model, noise)
     errors = [np.abs(score(fitted, noise, refits=again).left_out - expected).max() for again in (False, True)]
-    assert score(fitted, noise).moved > 1.0
     assert errors[1] < 0.5 * errors[0]
 
 
@@ -123,7 +120,7 @@ def test_one_test_has_its_prior_and_flat_parameters_need_others() -> None:
     np.testing.assert_allclose(found.left_out, by_refits_of_one(one, 0.6), rtol=1e-7)
     flat = linear(matrices, measured, free("abc"))
     assert score(fit(flat, noise, settings=TIGHT), noise).total == -np.inf
-    assert score(fit(linear([np.ones((3, 0))], [np.ones(3)], ()), noise), noise).moved == 0.0
+    assert np.isfinite(score(fit(linear([np.ones((3, 0))], [np.ones(3)], ()), noise), noise).total)
 
 
 def by_refits_of_one(model: FormulaModel, deviation: float) -> list[float]:

@@ -26,7 +26,6 @@ from edesign.calibration.search.settings import SETTINGS
 from edesign.damper.damper import Damper
 from edesign.damper.law_file import read_law_file, resolve
 from edesign.damper.laws import law
-from edesign.damper.mgmm_steady import steady_loops, steady_moduli
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.damper.testing.steady_state import CYCLES, SAMPLES, PropertyRows
 from edesign.damper.thesis_tables import predicted
@@ -36,6 +35,7 @@ from edesign.estimation.left_out import Difference
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import coordinates_of
+from tools.mgmm_steady import steady_loops, steady_moduli
 
 THESIS = """\
 specimen: {name: prototype, layers: 2, layer_area_mm2: 41400, layer_thickness_mm: 12}

@@ -24,7 +24,7 @@ class Even(Posterior):
 
     @property
     def scores(self):
-        return tuple(Score(np.zeros(3), np.zeros(3), 0.0) for _ in self.models)
+        return tuple(Score(np.zeros(3), np.zeros(3)) for _ in self.models)
 
 
 def posterior(tests, *labels: str, size: float = 0.3) -> Posterior:

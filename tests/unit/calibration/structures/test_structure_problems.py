@@ -11,12 +11,12 @@ import pytest
 
 from edesign.calibration.structures.campaign import StructureCampaign, load_structure_campaign
 from edesign.calibration.structures.from_campaign import structure_problem
-from edesign.calibration.structures.isolation_layer import isolation_layer_tests
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.errors import InputError
 from edesign.estimation.least_squares import fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
+from tools.campaign_of_isolated_building import isolation_layer_tests
 
 STEP, SAMPLES = 0.02, 200
 ISOLATED = """\
