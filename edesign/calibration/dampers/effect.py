@@ -101,12 +101,12 @@ class FormInCampaign:
         return self.form.signature
 
     def values(self, numbers: Iterable[float]) -> Values:
-        """Return all values of the acts by name.
+        """Return all values of the acts by name, those of the parameters first.
 
         Args:
             numbers: of the parameters in their order, SI.
         """
-        return {**self.constants, **dict(zip(self.parameters, map(float, numbers), strict=True))}
+        return {**dict(zip(self.parameters, map(float, numbers), strict=True)), **self.constants}
 
 
 def placed(form: EffectForm, *placements: Placement) -> tuple[EffectForm, ...]:

@@ -135,22 +135,14 @@ class PropertyModel:
         return np.sort(np.concatenate([self.problem.groups[i].rows for i in self.groups]))
 
     def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
-        """Return G', G_eq and loss factor over the measured ones (3 rows,) of each group, for each set of parameters.
-
-        Args:
-            values: (m, p) SI.
-        """
+        """Return G', G_eq and loss factor over the measured ones (3 rows,) of each group for each set."""
         return [
             found if isinstance(found, PredictionError) else [self._ratios(found, i) for i in self.groups]
             for found in self.amplitudes(values)
         ]
 
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return None of each group: nothing is a group's own.
-
-        Args:
-            values: (p,) SI.
-        """
+        """Return None of each group: nothing is a group's own."""
         return [None] * len(self.groups)
 
     def amplitudes(self, values: np.ndarray) -> list[np.ndarray | PredictionError]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -16,7 +16,6 @@ from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
-from edesign.estimation.parameters import Parameter
 from edesign.estimation.uncertainty import at_bounds, uncertainty
 
 _STEPS = 8  # of a fit that begins near its end
@@ -71,9 +70,10 @@ def kept(fitting: Fitting, model: FittedModel) -> Kept:
         fewer = fitting.fit(others, values, model.noise, _STEPS)
         if fewer is None:
             raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
-        shown = practical(size, {one.name: estimate for one, estimate in _own(model, index)})
-        low, high = shown.interval
-        name = model.effects[index].parameters[0].name
+        own = model.effects[index].parameters
+        values = model.fit.values[model.places(index)].tolist()
+        shown = practical(size, {one.name: Estimate.held(v, one.unit) for one, v in zip(own, values, strict=True)})
+        (low, high), name = shown.interval, own[0].name
         why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
         dropped.append((model, index, why))
         model = fitting.settled(fitting.fit(others, fewer.fit.values, fewer.noise) or fewer)
@@ -89,39 +89,18 @@ def _size(model: FittedModel, index: int) -> Estimate | None:
     return Estimate(float(model.fit.values[at]), 0.0, one.unit, (low, high)) if low <= 0.0 <= high else None
 
 
-def _own(model: FittedModel, index: int) -> Iterator[tuple[Parameter, Estimate]]:
-    """Return the parameters of an effect with their values."""
-    for one, at in zip(model.effects[index].parameters, model.places(index), strict=True):
-        yield one, Estimate.held(float(model.fit.values[at]), one.unit)
-
-
 def estimates(model: FittedModel) -> list[Estimate]:
     """Return all parameters of a model with their 95 % intervals, SI."""
-    sure, bounds = uncertainty(model.fit, model.noise), at_bounds(model.fit)
-    found = []
-    for i, one in enumerate(model.fit.model.parameters):
-        value, error = (
-            float(model.fit.values[i]),
-            sure.standard_error(np.eye(sure.z.size)[i]) * _rate(one, float(sure.z[i])),
-        )
-        not_determined = (
-            f"at its {bounds[i]} bound"
-            if bounds[i]
-            else ""
-            if sure.determined(i)
-            else _untold(one, float(sure.loose[i]))
-        )
-        found.append(Estimate(value, math.inf if bounds[i] else error, one.unit, sure.interval(i), not_determined))
+    sure, found = uncertainty(model.fit, model.noise), list[Estimate]()
+    for i, (one, bound) in enumerate(zip(model.fit.model.parameters, at_bounds(model.fit), strict=True)):
+        value, alone = float(model.fit.values[i]), np.eye(sure.z.size)[i]
+        rate = one.spread * (one.value(float(sure.z[i])) if one.logarithmic else 1.0)  # for a change of its coordinate
+        error = math.inf if bound else sure.standard_error(alone) * rate
+        loose = float(sure.loose[i]) >= 0.5
+        untold = "only a combination of it with others is known" if loose else "not known to a decade"
+        why = f"at its {bound} bound" if bound else "" if sure.determined(i) else untold
+        found.append(Estimate(value, error, one.unit, sure.interval(i), why))
     return found
-
-
-def _rate(one: Parameter, z: float) -> float:
-    """Return the change of a value for a unit change of its coordinate."""
-    return one.spread * (one.value(z) if one.logarithmic else 1.0)
-
-
-def _untold(one: Parameter, loose: float) -> str:
-    return "only a combination of it with others is known" if loose >= 0.5 else "not known to a decade"
 
 
 def base_estimates(model: FittedModel) -> dict[str, Estimate]:

@@ -2,21 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 
+from edesign.calibration.dampers.acts import Values
+from edesign.calibration.dampers.effect import FormInCampaign, Rows
 from edesign.calibration.search.problem import Kind
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.record import Channel
 from edesign.calibration.structures.response import Link
 from edesign.calibration.structures.sizes import StructureSizes
 from edesign.estimation.parameters import Parameter
-
-Values = Mapping[str, float]
-"""Parameters by name, SI."""
-Rows = tuple[tuple[float, ...], ...]
 
 
 @dataclass(frozen=True)
@@ -94,33 +92,7 @@ class StructureForm:
 
 
 @dataclass(frozen=True, eq=False)
-class FormInStructure:
-    """A form with the numbers that a structure fixes.
+class FormInStructure(FormInCampaign):
+    """A form with the numbers that a structure fixes."""
 
-    Attributes:
-        form: the form.
-        constants: SI.
-        parameters: names of its parameters.
-    """
-
-    form: StructureForm
-    constants: Values
-    parameters: tuple[str, ...]
-
-    @property
-    def title(self) -> str:
-        """What the form is, for people."""
-        return self.form.title
-
-    @property
-    def signature(self) -> str:
-        """What it leaves in the residual of a model without it, for people."""
-        return self.form.signature
-
-    def values(self, numbers: Iterable[float]) -> Values:
-        """Return all values of the act by name, those of the parameters first.
-
-        Args:
-            numbers: of the parameters in their order, SI.
-        """
-        return {**dict(zip(self.parameters, map(float, numbers), strict=True)), **self.constants}
+    form: StructureForm  # type: ignore[assignment]

@@ -143,12 +143,7 @@ class StructureProblem:
         return tuple(_effect(form, self.typical) for form in forms(self.typical))
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> StructureModel:
-        """Return the building with effects; its parameters are those of the base, and of the effects in their order.
-
-        Args:
-            effects: of the list.
-            uses: of the tests that it is a model of.
-        """
+        """Return the building with effects; its parameters are those of the base, and of the effects in their order."""
         return StructureModel(self, tuple(effects), self.used_for(*uses))
 
     def building(self, values: Values) -> tuple[Building, tuple[Link, ...]]:
@@ -220,23 +215,13 @@ class StructureModel:
         return tuple(self.problem.flat(i, self.problem.tests[i].values[:: self.problem.every]) for i in self.tests)
 
     def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
-        """Return the scaled channels (n_i,) of each test for each set of parameters, or why there are none.
-
-        Args:
-            values: (m, p) SI.
-        """
+        """Return the scaled channels (n_i,) of each test for each set of parameters, or why there are none."""
         return self._each(np.atleast_2d(values), False)
 
     def near(
         self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
     ) -> list[list[np.ndarray] | PredictionError]:
-        """Return predictions as `predict` does, with changes from a set of parameters near by by longer steps of links.
-
-        Args:
-            values: (m, p) SI.
-            around: (p,) SI, near them.
-            predicted: (n_i,) of each test with that set.
-        """
+        """Return predictions as `predict` does, with changes from a set near by found by longer steps of links."""
         linked = any(isinstance(act, Links) for act, _ in self._acts(around))
         if self.problem.every == 1 or len(values) < _WORTHWHILE or not linked:
             return self.predict(values)
@@ -259,11 +244,7 @@ class StructureModel:
             return list(pool.map(self._predicted, rows, [rough] * len(rows)))
 
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return None of each test: nothing is a test's own.
-
-        Args:
-            values: (p,) SI.
-        """
+        """Return None of each test: nothing is a test's own."""
         return [None] * len(self.tests)
 
     def _predicted(self, values: np.ndarray, rough: bool) -> list[np.ndarray] | PredictionError:
