@@ -24,6 +24,7 @@ from edesign.core import CampaignTest, CoreDamper, CoreError, campaign_forces
 # not as tests.*: another package may be installed by that name
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "support"))
 from damper_examples import EXAMPLES  # noqa: E402
+from series_history import force_in_series  # noqa: E402
 
 STEP, SAMPLES, TESTS, SETS = 0.01, 1000, 8, 50
 BRACE, RIG, PLAY, LENGTH = 60e6, 60e6, 5e-4, 2e-3  # N/m, N/m, m, m
@@ -84,7 +85,7 @@ def forces(
     length = LENGTH if method == "fixed" else None
     if play is None:
         return lambda: damper.force(*way, method=method, length=length)  # type: ignore[arg-type]
-    return lambda: damper.force_in_series(*way, RIG, play, method=method, length=length)[0]  # type: ignore[arg-type]
+    return lambda: force_in_series(damper, *way, RIG, play, method=method, length=length)[0]
 
 
 def elapsed(call: Callable[[], object], repeats: int) -> float:
