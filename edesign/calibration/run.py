@@ -42,7 +42,8 @@ def calibrate(
     progress("fitting the law alone")
     found = searched(problem, settings, progress, campaign.path, "law")
     steps = Steps(progress, found.ending)
-    calibration = Outcome.of(campaign, found, settings, steps).calibration(steps)
+    with steps.held():
+        calibration = Outcome.of(campaign, found, settings, steps).calibration(steps)
     return replace(calibration, seconds=clock.perf_counter() - begin)
 
 

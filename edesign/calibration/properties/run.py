@@ -84,17 +84,8 @@ def calibrate_properties(
     progress("fitting the law alone")
     found = searched(quick, settings, progress, campaign.path, "law")
     steps = Steps(progress, found.ending)
-    fitting = unbounded(quick, settings)
-    final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
-    progress("predicting all rows")
-    problem = property_problem(campaign, CYCLES, SAMPLES, threads)
-    declared = np.array([one.centre for one in quick.inner.base])
-    rows: dict[Stage, PropertyRows] = {
-        "declared": problem.model((), USES).properties(declared),
-        "refit": problem.model((), USES).properties(found.base.fit.values),
-        "corrected": problem.model(final.model.effects, USES).properties(final.model.fit.values),
-    }
-    return _Outcome(campaign, quick, problem, found, settings, final, rows).calibration(steps, begin)
+    with steps.held():
+        return _Outcome.of(campaign, quick, found, settings, steps, threads).calibration(steps, begin)
 
 
 @dataclass(frozen=True, eq=False)
@@ -117,6 +108,27 @@ class _Outcome:
     settings: SearchSettings
     kept: Kept
     rows: Mapping[Stage, PropertyRows]
+
+    @staticmethod
+    def of(
+        campaign: PropertyCampaign,
+        quick: PropertyProblem,
+        found: Found,
+        settings: SearchSettings,
+        steps: Steps,
+        threads: int,
+    ) -> _Outcome:
+        fitting = unbounded(quick, settings)
+        final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
+        steps.progress("predicting all rows")
+        problem = property_problem(campaign, CYCLES, SAMPLES, threads)
+        declared = np.array([one.centre for one in quick.inner.base])
+        rows: dict[Stage, PropertyRows] = {
+            "declared": problem.model((), USES).properties(declared),
+            "refit": problem.model((), USES).properties(found.base.fit.values),
+            "corrected": problem.model(final.model.effects, USES).properties(final.model.fit.values),
+        }
+        return _Outcome(campaign, quick, problem, found, settings, final, rows)
 
     def calibration(self, steps: Steps, begin: float) -> PropertyCalibration:
         """Return all of it for people and files; `begin`: when it began, s."""

@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+import signal
+import threading
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from edesign.calibration.residual.series import Errors, Stage
 from edesign.calibration.results.fit import Kept, effect_estimates, estimates
@@ -35,6 +38,26 @@ class Steps:
     progress: Progress
     ending: Ending
     _left: bool = False
+    _raising: Any = field(default=None, init=False)  # handler of interrupts outside of `held`; None: not in it
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Hold interrupts back from what no result can do without; steps that are taken meanwhile end by them."""
+        handler = signal.getsignal(signal.SIGINT)
+        if handler is None or threading.current_thread() is not threading.main_thread():  # which alone is interrupted
+            yield
+            return
+
+        def note(*_: object) -> None:
+            self.ending, self._left = "interrupted", True
+            self.progress("interrupted: what was found is written as it stands")
+
+        self._raising = signal.signal(signal.SIGINT, note)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, self._raising)
+            self._raising = None
 
     def take(self, what: str, step: Callable[[], T], instead: T, needed: bool = False) -> T:
         """Return what a step makes; what stands instead where it is interrupted or left out.
@@ -48,11 +71,15 @@ class Steps:
         if self._left or (self.ending == "interrupted" and not needed):
             return instead
         self.progress(what)
+        holding = None if self._raising is None else signal.signal(signal.SIGINT, self._raising)
         try:
             return step()
         except KeyboardInterrupt:
             self.ending, self._left = "interrupted", True
             return instead
+        finally:
+            if holding is not None:
+                signal.signal(signal.SIGINT, holding)
 
 
 @dataclass(frozen=True, eq=False)
@@ -169,7 +196,7 @@ def searched(problem: Problem, settings: SearchSettings, progress: Progress, cam
             f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
         ) from None
     if found.ending == "interrupted":
-        progress("interrupted: going on with what was found so far; interrupting again may end without results")
+        progress("interrupted: going on with what was found so far; interrupting again writes it as it stands")
     return found
 
 

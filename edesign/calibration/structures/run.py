@@ -67,7 +67,8 @@ def calibrate_structure(
     progress("fitting the building alone")
     found = searched(problem.thinned(), settings, progress, campaign.path, "structure")
     steps = Steps(progress, found.ending)
-    return _Outcome.of(campaign, problem, found, settings, steps).calibration(steps, begin)
+    with steps.held():
+        return _Outcome.of(campaign, problem, found, settings, steps).calibration(steps, begin)
 
 
 @dataclass(frozen=True, eq=False)

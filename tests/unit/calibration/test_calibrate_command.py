@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import signal
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,6 +13,7 @@ import yaml
 from kelvin_voigt_campaign import campaign, lawful
 
 from edesign.calibration.dampers.from_campaign import damper_problem
+from edesign.calibration.results import outcome
 from edesign.calibration.search.search import Search
 from edesign.cli.main import main
 
@@ -41,13 +43,33 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     monkeypatch.setattr(Search, "_challenge", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
-    assert "interrupting again may end" in said.err and "the search was interrupted; what it had found" in said.err
+    assert "interrupting again writes it as it stands" in said.err and "the search was interrupted; what it had found" in said.err
     assert "The search was interrupted: there may be more effects" in said.out
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
     assert told["search"] == "interrupted" and told["next_test"] is None and told["models"] == []
     assert [effect["name"] for effect in told["effects"]] == ["hardening"]
     assert told["effects"][0]["indistinguishable_from"] == []
     assert "interrupted" in (tmp_path / "out/law.yaml").read_text(encoding="utf-8").splitlines()[1]
+
+
+def test_a_second_interrupt_while_tests_are_predicted_loses_nothing(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    campaign(tmp_path / "c", _hardened, tests=5)
+    monkeypatch.setattr(Search, "_challenge", _interrupt)
+    before, predicted = signal.getsignal(signal.SIGINT), outcome.predicted
+
+    def interrupted(*given):  # type: ignore[no-untyped-def]
+        signal.raise_signal(signal.SIGINT)
+        return predicted(*given)
+
+    monkeypatch.setattr(outcome, "predicted", interrupted)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
+    assert "interrupted: what was found is written as it stands" in capsys.readouterr().err
+    told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
+    assert told["search"] == "interrupted" and [effect["name"] for effect in told["effects"]] == ["hardening"]
+    assert (tmp_path / "out/law.yaml").exists() and (tmp_path / "out/calibration.h5").exists()
+    assert signal.getsignal(signal.SIGINT) is before  # once it is done, Ctrl-C is Ctrl-C again
 
 
 def test_a_search_that_is_interrupted_before_it_finds_anything_is_not_searched(
