@@ -6,6 +6,7 @@ import errno
 import json
 import os
 import re
+import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from itertools import count
@@ -53,6 +54,22 @@ def check_folder(folder: Path) -> None:
             raise ArchiveError(f"{folder}: the folder {existing} cannot be written to")
     except (OSError, ValueError) as error:
         raise ArchiveError(f"{folder}: the folder cannot be used: {_words(error)}") from error
+
+
+def try_folder(folder: Path) -> None:
+    """Check that files can be written into a folder, or that it can be made, by making and removing another one there.
+
+    Rights alone do not tell: to an administrator all folders seem to be writable, those of `/proc` too.
+
+    Raises:
+        ArchiveError: they cannot, or it cannot.
+    """
+    check_folder(folder)
+    existing = _existing(folder)
+    try:
+        os.rmdir(tempfile.mkdtemp(prefix=".edesign-", dir=existing))
+    except OSError as error:
+        raise ArchiveError(f"{folder}: nothing can be made in the folder {existing}: {reason(error)}") from error
 
 
 def check_file(path: Path) -> None:

@@ -53,13 +53,13 @@ def calibrate(
     quiet: Annotated[bool, typer.Option("--quiet", "-q", help="No progress and no tables.")] = False,
 ) -> None:
     """Predict measured tests, find what the law or structure lacks, add it, and report errors before and after."""
-    from edesign.archive.files import check_folder
+    from edesign.archive.files import try_folder
     from edesign.errors import Interrupted
-    from edesign.report.tables.text import filled, print_tables
+    from edesign.report.tables.text import filled, print_tables, told
 
     folder = campaign.parent if output is None else output
     options = print_options(pdf, paper, appendix=False)
-    check_folder(folder)  # rather than after the search
+    try_folder(folder)  # rather than after the search
     if pdf:
         from edesign.report.pdf.document import check_pdf_engine
 
@@ -68,7 +68,7 @@ def calibrate(
 
     def tell(what: str) -> None:
         if not quiet:
-            print(f"{time.monotonic() - begin:6.1f} s  {what}", file=sys.stderr, flush=True)
+            print(told(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr), file=sys.stderr, flush=True)
 
     tell("reading the tests")
     found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))

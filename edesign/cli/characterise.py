@@ -151,7 +151,7 @@ def _campaign(
         if path in inputs[:i]:
             raise InputError(f"{path}: the file is named twice")
     tests = tuple(
-        read_test(path, temperature_C=celsius, name=name)
+        read_test(path, temperature_C=celsius, name=name, unsaid='say --temperature "20 degC"')
         for path, name in zip(inputs, short_names(inputs), strict=True)
     )
     return Campaign(specimen, None, tests, inputs[0])

@@ -178,7 +178,9 @@ def _tests(inputs: list[Path], temperature: str | None) -> tuple[DamperTest, ...
         except PydanticCustomError as error:
             raise InputError(f"--temperature: {error.message()}") from None
     names = zip(inputs, short_names(inputs), strict=True)
-    return tuple(read_test(path, temperature_C=celsius, name=name) for path, name in names)
+    return tuple(
+        read_test(path, temperature_C=celsius, name=name, unsaid='say --temperature "20 degC"') for path, name in names
+    )
 
 
 def _with_device(asked: Acceptance, device: str | None) -> Acceptance:

@@ -26,7 +26,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.temperature import GammaT, at
 from edesign.damper.testing.campaign import Campaign
-from edesign.damper.testing.measured_histories import DamperTest, Use
+from edesign.damper.testing.measured_histories import DamperTest, Use, lost_motion
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
 from edesign.estimation.least_squares import Fit, fit
@@ -63,6 +63,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     check_uses(campaign.path, campaign.tests)
     for test in campaign.tests:
         test.varying_force()
+        _check_motion(test)
     law = law_of(campaign.law.type)
     declared = law.complete(read_parameters(law, campaign.law.parameters))
     experiments = _experiments(campaign.tests)
@@ -128,6 +129,21 @@ def check_uses(path: Path, tests: Sequence[_Used]) -> None:
         raise InputError(
             f"{path}: tests: none has `use: validate`; the error before and after is reported on tests that nothing "
             "was fitted to, so that one is the least"
+        )
+
+
+def _check_motion(test: DamperTest) -> None:
+    """Refuse a test of which a part of the motion is not known.
+
+    Raises:
+        InputError: there is such a part.
+    """
+    lost = lost_motion(test.time, test.displacement)
+    if lost is not None:
+        raise InputError(
+            f"{test.where}: no samples from {lost[0]:.6g} s to {lost[1]:.6g} s, while the specimen moved: what it did "
+            "there is not known, and what it remembers of that neither. Make two tests of the file, one before and one "
+            "after it; or correct its times"
         )
 
 

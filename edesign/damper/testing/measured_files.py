@@ -9,7 +9,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.archive.csv_files import write_csv_file
-from edesign.damper.testing.measured_histories import FEWEST, DamperTest, Use
+from edesign.damper.testing.measured_histories import FEWEST, DamperTest, Use, gaps
 from edesign.damper.testing.start import StartKind
 from edesign.errors import InputError
 from edesign.project.notation.table_format import TableFormat
@@ -23,10 +23,6 @@ _AT_REST = 5e-3
 zero leaves it after 0.0016 of a period, a fraction of a sample at 100 samples a cycle."""
 _FEWEST_AT_REST = 10
 """Samples: fewer are the beginning of a motion that starts slowly."""
-_GAP = 3.5
-"""Steps on either side: a longer one lacks three samples or more. Where two are dropped the spline through the others
-follows to 1e-4 of the amplitude at 50 samples a cycle."""
-
 DisplacementZero = Literal["as_recorded", "first_sample", "rest"]
 """What counts as no displacement: the zero of the transducer, the first sample, or the mean of the rest before."""
 
@@ -61,6 +57,7 @@ def read_test(
     start: StartKind = "unknown",
     start_ramp: float | None = None,
     said: TestReading | None = None,
+    unsaid: str = "a campaign says it by `temperature: 20 degC`",
 ) -> DamperTest:
     """Read a test.
 
@@ -76,6 +73,7 @@ def read_test(
         start: how the test begins, see `DamperTest`.
         start_ramp: s, see `DamperTest`.
         said: of how the file is read.
+        unsaid: how the temperature is said, for people.
 
     Returns:
         The test.
@@ -92,8 +90,7 @@ def read_test(
     if temperature_C is None:
         if temperatures is None:
             raise InputError(
-                f"{table.where()}: the temperature is not said, and the file has no column of it; "
-                'a campaign says it by `temperature: 20 degC`, the commands by --temperature "20 degC"'
+                f"{table.where()}: the temperature is not said, and the file has no column of it; {unsaid}"
             )
         temperature_C = float(np.mean(temperatures))
     return DamperTest(
@@ -160,14 +157,14 @@ def rest_before(displacement: np.ndarray) -> int:
 
 def _gaps(table: Table, time: np.ndarray) -> str:
     """Tell where samples are missing; a rate of sampling that changes and stays so is no gap."""
-    steps = np.diff(time)
-    around = np.pad(steps, 1, mode="edge")
-    found = np.flatnonzero(steps >= _GAP * np.maximum(around[:-2], around[2:]))
+    found = gaps(time)
     if not found.size:
         return ""
     first = int(found[0])
     more = "" if found.size == 1 else f" and before {found.size - 1} more"
-    return f"no samples for {steps[first]:.3g} s before line {table.lines[first + 1]}{more}, interpolated"
+    return (
+        f"no samples for {time[first + 1] - time[first]:.3g} s before line {table.lines[first + 1]}{more}, interpolated"
+    )
 
 
 def _from_zero(

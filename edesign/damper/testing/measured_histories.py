@@ -17,6 +17,48 @@ LARGEST = 1e15  # of any number in SI units: beyond it squares overflow in sums,
 SMALLEST = 1e-12  # m, of a motion
 _CONSTANT = 1e-9  # relative
 
+_GAP = 3.5
+"""Steps on either side: a longer one lacks three samples or more. Where two are dropped the spline through the others
+follows to 1e-4 of the amplitude at 50 samples a cycle."""
+_STILL = 0.02
+"""Of the range of the displacement: what moves by less around a gap rests in it, noise and drift left aside."""
+_SWUNG = 0.1  # of the range on either side of the middle: a half cycle ends on the other side
+
+
+def gaps(time: np.ndarray) -> np.ndarray:
+    """Return the samples (k,) after which others are missing; a rate of sampling that changes and stays so is no gap.
+
+    Args:
+        time: (n,) s, ascending.
+    """
+    steps = np.diff(time)
+    around = np.pad(steps, 1, mode="edge")
+    return np.flatnonzero(steps >= _GAP * np.maximum(around[:-2], around[2:]))
+
+
+def lost_motion(time: np.ndarray, displacement: np.ndarray) -> tuple[float, float] | None:
+    """Return the first gap, s, in which a motion went on for half a cycle or longer; None: there is none.
+
+    No interpolation follows what went on there. A gap in which the specimen rested is none.
+
+    Args:
+        time: (n,) s, ascending.
+        displacement: (n,) m.
+    """
+    missing, size = gaps(time), float(np.ptp(displacement))
+    if not missing.size or not size:
+        return None
+    steps = np.diff(time)
+    middle = 0.5 * (float(np.max(displacement)) + float(np.min(displacement)))
+    sides = np.sign(displacement - middle)[np.abs(displacement - middle) > _SWUNG * size]
+    swings = max(int(np.count_nonzero(np.diff(sides))), 1)
+    half = (float(np.sum(steps)) - float(np.sum(steps[missing]))) / swings
+    for i in missing:
+        near = (time >= time[i] - 0.5 * half) & (time <= time[i + 1] + 0.5 * half)
+        if steps[i] >= half and np.ptp(displacement[near]) > _STILL * size:
+            return float(time[i]), float(time[i + 1])
+    return None
+
 
 @dataclass(frozen=True)
 class DamperTest:

@@ -9,6 +9,7 @@ import numpy as np
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.result import Calibration, Effect, Subject
+from edesign.damper.testing.measured_histories import gaps
 from edesign.report.calibration.error_tables import MODELS
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
@@ -261,7 +262,7 @@ def no_next_test(calibration: Calibration) -> str:
 
 
 def _conditions(calibration: Calibration) -> list[str]:
-    """Starts, readings of the law, temperatures without a fitted test."""
+    """Starts, readings of the law, missing samples, temperatures without a fitted test."""
     started = {series.name: series.start for series in calibration.series if series.start is not None}
     texts = []
     longest = max((start.judged_from for start in started.values()), default=0.0)
@@ -278,6 +279,13 @@ def _conditions(calibration: Calibration) -> list[str]:
         texts.append("The softening of the law by its largest deformation and velocity lasts from test to test.")
     if calibration.subject != "damper":
         return texts
+    for one in calibration.tests:
+        missing = gaps(one.time)
+        if missing.size:
+            longest = float(np.max(one.time[missing + 1] - one.time[missing]))
+            texts.append(
+                f"{one.name} lacks samples, for {_rounded(longest)} s at most: its motion is interpolated there."
+            )
     degrees = {one.name: (one.use, float(np.mean(one.temperature))) for one in calibration.tests}
     fitted = [warm for use, warm in degrees.values() if use == "fit"]
     beyond = [

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import sys
 import textwrap
 from collections.abc import Callable, Iterable, Iterator
@@ -34,14 +35,15 @@ def print_tables(tables: Iterable[Table], stream: TextIO | None = None, widest: 
     Args:
         tables: in their order.
         stream: where to print; None: standard output.
-        widest: characters of a line where the stream is no terminal.
+        widest: characters of a line where the stream is no terminal; less if the variable COLUMNS says so.
     """
     stream = sys.stdout if stream is None else stream
     shown = [_visible(table) for table in tables]
     if stream.isatty():
         _print_rich(shown, stream)
     else:
-        stream.write("\n\n".join(plain(part) for table in shown for part in fitted(table, widest)) + "\n")
+        width = max(_width(stream, widest), NARROWEST)
+        stream.write("\n\n".join(plain(part) for table in shown for part in fitted(table, width)) + "\n")
 
 
 def wrapped(text: str) -> list[str]:
@@ -52,14 +54,38 @@ def wrapped(text: str) -> list[str]:
 def filled(text: str, stream: TextIO | None = None, widest: int = WIDEST) -> str:
     """Return a paragraph in lines no longer than the terminal, or than `widest` where the stream is none.
 
+    Where the variable COLUMNS is set, it counts in both.
+
     Args:
         text: the paragraph.
         stream: where it is printed; None: standard output.
         widest: characters of a line.
     """
     stream = sys.stdout if stream is None else stream
-    width = min(get_terminal_size().columns, widest) if stream.isatty() else widest
-    return "\n".join(_whole_words(text, max(width, NARROWEST)))
+    return "\n".join(_whole_words(text, max(_width(stream, widest), NARROWEST)))
+
+
+def told(label: str, text: str, stream: TextIO) -> str:
+    """Return a line of progress, on a terminal broken between words under its label.
+
+    Args:
+        label: before the text.
+        text: of one line.
+        stream: where it is printed.
+    """
+    if not stream.isatty():
+        return label + text
+    before = " " * len(label)
+    room = max(get_terminal_size().columns, NARROWEST + len(label))
+    kept = text[: len(text) - len(text.lstrip())]  # what is set in stays so
+    lines = _whole_words(text.lstrip(), room - len(label) - len(kept) - 2) or [""]
+    return label + f"\n{before}{kept}  ".join([kept + lines[0], *lines[1:]])
+
+
+def _width(stream: TextIO, widest: int) -> int:
+    """Characters of a line, at most `widest`, of a terminal, or as the variable COLUMNS has it; `widest` without."""
+    known = stream.isatty() or os.environ.get("COLUMNS", "").isdigit()
+    return min(get_terminal_size((widest, 24)).columns, widest) if known else widest
 
 
 def in_facts(label: str, text: str, indent: int, width: int) -> list[str]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import errno
 import json
+import os
 import signal
 from collections.abc import Callable
 from pathlib import Path
@@ -43,7 +45,10 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     monkeypatch.setattr(Search, "_challenge", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
-    assert "interrupting again writes it as it stands" in said.err and "the search was interrupted; what it had found" in said.err
+    assert (
+        "interrupting again writes it as it stands" in said.err
+        and "the search was interrupted; what it had found" in said.err
+    )
     assert "The search was interrupted: there may be more effects" in said.out
     told = json.loads((tmp_path / "out/calibration.json").read_text(encoding="utf-8"))
     assert told["search"] == "interrupted" and told["next_test"] is None and told["models"] == []
@@ -113,6 +118,62 @@ def test_what_cannot_be_written_is_told_before_the_search(tmp_path: Path, capsys
     assert _run(tmp_path, "--output", str(tmp_path / "out")) == 4
     error = capsys.readouterr().err
     assert "calibration.json: cannot be written: it is a folder" in error and "fitting the law" not in error
+
+
+def test_a_folder_in_which_nothing_can_be_made_is_told_before_the_search(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An administrator may write everywhere by his rights, and cannot in `/proc` or a file system of a device."""
+
+    def refused(*_: object, **__: object) -> None:
+        raise OSError(errno.ENOENT, "No such file or directory")
+
+    campaign(tmp_path / "c")
+    monkeypatch.setattr(os, "mkdir", refused)
+    assert _run(tmp_path / "c", "--output", str(tmp_path / "out")) == 4
+    error = capsys.readouterr().err
+    assert f"nothing can be made in the folder {tmp_path}" in error and "reading the tests" not in error
+
+
+def test_an_unknown_temperature_is_told_by_what_can_say_it(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = campaign(tmp_path).path
+    given = yaml.safe_load(path.read_text(encoding="utf-8"))
+    for test in given["tests"]:
+        del test["temperature_C"]
+    path.write_text(yaml.safe_dump(given), encoding="utf-8")
+    assert _run(tmp_path) == 2
+    error = capsys.readouterr().err
+    assert "`temperature: 20 degC`" in error and "--temperature" not in error
+    assert main(["sheet", str(tmp_path / "test_01.csv")]) == 2
+    assert '--temperature "20 degC"' in capsys.readouterr().err
+
+
+def _pause(rest: bool) -> Callable[[list[str]], list[str]]:
+    """100 s later from 4 s on; at rest: the specimen has stood still since 3 s."""
+
+    def change(row: list[str]) -> list[str]:
+        t, u, f = (float(cell) for cell in row)
+        still = rest and 3.0 <= t < 5.0
+        return [str(t + 100.0 * (t >= 4.0)), "1.0" if still else str(u), str(f)]
+
+    return change
+
+
+def test_a_motion_that_is_missing_is_refused(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    campaign(tmp_path, tests=5)
+    _rewritten(tmp_path / "test_02.csv", _pause(rest=False))
+    assert _run(tmp_path) == 2
+    error = capsys.readouterr().err
+    assert "test_02.csv: no samples from 3.996 s to 104 s, while the specimen moved" in error
+    assert "Make two tests of the file" in error and not (tmp_path / "calibration.json").exists()
+
+
+def test_a_pause_at_rest_is_told(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    campaign(tmp_path, tests=5)
+    _rewritten(tmp_path / "test_02.csv", _pause(rest=True))
+    assert _run(tmp_path, "--no-page", "--effort", "50") == 0
+    said = " ".join(capsys.readouterr().out.split())
+    assert "test_02 lacks samples, for 100 s at most: its motion is interpolated there." in said
 
 
 def _flip(row: list[str]) -> list[str]:

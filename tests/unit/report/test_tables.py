@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group, Variable
 from edesign.report.archive_tables import fallbacks_table
 from edesign.report.response.brace_table import brace_table
 from edesign.report.tables.table import Table, number, seconds
-from edesign.report.tables.text import folded, in_facts, print_tables
+from edesign.report.tables.text import filled, folded, in_facts, print_tables, told
 
 
 @pytest.mark.parametrize(
@@ -105,7 +105,28 @@ def test_no_number_is_broken_on_a_terminal(columns: int, monkeypatch: pytest.Mon
     assert max(len(line) for line in text.splitlines()) <= columns
 
 
-def test_a_file_gets_the_table_in_one_piece() -> None:
+def test_columns_count_in_pipes_too(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "80")
+    stream = io.StringIO()
+    print_tables([WIDE], stream)
+    assert max(map(len, stream.getvalue().splitlines())) <= 80
+    assert max(map(len, filled("a paragraph of words " * 20, stream).splitlines())) <= 80
+
+
+def test_a_line_of_progress_is_broken_under_its_text(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("COLUMNS", "40")
+    text = "  test_01: read: rest before the motion for 0.052 s, and more of it"
+    lines = told("   4.3 s  ", text, Terminal()).splitlines()
+    assert lines == [
+        "   4.3 s    test_01: read: rest before",
+        "              the motion for 0.052 s,",
+        "              and more of it",
+    ]
+    assert told("   4.3 s  ", text, io.StringIO()) == f"   4.3 s  {text}"
+
+
+def test_a_file_gets_the_table_in_one_piece(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("COLUMNS", raising=False)
     stream = io.StringIO()
     print_tables([WIDE], stream)
     assert stream.getvalue().splitlines()[1].split() == [
