@@ -258,6 +258,21 @@ def test_hidden_effect_is_recovered(
     assert found[: len(of.base)] == pytest.approx([one.centre for one in of.base], rel=0.15)
 
 
+def test_no_motion_makes_a_mass_likely_that_no_floor_has(folder: Path) -> None:
+    """5 kN/m2 of concrete, known to 5 %, declared with 0.3 of an imposed load of 3 kN/m2 that may be all there, or not.
+
+    CoV of concrete: JCSS Probabilistic Model Code 2.1.4 (density 4 %) and 2.1.5 (180 mm: 4 + 0.006 * 180 mm).
+    """
+    own = 3.0 * float(np.hypot(0.04, (4.0 + 0.006 * 180.0) / 180.0))
+    declared = 5.0 + 0.3 * 3.0
+    believable = (5.0 * (1.0 - own) / declared - 1.0, (5.0 * (1.0 + own) + 3.0) / declared - 1.0)
+    of = problem(folder, FIXED, ("mass_error.floor_2", (0.8,)), noise=0.003)
+    (mass,) = (one for form in of.effects if form.label == "mass_error.floor_2" for one in form.parameters)
+    assert (mass.lower, mass.upper) == pytest.approx(believable, abs=0.03)  # two digits are enough
+    found, error = fitted(of, "mass_error.floor_2")
+    assert found[-1] <= mass.upper and error[0] > 10.0 * 0.003**2  # 1.8 times is no explanation
+
+
 def test_mass_and_stiffness_look_alike(folder: Path) -> None:
     # base motion sees the ratio of stiffness to mass only: of a building that is fitted, all masses are no effect
     assert "mass_error.total" not in {one.label for one in blank_problem(load(folder, FIXED)).effects}
