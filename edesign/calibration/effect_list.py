@@ -47,7 +47,7 @@ _NUMBERED = re.compile(r"(?<=[ _])\d+$")  # of a storey, floor or test
 
 @dataclass(frozen=True)
 class KnownParameter:
-    """A parameter of a form: `unit` in SI, `meaning` where law files carry it."""
+    """A parameter of a form: `unit` in SI, `meaning` for people."""
 
     name: str
     unit: str
@@ -145,7 +145,7 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
         if known is None:
             carried = form_in_law_files(form) if isinstance(form, EffectForm) else _by_layer(form)
             known_there = parameters_in_law_files(form) if carried and isinstance(form, EffectForm) else {}
-            meanings = {name: one.meaning for name, one in known_there.items()}
+            meanings = {**form.meanings, **{name: one.meaning for name, one in known_there.items()}}
             listed[name] = KnownForm(
                 name,
                 _NUMBERED.sub("N", form.title),

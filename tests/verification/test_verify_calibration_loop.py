@@ -17,6 +17,7 @@ from edesign.calibration import calibrate
 from edesign.calibration.results import outcome
 from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.write import calibration_json
+from edesign.report.calibration.verdict import verdict_text
 
 MASS, OFFSET, LATE = 400.0, 250.0, 0.005  # kg, N, s
 
@@ -65,6 +66,9 @@ def test_what_is_hidden_is_found(tmp_path: Path, hidden: Hidden, equations: Mapp
     assert effect.label in equations and found.verdict == "explained"
     names = {label.partition(".")[0] for label in equations}
     assert effect.name in names and names <= {effect.name, *effect.indistinguishable_from}
+    told = {"offset": "zero of the force channel, the same in all tests (instrument", "static_offset": "shear of the "}
+    for name in names & set(told):  # one of them is as good as the other, and the verdict says both
+        assert told[name] in verdict_text(found).partition(". ")[0]
     parameter, value = equations[effect.label]
     if parameter:
         estimate = effect.parameters[parameter]

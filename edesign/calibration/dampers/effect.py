@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 from edesign.calibration.dampers.acts import Act, Amendment, OwnShares, Placement, Values
 from edesign.calibration.dampers.sizes import Sizes
@@ -43,6 +43,7 @@ class EffectForm:
         laws: names of the laws that it is made for; (): all.
         proportional: whether what it does goes with its size, about nothing at zero.
         refined: times the samples of a fit at which it is predicted: more where motion or force bend between them.
+        meanings: of parameters by name, for people, as far as no law file has them.
     """
 
     name: str
@@ -59,6 +60,7 @@ class EffectForm:
     laws: tuple[str, ...] = ()
     proportional: bool = True
     refined: int = REFINED
+    meanings: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def label(self) -> str:
@@ -99,6 +101,11 @@ class FormInCampaign:
     def signature(self) -> str:
         """What it leaves in the residual of a model without it, for people."""
         return self.form.signature
+
+    @property
+    def meanings(self) -> Mapping[str, str]:
+        """Meanings of its parameters by name, for people, as far as no law file has them."""
+        return self.form.meanings
 
     def values(self, numbers: Iterable[float]) -> Values:
         """Return all values of the acts by name, those of the parameters first.

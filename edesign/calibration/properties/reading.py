@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -29,6 +29,7 @@ class Reading:
         added: forces (3,) per unit of the parameter.
         parameters: with priors that suit a table; the first is its size.
         starts: values, SI, to start from.
+        meanings: of its parameter by name, for people.
     """
 
     name: str
@@ -39,6 +40,7 @@ class Reading:
     added: tuple[float, float, float]
     parameters: Callable[[Sizes], tuple[Parameter, ...]]
     starts: Callable[[Sizes], Rows]
+    meanings: Mapping[str, str]
     source: str = _SOURCE
 
     @property
@@ -68,6 +70,7 @@ FORMS = (
         (0.0, 0.0, 0.0),
         lambda _: (size("share", "", 0.1, -0.5, 1.0),),
         lambda _: ((0.05,),),
+        {"share": "by which the largest stress is read too large"},
     ),
     Reading(
         "peak_reading",
@@ -78,6 +81,7 @@ FORMS = (
         (0.0, 1.0, 0.0),
         lambda s: (size("force", "N", 0.05 * s.force, 0.0, 0.5 * s.force),),
         lambda s: ((0.02 * s.force,),),
+        {"force": "by which the largest force is read too large"},
     ),
     Reading(
         "storage_reading",
@@ -88,5 +92,6 @@ FORMS = (
         (0.0, 0.0, 0.0),
         lambda _: (size("share", "", 0.1, -1.0, 0.5),),
         lambda _: ((0.05,),),
+        {"share": "by which the stress at the largest strain is read too small"},
     ),
 )

@@ -148,10 +148,11 @@ class Evidence:
         """
         effect = model.effects[index]
         rise, gain, error, alike, probability = math.nan, math.nan, math.nan, dict[str, float](), math.nan
+        titles: Mapping[str, str] = {}
         if posterior is not None:
             probability = posterior.probability(effect.name)
         if posterior is not None and stands is not None:
-            alike = posterior.indistinguishable_from(effect.name)
+            alike, titles = posterior.indistinguishable_from(effect.name), posterior.titles(effect.name)
             fewer, ahead = without(posterior, stands)
             if fewer is not None and ahead is not None:
                 gain, error = ahead.total, ahead.error
@@ -170,6 +171,8 @@ class Evidence:
             probability=probability,
             indistinguishable_from=alike,
             not_carried=self.not_carried(model, index),
+            meanings=effect.data.meanings,
+            titles=titles,
         )
 
 

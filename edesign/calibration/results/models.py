@@ -11,6 +11,7 @@ import numpy as np
 
 from edesign.calibration.results.result import ComparedModel
 from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
 from edesign.estimation.left_out import Difference, Score, difference
 from edesign.estimation.noise import Noise
@@ -114,13 +115,26 @@ class Posterior:
             Probability of each by name beside the best model, at most one half, the most probable first.
         """
         found: dict[str, float] = {}
-        for i, model in enumerate(self.models):
-            more, odds = model.names - self.best.names, self.odds(i)
-            if name in model.names or not more or odds < LEAST or self.behind(i).sure:
-                continue
-            other = " and ".join(sorted(more))
-            found[other] = min(found.get(other, 0.0) + odds, 1.0)
+        for i, others in self._in_place_of(name):
+            other = " and ".join(one.name for one in others)
+            found[other] = min(found.get(other, 0.0) + self.odds(i), 1.0)
         return {name: odds / (1.0 + odds) for name, odds in sorted(found.items(), key=lambda one: -one[1])}
+
+    def titles(self, name: str) -> dict[str, str]:
+        """Return what those effects are, for people: of each its most probable equation, by name."""
+        found: dict[str, tuple[float, str]] = {}
+        for i, others in self._in_place_of(name):
+            title = " and ".join(f"{one.data.title} ({one.kind})" for one in others)
+            other = " and ".join(one.name for one in others)
+            found[other] = max(found.get(other, (-1.0, "")), (self.odds(i), title))
+        return {other: title for other, (_, title) in found.items()}
+
+    def _in_place_of(self, name: str) -> Iterator[tuple[int, list[Effect]]]:
+        """Models that are not surely behind the best one, with the effects that stand in the place of one of it."""
+        for i, model in enumerate(self.models):
+            others = sorted((one for one in model.effects if one.name not in self.best.names), key=lambda one: one.name)
+            if name not in model.names and others and self.odds(i) >= LEAST and not self.behind(i).sure:
+                yield i, others
 
     def odds(self, i: int) -> float:
         """Return the odds of a model beside the best one.

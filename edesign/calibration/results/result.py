@@ -72,6 +72,8 @@ class Effect:
         indistinguishable_from: probability, beside the corrected model and at most one half, of others that explain the
             tests as well in its place, by name.
         not_carried: why no law file carries it, for people; "" if one does.
+        meanings: of its parameters by name, for people, as far as no law file has them.
+        titles: of those that it is indistinguishable from, by name, for people.
     """
 
     name: str
@@ -87,6 +89,8 @@ class Effect:
     probability: float
     indistinguishable_from: Mapping[str, float]
     not_carried: str = ""
+    meanings: Mapping[str, str] = field(default_factory=dict)
+    titles: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def label(self) -> str:

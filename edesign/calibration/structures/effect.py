@@ -71,6 +71,7 @@ class StructureForm:
         starts: values, SI, to start from: a grid over what acts non-linearly, at a typical size.
         constants: numbers that the structure fixes, SI; they are in the values of the act too.
         shown: whether a structure and its channels can show it.
+        meanings: of its parameters by name, for people.
     """
 
     name: str
@@ -84,6 +85,7 @@ class StructureForm:
     starts: Callable[[StructureSizes], Rows]
     constants: Callable[[StructureSizes], Values] = field(default=lambda _: {})
     shown: Callable[[StructureSizes], bool] = field(default=lambda _: True)
+    meanings: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def label(self) -> str:

@@ -25,7 +25,7 @@ def effects_tables(effects: tuple[KnownEffect, ...]) -> list[Table]:
 
 
 def effect_tables(effect: KnownEffect) -> list[Table]:
-    """Return the forms of an effect with their parameters, and what those mean that law files carry."""
+    """Return the forms of an effect with their parameters, and what those mean."""
     columns = ("form", "what", "acts on", "parameters", "law file")
     forms = Table(f"{effect.name}: forms, in {effect.tests}", columns, left=5, sentences=(1, 2, 3))
     forms.rows = [
@@ -45,13 +45,10 @@ def effect_tables(effect: KnownEffect) -> list[Table]:
         f"source: {'; '.join(sources)}",
         f"page: {effect.page}",
     ]
-    parameters = Table(f"{effect.name}: parameters in law files", ("form", "parameter", "unit", "meaning"), left=4)
+    parameters = Table(f"{effect.name}: parameters", ("form", "parameter", "unit", "meaning"), left=4)
     parameters.sentences = 3
     parameters.rows = [
-        [form.form, one.name, _unit(one), one.meaning]
-        for form in effect.forms
-        for one in form.parameters
-        if form.in_law_files and one.meaning
+        [form.form, one.name, _unit(one), one.meaning] for form in effect.forms for one in form.parameters
     ]
     return [forms, parameters] if parameters.rows else [forms]
 

@@ -74,18 +74,15 @@ def effect_parameters_table(calibration: Calibration) -> Table:
         calibration: what was found.
     """
     columns = ("effect", "parameter", "value", "95 % interval", "unit", "meaning")
-    told = any(_known(effect) for effect in calibration.effects)
-    heads = columns if told else columns[:-1]
     table = Table(
-        "Parameters of the effects", heads, left=2, sentences=len(columns) - 1, name="parameters_of_the_effects"
+        "Parameters of the effects", columns, left=2, sentences=len(columns) - 1, name="parameters_of_the_effects"
     )
     for effect in calibration.effects:
         known, own = _known(effect), _parameters(effect)
         for name, estimate in own.items():
             shown = practical(estimate, own)
-            meaning = known[name].meaning if name in known else "-"
-            row = [effect.label, name, value_text(shown), _interval(shown), shown.unit or "-", meaning]
-            table.rows.append(row if told else row[:-1])
+            meaning = known[name].meaning if name in known else effect.meanings.get(name, "-")
+            table.rows.append([effect.label, name, value_text(shown), _interval(shown), shown.unit or "-", meaning])
         table.notes += _untold(own, f"{effect.label}: ")
     return table
 

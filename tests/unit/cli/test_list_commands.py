@@ -144,6 +144,16 @@ def test_law_files_carry_what_is_of_the_damper(name: str, form: str, carried: bo
     assert next(one for one in effect.forms if one.form == form).in_law_files is carried
 
 
+def test_every_parameter_of_an_effect_has_a_meaning() -> None:
+    of = {
+        f"{effect.name}.{form.form}.{one.name}": one.meaning
+        for effect in known_effects()
+        for form in effect.forms
+        for one in form.parameters
+    }
+    assert not [name for name, meaning in of.items() if not meaning]
+
+
 def test_effects_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     shown = output(capsys, "effects")
     assert "Effects in tests of dampers" in shown and "Effects in records of structures" in shown

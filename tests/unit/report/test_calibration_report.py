@@ -266,15 +266,16 @@ def test_the_verdict_tells_effect_errors_and_doubts() -> None:
 
 
 def test_an_effect_as_probable_is_told_in_a_breath_with_the_one_found() -> None:
-    alike = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02})
+    titles = {"offset": "zero of the force channel, the same in all tests (instrument)"}
+    alike = replace(example.gain(), indistinguishable_from={"offset": 0.497, "lag": 0.02}, titles=titles)
     found = replace(example.calibration((alike,)), next_test=None)
     text = verdict_text(found)
     assert text.startswith("Explained: the tests show gain of the force channel (instrument, g = ")
-    assert "), or offset in its place. Only noise is left." in text
+    assert f"), or {titles['offset']} in its place. Only noise is left." in text
     none = "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
     assert f"{none}." in text and none in text_of(page_text_of(found))
     assert "the tests cannot tell gain.force (instrument) from offset or lag: it may be either" in law_lines(found)
-    many = replace(alike, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
+    many = replace(alike, titles={}, indistinguishable_from={"offset": 0.497, "lag": 0.4, "hum": 0.3, "drift": 0.04})
     assert "), or offset, or lag, or others in its place." in verdict_text(example.calibration((many,)))
     assert none not in verdict_text(replace(found, ending="interrupted"))  # none was sought then
 

@@ -34,6 +34,11 @@ _PRE_SHEAR = EffectForm(
     (MotionChannel(_sheared, of="specimen"),),
     lambda s: (size("offset", "m", 0.1 * s.displacement, -s.displacement, s.displacement),),
     lambda s: ((0.05 * s.displacement,),),
+    meanings={
+        "offset": "shear of the specimen where the record says zero",
+        "q": "square of the axial load over that at which the specimen buckles",
+        "P_over_h": "axial load over the height of the specimen; negative: it pulls",
+    },
 )
 _TARED = replace(
     _PRE_SHEAR,

@@ -40,6 +40,14 @@ _COULOMB = EffectForm(
     # the slower v0, the nearer to the sign of the velocity; towards the largest velocity it is a dashpot
     lambda s: (_friction(s), _velocity("v0", s, 0.02, 1e-4, 0.3)),
     lambda s: tuple((0.03 * s.force, v0 * s.velocity) for v0 in (0.02, 0.1, 0.002)),
+    meanings={
+        "F_c": "friction force of sliding; of `loaded` that without a force of the damper",
+        "v0": "velocity below which it smooths out",
+        "x0": "way over which it builds up after a reversal",
+        "s": "share by which it is larger at rest",
+        "v_s": "velocity over which that share falls",
+        "mu": "share of the damper's force that it has besides",
+    },
 )
 _PRESLIDING = replace(
     _COULOMB,

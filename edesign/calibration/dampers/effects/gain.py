@@ -36,6 +36,7 @@ _FORCE = EffectForm(
     lambda s: (size("g", "", _CLASS, -0.5, 1.0),),
     lambda s: ((_CLASS,),),
     lambda s: {"first_test": 1.0},
+    meanings={"g": "share by which the channel reads too much"},
 )
 _DISPLACEMENT = replace(
     _FORCE,
@@ -91,6 +92,11 @@ _MASS = EffectForm(
     (ForceChannel(_heavy, of="carriage"),),
     lambda s: (_mass(s),),
     lambda s: ((0.02 * s.force / s.acceleration,),),
+    meanings={
+        "mass": "that moves between load cell and specimen",
+        "f": "own frequency of the mass on its fixture",
+        "zeta": "damping ratio of it",
+    },
 )
 _SPRUNG = replace(
     _MASS,

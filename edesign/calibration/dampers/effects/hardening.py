@@ -61,6 +61,7 @@ _EXPONENTIAL = EffectForm(
     ),
     lambda s: tuple((0.1 * s.stiffness, at * s.displacement) for at in (0.5, 1.0)),
     lambda s: {"r": s.displacement},
+    meanings={"k_r": "of the added spring at the largest displacement: force over displacement"},
 )
 
 FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL)

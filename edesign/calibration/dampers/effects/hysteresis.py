@@ -25,6 +25,7 @@ _BRANCH = EffectForm(
         shape("Y", "m", 0.3 * s.displacement, 1e-3 * s.displacement, 10.0 * s.displacement),
     ),
     lambda s: tuple((0.1 * s.force, part * s.displacement) for part in (0.03, 0.1, 0.3, 1.0)),
+    meanings={"F_y": "force at which the part yields", "Y": "deformation over which it yields"},
 )
 
 FORMS = (_BRANCH,)

@@ -107,6 +107,14 @@ _DELAY = EffectForm(
     (MotionChannel(_delayed),),
     lambda s: (_lag("lag", s),),
     lambda s: tuple((part * s.lag_period,) for part in _STARTS),
+    meanings={
+        "lag": "by which the force is late; negative: early, or the displacement late",
+        "grown": "by how much more it is late in the last test",
+        "skew": "seconds that the lag grows in a second of a test, as of two clocks",
+        "time_constant": "of a first-order low-pass in the channel",
+        "f": "own frequency of a second-order low-pass",
+        "zeta": "damping ratio of it: 0.87 of a Bessel filter, 0.71 of a Butterworth",
+    },
 )
 _FILTER = replace(
     _DELAY,

@@ -79,6 +79,12 @@ _GAP = EffectForm(
         for play, k in ((0.02, 1000.0), (0.02, 30.0), (0.1, 100.0), (0.004, 300.0), (0.0005, 3000.0))
     ),
     proportional=False,
+    meanings={
+        "play": "clearance from end to end",
+        "stiffness": "of the rig beyond the clearance; of `closing` within it",
+        "F_c": "force under which the clearance is crossed",
+        "ratio": "how many times as stiff the joint is once closed",
+    },
 )
 _SEATED = replace(
     _GAP,
@@ -134,6 +140,14 @@ _FLEXIBLE = EffectForm(
     (Rig(lambda p: RigValues(p["stiffness"])),),
     lambda s: (_stiffness(s),),
     lambda s: ((20.0 * s.stiffness,),),
+    meanings={
+        "stiffness": "of the parts in series, at small forces; of `power` the secant at the force F_r",
+        "t_r": "damping of the parts over their stiffness",
+        "e0": "stretch of the parts at which they are twice as stiff, by the secant",
+        "n": "power of the approach: 3/2 of spheres (Hertz), more of rough surfaces",
+        "F_c": "force that closes the joint, either way",
+        "ratio": "how many times as stiff it is once closed; below 1: a joint that opens",
+    },
 )
 _DAMPED = replace(
     _FLEXIBLE,

@@ -82,6 +82,10 @@ _EXPONENTIAL = EffectForm(
     _fall,
     lambda s: ((0.01,),),
     shown=_shown,
+    meanings={
+        "b": "rate at 20 degC: 0.01 to 0.05 per K of dampers near room temperature",
+        "c": "how the rate falls with warmth: 1/C2 of WLF, 1/T0 in kelvin of Arrhenius",
+    },
 )
 _WLF_FACTOR = replace(
     _EXPONENTIAL,

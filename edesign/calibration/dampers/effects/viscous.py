@@ -57,6 +57,7 @@ _DASHPOT = EffectForm(
     lambda s: tuple((0.08 * s.force, alpha) for alpha in (0.2, 0.5, 1.0, 2.0)),
     lambda s: {"V": s.velocity},
     refined=4,  # its force may jump where the velocity changes its sign
+    meanings={"F_V": "its force at the largest velocity of the tests fitted to"},
 )
 _FLOW = EffectForm(
     "velocity_exponent",

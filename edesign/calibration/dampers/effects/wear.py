@@ -44,6 +44,7 @@ _RATE = EffectForm(
     (Amendment("self_heating.rate"),),
     _heat,
     _heat_starts,
+    meanings={"rest": "how long the specimen rests between two tests"},
 )
 _CARRIED = replace(
     _RATE,

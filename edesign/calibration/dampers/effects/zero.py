@@ -62,6 +62,7 @@ _CONSTANT = EffectForm(
     (ForceChannel(_zero),),
     lambda s: (size("offset", "N", _CLASS * s.force, -s.force, s.force),),
     lambda s: ((_CLASS * s.force,),),
+    meanings={"offset": "reading of the load cell under no force"},
 )
 _PER_TEST = replace(
     _CONSTANT,
@@ -83,6 +84,7 @@ _PER_TEST_LINE = EffectForm(
     (ForceChannel(_line),),
     lambda s: (size("rate", "N/s", _CLASS * s.force / s.duration, -s.force / s.duration, s.force / s.duration),),
     lambda s: ((_CLASS * s.force / s.duration,),),
+    meanings={"rate": "at which the zero of the channel moves"},
 )
 _CAMPAIGN = replace(
     _PER_TEST_LINE,

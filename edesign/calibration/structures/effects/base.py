@@ -43,6 +43,7 @@ _SWAY = StructureForm(
     lambda s: (size("f", "m/N", 0.5 * _of_storey(s), 0.0, 50.0 * _of_storey(s)),),
     lambda s: ((0.1 * _of_storey(s),),),
     shown=lambda s: not s.building.isolated,
+    meanings={"f": "flexibility of the ground"},
 )
 _ROCKING = replace(
     _SWAY,

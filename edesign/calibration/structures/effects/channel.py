@@ -51,6 +51,7 @@ _LAG = StructureForm(
     ChangedChannels(_late, over_time=True),
     lambda s: (size("lag", "s", 0.3 * _longest(s), -_longest(s), _longest(s)),),
     lambda s: ((s.step,),),
+    meanings={"lag": "by which the floors are recorded later than the base"},
 )
 
 
@@ -67,6 +68,7 @@ def _gain(measure: Measure) -> StructureForm:
         lambda _: (size("g", "", _CLASS, -0.5, 1.0),),
         lambda _: ((_CLASS,),),
         shown=lambda s: measure in s.measures,
+        meanings={"g": "share by which the channels read too much"},
     )
 
 

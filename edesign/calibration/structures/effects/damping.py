@@ -58,6 +58,11 @@ _LEVEL = StructureForm(
     lambda s: (size("r", "", 0.7, -0.95, 20.0),),
     lambda s: ((0.3,),),
     shown=lambda s: has_storeys(s) and not s.refit,
+    meanings={
+        "r": "share by which the damping ratio is more than declared",
+        "share": "of the damping that is of this kind",
+        "F": "friction force of the lowest storey",
+    },
 )
 _FRICTION = replace(
     _LEVEL,

@@ -62,6 +62,15 @@ _BOUC_WEN = StructureForm(
     lambda s: (_force(s), _of_drift("Y", s, 0.05, 1e-3, 3.0)),
     lambda s: tuple((0.05 * s.shear, part * float(s.drift[0])) for part in (0.03, 0.15)),
     shown=is_isolated,
+    meanings={
+        "F": "force at which the layer yields or slips",
+        "Y": "drift over which it does so",
+        "k": "stiffness that is lost",
+        "a0": "amplitude at which half of it is lost",
+        "m": "power with which it is lost: the larger, the sharper",
+        "tau_a": "memory of the amplitude",
+        "d": "largest drift over which it is lost",
+    },
 )
 _FRICTION = replace(
     _BOUC_WEN,
@@ -114,6 +123,11 @@ _POWER = replace(
     ),
     starts=lambda s: tuple((0.05 * _stiffness(s), p) for p in (3.0, 6.0)),
     constants=lambda s: {"r": float(s.drift[0])},
+    meanings={
+        "k": "of the added spring: force over drift at the largest one; of `threshold` beyond u0",
+        "p": "power of the drift with which its force grows",
+        "u0": "drift at which the stop is met",
+    },
 )
 _THRESHOLD = replace(
     _POWER,

@@ -39,6 +39,7 @@ _UNIFORM = StructureForm(
     lambda s: (size("r", "", 0.5, 0.0, 10.0),),
     lambda s: ((0.1,),),
     shown=lambda s: has_storeys(s) and not s.refit,
+    meanings={"r": "added stiffness, in that of a storey", "d": "drift over which it is lost"},
 )
 _LOST = replace(
     _UNIFORM,
