@@ -158,7 +158,7 @@ class Posterior:
     def _compared(self, i: int) -> ComparedModel:
         model, behind = self.models[i], self.behind(i)
         labels = tuple(effect.label for effect in model.effects)
-        return ComparedModel(labels, model.nrms**2, behind.total, behind.error, float(self.probabilities[i]))
+        return ComparedModel(labels, model.nrms, behind.total, behind.error, float(self.probabilities[i]))
 
 
 def _key(model: FittedModel) -> tuple[str, ...]:

@@ -86,7 +86,7 @@ def next_test(problem: DamperProblem, posterior: Posterior) -> NextTest | None:
         forces = _forces(replace(problem, experiments=(*problem.experiments, test)), models)
         if forces is None:
             continue
-        noise = problem.experiments[0].channel_noise ** 2 + share**2 * float(np.mean(forces[0] ** 2))
+        noise = problem.experiments[0].channel_noise ** 2 + share * float(np.mean(forces[0] ** 2))
         apart = {
             (i, k): float(weights[i] * weights[k] * np.mean((forces[i] - forces[k]) ** 2)) / max(noise, 1e-300)
             for i, k in combinations(range(len(models)), 2)

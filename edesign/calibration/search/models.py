@@ -101,9 +101,9 @@ class FittedModel:
 
     @cached_property
     def nrms(self) -> float:
-        """Root mean square of what it leaves, of that of what was measured."""
+        """NRMS: sum of squares of what it leaves over that of what was measured, no root."""
         left, measured = (np.concatenate(each) for each in (self.left, self.fit.model.measured))
-        return float(np.sqrt(left @ left / (measured @ measured)))
+        return float(left @ left / (measured @ measured))
 
     @cached_property
     def at_floor(self) -> bool:

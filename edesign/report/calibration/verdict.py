@@ -129,19 +129,19 @@ def _errors(calibration: Calibration) -> str:
         else f"the {name} fitted again"
     )
     texts = [
-        f"In {_TESTS[calibration.subject]} that nothing was fitted to, {model} misses "
-        f"{percent(math.sqrt(corrected), 2)} % of the {_MEASURED[calibration.subject]} (rms; "
-        f"NRMS {percent(corrected)} %), as declared it misses {percent(math.sqrt(declared), 2)} %"
+        f"In {_TESTS[calibration.subject]} that nothing was fitted to, {model} leaves an NRMS of "
+        f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in rms), "
+        f"as declared it leaves {percent(declared)} %"
     ]
     if calibration.effects and not calibration.law_held:
-        texts.append(f", fitted again without effects {percent(math.sqrt(refit), 2)} %")
-    texts.append(f"; what no model can predict is {percent(math.sqrt(calibration.noise_floor), 2)} %.")
+        texts.append(f", fitted again without effects {percent(refit)} %")
+    texts.append(f"; what no model can predict is {percent(calibration.noise_floor)} %.")
     if not calibration.effects and declared * _CHANGED < refit:
         texts.append(" The declared parameters predict these tests better than fitted ones do.")
     if calibration.more_is_left:
         share = percent(calibration.unexplained_share, 2)
         texts.append(
-            f" Of what the refitted {name} misses beyond that, {share} % is left. {calibration.unexplained_shape}"
+            f" Of what the refitted {name} leaves beyond that, {share} % is left. {calibration.unexplained_shape}"
         )
     return "".join(texts)
 

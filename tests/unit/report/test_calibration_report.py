@@ -255,9 +255,11 @@ def test_the_verdict_tells_effect_errors_and_doubts() -> None:
         "Explained: the tests show lag between the channels of force and displacement (instrument, lag = 4.00 ± 0.10 "
         "ms). Only noise is left."
     )
-    # roots of the closed form: 0.00427 % and 0.231 %
-    assert "the corrected law misses 0.65 % of the force (rms; NRMS 0.00427 %), as declared it misses 4.8 %" in errors
-    assert errors.endswith("what no model can predict is 0.65 %.")
+    # of the closed form: its root is 0.65 %
+    assert (
+        "the corrected law leaves an NRMS of 0.00427 % of the force (0.65 % in rms), as declared it leaves 0." in errors
+    )
+    assert errors.endswith("what no model can predict is 0.00427 %.")
     assert file == "law.yaml has the corrected law; what the rig and the instruments did is no part of it."
     doubts = verdict_text(example.look_alikes())
     assert "cannot tell payne from mullins (2.00 %, if it is one of the two) or self heating (under 0.0100 %" in doubts
@@ -290,14 +292,14 @@ def test_a_law_that_leaves_noise_is_not_told_as_a_search_that_failed() -> None:
 def test_the_verdict_on_nothing_names_no_effect() -> None:
     first, errors, _ = verdict_text(example.nothing_found()).split("\n")
     assert first == "None: no effect is missing from the law kelvin_voigt."
-    assert "the law misses 0.65 % of the force" in errors
+    assert "the law leaves an NRMS of 0.00427 % of the force (0.65 % in rms)" in errors
 
 
 def test_the_verdict_on_what_is_left_tells_its_shape_and_the_worst_test() -> None:
     found = replace(example.more_is_left(), worst=Worst("fast", 1.3e-4, 4e-5))
     text = verdict_text(found)
     assert text.startswith("Nothing found: something is missing, and no effect known here passes")
-    assert "the law fitted again misses 1.2 % of the force (rms; NRMS 0.0133 %)" in text
+    assert "the law fitted again leaves an NRMS of 0.0133 % of the force (1.2 % in rms)" in text
     assert "100 % is left. 0.0091 % of the squared force of all tests is left, 85 % of it structure" in text
     assert "fast leaves most: an NRMS of 0.0130 %, 3.25 times its noise floor of 0.00400 %" in text
 
