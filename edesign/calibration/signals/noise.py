@@ -13,6 +13,7 @@ from edesign.calibration.signals.smoothing import smoothed
 
 _FEWEST = 64  # samples, for a spectrum
 _LEAST = 1e-3  # of a test's rms force: reproducibility of a force transducer of class 0.5 (ISO 376:2011, table 2)
+_STICKS_OUT = 3.0  # standard deviations; noise at times that are up to 40 % of a step off stays below 2.4
 _NONE = 1e-8  # of the range: noise below it is rounding or leakage; no instrument is as good
 
 
@@ -107,6 +108,10 @@ def _without_noise(time: np.ndarray, values: np.ndarray, rests: bool) -> tuple[n
         return values.copy(), noise
     grid, resampled = even(time, values)
     found = smoothed(resampled, noise, rests)
-    if grid is not time:  # what was taken off, so that what the even grid does not resolve stays
-        found = values - np.asarray(CubicSpline(grid, resampled - found)(time), dtype=float)
+    if grid is not time:
+        # what the even grid does not resolve is noise as well, unless more of it sticks out
+        unresolved = values - np.asarray(CubicSpline(grid, resampled)(time), dtype=float)
+        found = np.asarray(CubicSpline(grid, found)(time), dtype=float)
+        if np.max(np.abs(unresolved)) > _STICKS_OUT * noise:
+            found += unresolved
     return found, noise
