@@ -56,7 +56,6 @@ def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -
     assert np.mean(weighted, axis=0) == pytest.approx([1.0, 1.0], rel=0.35)
 
 
-@pytest.mark.xfail(reason="the floor has the noise of the displacement through the declared law, not through effects")
 def test_noise_through_an_effect_counts_where_the_effect_is_known(tmp_path: Path) -> None:
     """Friction of 4 kN that turns within 1 mm/s makes more of eight micrometres than the law does."""
     mgmm = law("mgmm")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -79,7 +79,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     )
     predicted = _declared_forces(problem, campaign)
     _check_forces(problem, campaign, predicted)
-    noisy = problem.with_experiments(_with_noise(problem, predicted))
+    noisy = problem.with_experiments(with_noise(problem, predicted, _forces))
     thin = noisy.with_experiments([one.thinned() for one in noisy.experiments])
     starts = [_start(thin, i, test) for i, test in enumerate(campaign.tests)]
     started = [
@@ -168,14 +168,13 @@ def _motion(time: np.ndarray, displacement: np.ndarray) -> tuple[Motion, float]:
     return Motion(time, displacement, velocity, np.gradient(velocity, time), cornered=True), noise
 
 
-def _forces(problem: DamperProblem, experiments: Sequence[Experiment]) -> list[np.ndarray]:
-    """Return the forces (n_i,) N of the declared law in tests.
+def _forces(problem: DamperProblem) -> list[np.ndarray]:
+    """Return the forces (n_i,) N of the declared law in all tests.
 
     Raises:
         PredictionError: there is none.
     """
-    other = problem.with_experiments(experiments)
-    (found,) = other.prediction.predict([(problem.declared, ())], range(len(experiments)))
+    (found,) = problem.prediction.predict([(problem.declared, ())], range(len(problem.experiments)))
     if isinstance(found, PredictionError):
         raise found
     return found
@@ -192,15 +191,25 @@ def _declared_forces(problem: DamperProblem, campaign: Campaign) -> list[np.ndar
     return found
 
 
-def _with_noise(problem: DamperProblem, predicted: Sequence[np.ndarray]) -> list[Experiment]:
+def with_noise(
+    problem: DamperProblem, predicted: Sequence[np.ndarray], forces_of: Callable[[DamperProblem], Sequence[np.ndarray]]
+) -> list[Experiment]:
     """Return tests with their noise.
 
-    The force channel's is estimated above the motion, in what the law leaves of the force too. Noise of the
-    displacement makes force through the law: such noise is added and taken off again. That is most where the damper is
-    slow and its force steep over the velocity.
+    The force channel's is estimated above the motion, in what a model leaves of the force too. Noise of the
+    displacement makes force through the model: such noise is added and taken off again. That is most where the damper
+    is slow and its force steep over the velocity. The same noise is added whatever the model.
+
+    Args:
+        problem: with all tests, at full rate.
+        predicted: (n_i,) N of every test, with what is each test's own.
+        forces_of: forces (n_i,) N of the model in all tests of such a problem.
+
+    Raises:
+        PredictionError: the model cannot predict the tests with noise.
     """
     random = np.random.default_rng(len(problem.experiments))
-    power = [np.zeros_like(force) for force in predicted]
+    power, plain = [np.zeros_like(force) for force in predicted], forces_of(problem)
     for _ in range(_AGAIN if any(one.displacement_noise for one in problem.experiments) else 0):
         again = []
         for one in problem.experiments:
@@ -212,7 +221,7 @@ def _with_noise(problem: DamperProblem, predicted: Sequence[np.ndarray]) -> list
                     # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
                     motion = replace(motion, velocity=smooth(motion.time, noisy, rests=False)[1])
             again.append(replace(one, motion=motion))
-        for own, force, moved in zip(power, predicted, _forces(problem, again), strict=True):
+        for own, force, moved in zip(power, plain, forces_of(problem.with_experiments(again)), strict=True):
             own += (moved - force) ** 2 / _AGAIN
     return [_noisy(*each) for each in zip(problem.experiments, predicted, power, strict=True)]
 

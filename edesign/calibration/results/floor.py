@@ -11,6 +11,7 @@ import numpy as np
 from scipy.special import chdtri
 
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.from_campaign import with_noise
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.motion import Motion
@@ -20,6 +21,7 @@ from edesign.calibration.residual.tones import without_tones
 from edesign.calibration.results.predictions import judged
 from edesign.calibration.search.models import FittedModel
 from edesign.damper.testing.measured_histories import USES, Use
+from edesign.estimation.model import PredictionError
 
 MOST = 2.0
 """Times its floor, up to which an error (NRMS, a power) is noise alone: 1.4 times the noise in rms. Estimates of noise
@@ -50,7 +52,8 @@ class Floor:
 
         Args:
             problem: with all tests, at full rate.
-            model: of its effects of temperature.
+            model: through which noise of the displacement makes force, if it has effects, and errors of the
+                thermometer. Without effects that noise has been taken through the declared law.
             forces: (n_i,) N of every test, predicted by it.
         """
         left = [judged(one, one.force - f) for one, f in zip(problem.experiments, forces, strict=True)]
@@ -60,9 +63,8 @@ class Floor:
             max(both) if (both := [x for x in each if not math.isnan(x)]) else math.nan
             for each in zip(cycles, again, strict=True)
         ]
-        noise = [
-            max(one.noise, 0.0 if math.isnan(r) else r) for one, r in zip(problem.experiments, repeats, strict=True)
-        ]
+        known = _through(problem, model, forces)
+        noise = [max(one.noise, 0.0 if math.isnan(r) else r) for one, r in zip(known, repeats, strict=True)]
         changes = problem.model(model.effects, USES).input_uncertainty(model.fit.values)
         thermal = [0.0 if d is None else float(np.mean(np.sum(d**2, axis=1))) for d in changes]
         return Floor(problem, tuple(noise), tuple(thermal))
@@ -87,6 +89,23 @@ class Floor:
         """Say whether only noise is left, in all tests together and in every single one."""
         every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
         return self.worst(errors) is None and all(error <= MOST * self.nrms(use) for use, error in every.items())
+
+
+def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:
+    """Return the tests with noise of the displacement through the effects of a model, if it has any."""
+    if not model.effects:
+        return problem.experiments
+
+    def forces_of(other: DamperProblem) -> list[np.ndarray]:
+        (found,) = other.model(model.effects, USES).forces(model.fit.values)
+        if isinstance(found, PredictionError):
+            raise found
+        return found
+
+    try:
+        return with_noise(problem, predicted, forces_of)
+    except PredictionError:  # what cannot be predicted with noise keeps the noise through the law
+        return problem.experiments
 
 
 class Part(NamedTuple):
