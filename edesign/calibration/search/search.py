@@ -109,7 +109,7 @@ class Search:
     def _grow(self) -> None:
         """Adopt effects until no more than noise is left, or the next depth does not pass the rule."""
         while len(self._best.effects) < self._settings.depth and not self._best.at_floor:
-            self._progress(f"screening beside {self._best.label}: {100.0 * self._best.nrms:.3g} % is left")
+            self._progress(f"screening beside {self._best.label}: an NRMS of {100.0 * self._best.nrms:.3g} % is left")
             self._depths.append(self._depth(self._best))
             adopted = self._depths[-1].adopted
             if adopted is None:
@@ -197,7 +197,8 @@ class Search:
         tried.sort(key=lambda one: -one.difference.total)
         for one in tried:
             d = one.difference
-            self._progress(f"  {one.model.label}: {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}")
+            left = f"NRMS {100.0 * one.model.nrms:.3g} %, gain {d.total:.1f} +- {d.error:.1f}"
+            self._progress(f"  {one.model.label}: {left}")
         adopted, most = None, -math.inf
         for one in tried:
             # of those that pass, the best by what is needed of it; parts of it may be less than the next one

@@ -130,8 +130,8 @@ def _errors(calibration: Calibration) -> str:
     )
     texts = [
         f"In {_TESTS[calibration.subject]} that nothing was fitted to, {model} leaves an NRMS of "
-        f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in rms), "
-        f"as declared it leaves {percent(declared)} %"
+        f"{percent(corrected)} % of the {_MEASURED[calibration.subject]} ({percent(math.sqrt(corrected), 2)} % in "
+        f"rms), as declared it leaves {percent(declared)} %"
     ]
     if calibration.effects and not calibration.law_held:
         texts.append(f", fitted again without effects {percent(refit)} %")

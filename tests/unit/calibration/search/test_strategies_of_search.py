@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from curve_problem import DRAG, OWN, CurveProblem, effect
+from curve_problem import DRAG, OWN, Change, CurveProblem, effect
 
 from edesign.calibration.search.models import Fitting
 from edesign.calibration.search.problem import Effect
@@ -224,3 +224,17 @@ def test_a_search_comes_to_its_end() -> None:
     assert result.ending == "complete"
     adopted = [depth.adopted.names for depth in result.depths if depth.adopted is not None]
     assert len(set(adopted)) == len(adopted) and result.best.names in adopted
+
+
+def test_a_delay_is_no_mass_that_comes_near_to_it() -> None:
+    """A third equation of a lag is in the data; a mass leaves noise too, and the two that are screened first do not."""
+
+    def beside(part: float, smooth: float) -> Change:
+        return lambda p, i, u, v: p[0] * (u**3 + part * np.tanh(v / smooth))
+
+    delay = effect("lag", "delay", lambda p, i, u, v: p[0] * (u**3 + 0.6 * np.tanh(v / p[1])), [(1.0, (3.0,))])
+    others = (effect("lag", "filter", beside(0.3, 1e-3)), effect("lag", "second_order", beside(0.28, 1e-3)))
+    mass = effect("inertia", "mass", beside(0.6, 0.052))
+    search = found(CurveProblem(effects=(mass, *others, delay), truth=((delay, (0.5, 0.05)),)))
+    told = {search.best.label, *(one.model.label for rivals in search.rivals for one in rivals)}
+    assert "lag.delay" in told
