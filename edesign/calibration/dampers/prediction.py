@@ -36,6 +36,7 @@ from edesign.estimation.model import PredictionError
 
 _MOTIONS = 512  # of tests under channels, that are kept
 _FORCES = 4096  # of the law in tests
+_ROUGH = 0.5  # of the samples, for changes alone: their errors are a few times as large, and of what changes only
 
 Effects = Sequence[tuple[FormInCampaign, Values]]
 """Forms of effects with their values."""
@@ -136,15 +137,17 @@ class Prediction:
         return self._gamma is not None
 
     def predict(
-        self, sets: Sequence[tuple[Mapping[str, float], Effects]], wanted: Sequence[int]
+        self, sets: Sequence[tuple[Mapping[str, float], Effects]], wanted: Sequence[int], rough: bool = False
     ) -> list[list[np.ndarray] | PredictionError]:
         """Return the recorded force (n_i,) N of tests for each set of parameters, or why there is none.
 
         Args:
             sets: the law's parameters by name, SI, and effects.
             wanted: indices of tests, ascending.
+            rough: whether steps are as long as a fit needs, not finer: for changes between sets.
         """
-        asked = [self._of_set(values, effects, wanted) for values, effects in sets]
+        finer = _ROUGH if rough else 1.0
+        asked = [self._of_set(values, effects, wanted, finer) for values, effects in sets]
         known: dict[Hashable, np.ndarray | PredictionError] = {}
         missing: dict[Hashable, list[_Asked]] = {}
         for own in asked:
@@ -168,18 +171,20 @@ class Prediction:
             ]
 
     def _of_set(
-        self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int]
+        self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int], finer: float
     ) -> list[_Asked] | PredictionError:
         """Return what is asked of the law in each test up to the last one wanted, or why nothing can be."""
         try:
-            return self._asked(values, effects, wanted)
+            return self._asked(values, effects, wanted, finer)
         except PredictionError as error:
             return error
         except (InputError, CoreError, OverflowError, ZeroDivisionError) as error:
             return PredictionError(str(error))
 
-    def _asked(self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int]) -> list[_Asked]:
-        refined = max((of.form.refined for of, _ in effects), default=REFINED)
+    def _asked(
+        self, values: Mapping[str, float], effects: Effects, wanted: Sequence[int], finer: float
+    ) -> list[_Asked]:
+        refined = finer * max((of.form.refined for of, _ in effects), default=REFINED)
         amendments = _acts(effects, Amendment)
         rests = _acts(effects, Rest)
         lasting = self._lasting or bool(_acts(effects, LastingExtremes))

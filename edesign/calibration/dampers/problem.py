@@ -199,21 +199,46 @@ class DamperModel:
         Args:
             values: (m, p) SI.
         """
-        found = self.forces(values)
+        return self._weighted(self.forces(values))
+
+    def near(
+        self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
+    ) -> list[list[np.ndarray] | PredictionError]:
+        """Return predictions as `predict` does, with changes from a set of parameters near by in longer steps.
+
+        Args:
+            values: (m, p) SI.
+            around: (p,) SI, near them.
+            predicted: (n_i,) of each test with that set.
+        """
+        here, *there = self._weighted(self.forces(np.vstack((around, values)), rough=True))
+        if isinstance(here, PredictionError):
+            return self.predict(values)
         return [
-            of_set
-            if isinstance(of_set, PredictionError)
-            else [w * f for w, f in zip(self.weights, of_set, strict=True)]
-            for of_set in found
+            one
+            if isinstance(one, PredictionError)
+            else [y + (f - g) for y, f, g in zip(predicted, one, here, strict=True)]
+            for one in there
         ]
 
-    def forces(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+    def forces(self, values: np.ndarray, rough: bool = False) -> list[list[np.ndarray] | PredictionError]:
         """Return the force (n_i,) N of each test for each set of parameters, or why there is none.
 
         Args:
             values: (m, p) SI.
+            rough: whether they are for changes alone.
         """
-        return self.problem.prediction.predict([self._of(one) for one in np.atleast_2d(values)], self.tests)
+        return self.problem.prediction.predict([self._of(one) for one in np.atleast_2d(values)], self.tests, rough)
+
+    def _weighted(
+        self, forces: Sequence[list[np.ndarray] | PredictionError]
+    ) -> list[list[np.ndarray] | PredictionError]:
+        return [
+            of_set
+            if isinstance(of_set, PredictionError)
+            else [w * f for w, f in zip(self.weights, of_set, strict=True)]
+            for of_set in forces
+        ]
 
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return weighted columns (n_i, k) N of each test whose shares, N(0, 1), are its own; None: there are none.
