@@ -1,6 +1,6 @@
 """Time and effort of `edesign calibrate` for blind campaigns, one at a time, as a user runs it, with the report.
 
-The effort is the number of weighted predictions, the same on every machine.
+The effort is the number of weighted predictions, the same on every machine; beside it stands the CPU time of one.
 
 Usage: python -m benchmarks.calibration [--number 23] [--every 2] [--seed 1] [--folder build/blind_bench]
 """
@@ -31,7 +31,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as scratch:
         folder = chosen.folder or Path(scratch)
         folder.mkdir(parents=True, exist_ok=True)
-        print("campaign  tests  wall, s  CPU, s  effort  hidden -> found (verdict)")
+        print("campaign  tests  wall, s  CPU, s  effort  ms each  hidden -> found (verdict)")
         walls = []
         for planned in plan(chosen.number, chosen.seed)[:: chosen.every]:
             place = generate(planned, chosen.seed, folder)
@@ -42,10 +42,11 @@ def main() -> None:
             names = " + ".join(effect["name"] for effect in found["effects"]) or "nothing"
             tests, wall = len([*place.glob("*.csv")]), outcome["seconds"]
             effort = found.get("coverage", {}).get("effort", 0.0)
+            cpu = _cpu() - before
             walls.append(wall)
             print(
-                f"{planned.name:8}  {tests:5}  {wall:7.1f}  {_cpu() - before:6.1f}  {effort:6.0f}  {hidden} -> {names} "
-                f"({found['verdict']})",
+                f"{planned.name:8}  {tests:5}  {wall:7.1f}  {cpu:6.1f}  {effort:6.0f}  "
+                f"{1e3 * cpu / max(effort, 1.0):7.1f}  {hidden} -> {names} ({found['verdict']})",
                 flush=True,
             )
     below = sum(wall < BAR for wall in walls)
