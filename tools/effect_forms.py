@@ -22,7 +22,7 @@ from edesign.calibration.dampers.acts import (
 )
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms as damper_forms
-from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.properties.reading import Reading
 from edesign.calibration.structures.building import Building, Damping, DampingKind
@@ -49,6 +49,7 @@ _USUAL = Sizes(
     temperatures=(10.0, 30.0),
     levels=4,
     tones=(50.0, 120.0),
+    conditions=(Condition.of("Q", (1.0, 2.0, 3.0), (1.0, 2.0, 3.0)),),
 )
 """Of a campaign that shows all effects."""
 
@@ -151,7 +152,7 @@ def _row(
         prior = f"{'ln ' if one.logarithmic else ''}N({centre}, {spread})"
         parameters.append((one, prior, f"{lower} to {upper}"))
     constants = (lambda _: {}) if isinstance(form, Reading) else form.constants
-    named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test", name)}
+    named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test|q_mean|q_range", name)}
     fixed = {name: text(lambda s, name=name: constants(s)[name], "") for name in sorted(named)}  # type: ignore[misc]
     base, where = _placed(form)
     return Row(form, base, where, tuple(parameters), fixed)

@@ -26,7 +26,7 @@ STRUCTURES, TABLES, ALL = "structures", "tables", "all"
 """Pages of the effects of structures, of those that tables of moduli alone show, and of all of them in one table."""
 
 _EQUATION = re.compile(
-    r"^ {4}(?:(?P<effect>[a-z_]+)\.)?(?P<form>[a-zN_]+(?:_k)?) {2,}(?P<equation>\S.*)$", re.MULTILINE
+    r"^ {4}(?:(?P<effect>[a-z_]+)\.)?(?P<form>[a-zNQ_]+(?:_k)?) {2,}(?P<equation>\S.*)$", re.MULTILINE
 )
 _TOP = """# All effects in one table
 

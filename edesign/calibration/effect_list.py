@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibration.dampers.acts import Placement
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms as damper_forms
-from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.results.law_file import form_in_law_files, parameters_in_law_files
 from edesign.calibration.structures.building import Building, Damping
@@ -39,6 +39,7 @@ _USUAL = Sizes(
     temperatures=(10.0, 30.0),
     levels=4,
     tones=(50.0, 100.0),
+    conditions=(Condition.of("Q", (1.0, 2.0, 3.0), (1.0, 2.0, 3.0)),),
 )
 """Of a campaign that shows all effects; names and units of parameters do not depend on it."""
 _PAGES = "docs/reference/effects"

@@ -62,8 +62,9 @@ def problem(
     refit: bool = True,
     lasting: bool = False,
     threads: int | None = None,
+    conditions: Mapping[str, Sequence[float]] | None = None,
 ) -> DamperProblem:
-    """A problem whose forces are those of the law; the last test validates."""
+    """A problem whose forces are those of the law; the last test validates. Conditions are listed test by test."""
     chosen = LAWS[law]
     declared = chosen.complete({**LAW_VALUES[law], **(values or {})})
     experiments, elapsed = [], 0.0
@@ -72,7 +73,14 @@ def problem(
         force = Damper(chosen, declared).force(moved.time, moved.displacement)
         use: Use = "fit" if order < tests - 1 else "validate"
         warm = degrees[order % len(degrees)]
-        experiments.append(Experiment(f"test {order + 1}", use, order, elapsed, moved, force, warm, channel_noise=10.0))
+        declared_there = {name: values[order] for name, values in (conditions or {}).items()}
+        experiments.append(
+            Experiment(
+                *(f"test {order + 1}", use, order, elapsed, moved, force, warm),
+                channel_noise=10.0,
+                conditions=declared_there,
+            )
+        )
         elapsed += float(moved.since[-1])
     return DamperProblem(
         chosen, declared, tuple(experiments), Sizes.of(experiments, tones), refit, lasting, threads=threads

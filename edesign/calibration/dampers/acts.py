@@ -46,12 +46,14 @@ class Amendment:
         placement: where it acts.
         factor: of "constant" alone: the factor of the force in a test.
         more: parameters of the equation that are none of the form, of the form's values.
+        own: parameters of the equation that are another in each test, of the form's values.
     """
 
     equation: str
     placement: Placement = Placement.WHOLE
     factor: Callable[[Values, Experiment], float] | None = None
     more: Callable[[Values], Values] | None = None
+    own: Callable[[Values, Experiment], Values] | None = None
 
     @property
     def carries(self) -> bool:
@@ -74,6 +76,7 @@ class Amendment:
         if names is None:
             raise PredictionError(f"the core has no amendment {self.equation}")
         known = p if self.more is None else {**p, **self.more(p)}
+        known = known if self.own is None else {**known, **self.own(p, test)}
         return AmendmentValues(self.equation, tuple(known[name] for name in names), self.placement.value)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -37,6 +38,7 @@ class Experiment:
         weight: (n,) factors of a residual that make its noise as strong at all times; None: it is.
         start: how its record starts away from rest; None: at rest.
         full: the test at full rate, if this is not.
+        conditions: that the test declares, by name, in units of the campaign.
     """
 
     name: str
@@ -52,6 +54,7 @@ class Experiment:
     weight: np.ndarray | None = None
     start: Start | None = None
     full: Experiment | None = None
+    conditions: Mapping[str, float] = field(default_factory=dict)
     _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
 
     @property

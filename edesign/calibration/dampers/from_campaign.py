@@ -71,7 +71,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
         law,
         declared,
         experiments,
-        Sizes.of(experiments),
+        Sizes.of(experiments, ordered=campaign.ordered),
         campaign.law.refit,
         campaign.law.extremes == "lasting",
         campaign.law.gamma_T_of or "parameters",
@@ -89,7 +89,7 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     fitted = [problem.experiments[i] for i in problem.fitted]
     of_law = [predicted[i] for i in problem.fitted]
     tones = common_tones([one.motion for one in fitted], [one.force for one in fitted], of_law)
-    found = replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones))
+    found = replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones, campaign.ordered))
     return replace(found, alone=_alone(found))
 
 
@@ -153,7 +153,10 @@ def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
         motion, noise = _motion(test.time, test.displacement)
         history = test.temperature_history
         degrees = test.temperature_C if history is None else float(np.mean(history))
-        found.append(Experiment(test.name, test.use, order, elapsed, motion, test.measured_force(), degrees, noise))
+        of_test = test.measured_force(), degrees, noise
+        found.append(
+            Experiment(test.name, test.use, order, elapsed, motion, *of_test, conditions=dict(test.conditions))
+        )
         elapsed += float(motion.since[-1])
     return tuple(found)
 

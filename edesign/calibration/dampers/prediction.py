@@ -115,6 +115,7 @@ class Prediction:
         lasting: whether extremes of one test soften the law in the next.
         threads: at most so many.
         length: of a deformation in which the law changes, m.
+        ordered: whether the order of the tests is known; otherwise each of them has a fresh specimen.
     """
 
     def __init__(
@@ -125,9 +126,10 @@ class Prediction:
         lasting: bool = False,
         threads: int = 1,
         length: float = 1e-3,
+        ordered: bool = True,
     ) -> None:
         self._law, self._experiments, self._gamma, self._lasting = law, tuple(experiments), gamma, lasting
-        self._threads, self._length = threads, length
+        self._threads, self._length, self._ordered = threads, length, ordered
         self._motions: Kept[Motion] = Kept(_MOTIONS)
         self._forces: Kept[np.ndarray | PredictionError] = Kept(_FORCES)
 
@@ -189,7 +191,7 @@ class Prediction:
         rests = _acts(effects, Rest)
         lasting = self._lasting or bool(_acts(effects, LastingExtremes))
         rest = min((p[act.duration] for act, p in rests), default=LONG)
-        carries = bool(rests) or any(act.carries for act, _ in amendments)
+        carries = self._ordered and (bool(rests) or any(act.carries for act, _ in amendments))
         rigs = [act.values(p) for act, p in _acts(effects, Rig)]
         rig = RigValues.together(rigs) if rigs else None
         changes = _acts(effects, LawParameters)

@@ -94,13 +94,17 @@ class DamperProblem:
         if not self.refit:
             return ()
         scales = Scales(self.typical.force, self.typical.displacement, self.typical.velocity)
-        limiting = LIMITED_BY.get(self.law.name, {}).values()
-        held = {name for name in HELD.get(self.law.name, {}) if name not in limiting or not self.declared[name]}
         return tuple(
             _about_declared(one, self.declared, scales, self.within, self.alone.get(one.name))
             for one in self.law.all_parameters(self.declared)
-            if one.fitted and one.name not in held
+            if one.fitted and one.name not in self._held
         )
+
+    @cached_property
+    def _held(self) -> frozenset[str]:
+        limiting = LIMITED_BY.get(self.law.name, {}).values()
+        every = HELD.get(self.law.name, {})
+        return frozenset(name for name in every if name not in limiting or not self.declared[name])
 
     @property
     def start(self) -> tuple[float, ...]:
@@ -110,7 +114,9 @@ class DamperProblem:
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that the campaign can show and the core takes with this law."""
-        return tuple(_effect(form, self.typical) for form in forms(self.typical) if self._suits(form))
+        values = self.law.all_parameters(self.declared)
+        varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._held]
+        return tuple(_effect(form, self.typical) for form in forms(self.typical, varied) if self._suits(form))
 
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:
@@ -133,7 +139,7 @@ class DamperProblem:
         own = gamma if self.law.name in gamma.laws else None
         threads = self.threads or os.cpu_count() or 1
         length = length_of(self.law, self.declared, self.typical.force, self.typical.displacement)
-        return Prediction(self.law, self.experiments, own, self.lasting, threads, length)
+        return Prediction(self.law, self.experiments, own, self.lasting, threads, length, self.typical.ordered)
 
     @cached_property
     def uncertain_inputs(self) -> tuple[tuple[UncertainInput, DamperProblem], ...]:

@@ -18,6 +18,44 @@ _LONGEST = 20.0  # s, of a slow period up to which lags go with it
 
 
 @dataclass(frozen=True)
+class Condition:
+    """A condition that each test declares, as gas pressure, in the unit of the campaign.
+
+    Attributes:
+        name: of it.
+        lowest, highest, mean: in the tests fitted to.
+        reach: largest distance of any test from the mean, in shares of the range of the tests fitted to.
+        positive: whether no test has a negative value.
+    """
+
+    name: str
+    lowest: float
+    highest: float
+    mean: float
+    reach: float
+    positive: bool
+
+    @property
+    def span(self) -> float:
+        """Range of the tests fitted to."""
+        return self.highest - self.lowest
+
+    @staticmethod
+    def of(name: str, fitted: Sequence[float], every: Sequence[float]) -> Condition:
+        """Return a condition by its values in the tests fitted to, and in all.
+
+        Args:
+            name: of it.
+            fitted: values.
+            every: values.
+        """
+        lowest, highest, mean = min(fitted), max(fitted), sum(fitted) / len(fitted)
+        farthest = max(abs(one - mean) for one in every)
+        reach = farthest / (highest - lowest) if highest > lowest else 0.0
+        return Condition(name, lowest, highest, mean, reach, min(every) >= 0.0)
+
+
+@dataclass(frozen=True)
 class Sizes:
     """Typical sizes in a campaign, over the tests fitted to; SI.
 
@@ -34,6 +72,8 @@ class Sizes:
         temperatures: lowest and highest of the tests fitted to, degC.
         levels: how many temperatures these have, each APART from the next.
         tones: frequencies of narrow peaks that the tests have in common, Hz, the strongest first.
+        conditions: that the tests declare.
+        ordered: whether it is known in which order the tests were made.
     """
 
     force: float
@@ -51,6 +91,8 @@ class Sizes:
     temperatures: tuple[float, float]
     levels: int
     tones: tuple[float, ...] = ()
+    conditions: tuple[Condition, ...] = ()
+    ordered: bool = True
 
     @property
     def stiffness(self) -> float:
@@ -69,19 +111,20 @@ class Sizes:
 
     @property
     def between(self) -> bool:
-        """Whether the tests show what changes between them alone.
+        """Whether the tests show what changes from one to the next alone.
 
-        That takes a test for the law, one for the change, and two that tell how tests scatter.
+        That takes their order, a test for the law, one for the change, and two that tell how tests scatter.
         """
-        return sum(self.fitted) >= _BETWEEN
+        return self.ordered and sum(self.fitted) >= _BETWEEN
 
     @staticmethod
-    def of(experiments: Sequence[Experiment], tones: Sequence[float] = ()) -> Sizes:
+    def of(experiments: Sequence[Experiment], tones: Sequence[float] = (), ordered: bool = True) -> Sizes:
         """Return the sizes in tests.
 
         Args:
             experiments: all tests of the campaign.
             tones: frequencies of narrow peaks, Hz.
+            ordered: whether it is known in which order they were made.
         """
         fitted = [one for one in experiments if one.use == "fit"]
         motions = [one.motion for one in fitted]
@@ -103,6 +146,13 @@ class Sizes:
             temperatures=(min(temperatures), max(temperatures)),
             levels=_levels(temperatures),
             tones=tuple(tones),
+            conditions=tuple(
+                Condition.of(
+                    name, [one.conditions[name] for one in fitted], [one.conditions[name] for one in experiments]
+                )
+                for name in experiments[0].conditions
+            ),
+            ordered=ordered,
         )
 
 

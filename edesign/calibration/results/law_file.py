@@ -17,6 +17,7 @@ import yaml
 from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
 from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
+from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.predictions import validation_error
@@ -73,7 +74,8 @@ def parameters_in_law_files(form: EffectForm) -> dict[str, Parameter]:
 def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carried | None:
     """Return how a law file carries an effect of the damper; None: it has no such form.
 
-    What ages is as it was in the last test, what softens or wears with use as in a virgin damper.
+    What ages is as it was in the last test, what softens or wears with use as in a virgin damper, what goes with a
+    condition of the tests as at its mean in those fitted to, where most of these effects do nothing.
 
     Args:
         problem: of the tests.
@@ -82,6 +84,8 @@ def carried(problem: DamperProblem, effect: Effect, values: np.ndarray) -> Carri
     """
     of: FormInCampaign = effect.data
     p, acts = of.values(values), of.form.acts
+    if of.form.name == CONDITION and not any(isinstance(act, AmendmentAct) and act.own for act in acts):
+        return Carried()
     if any(isinstance(act, LawParameters) for act in acts):
         return _in_temperature_law(problem, of, p)
     found = []
@@ -265,6 +269,11 @@ def _head(found: Calibration) -> list[str]:
         lines.append("what softens with use begins as in a virgin damper")
     if "self_heating" in names:
         lines.append("it begins cold: heat that lasts from test to test is no part of it")
+    lines += [
+        f"as at the mean of the fitted tests, and nowhere else: {one.title}"
+        for one in found.effects
+        if one.label.startswith(f"{CONDITION}.")
+    ]
     if "ageing" in names:
         lines.append("it has aged as much as in the last test")
     return lines

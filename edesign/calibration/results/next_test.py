@@ -141,7 +141,7 @@ def _tests(problem: DamperProblem) -> Iterator[tuple[str, Experiment]]:
                 zero = np.zeros(motion.time.size)
                 yield (
                     f"{text}, {degrees:.3g} degC",
-                    Experiment("next", "validate", order, elapsed, motion, zero, degrees),
+                    Experiment("next", "validate", order, elapsed, motion, zero, degrees, conditions=last.conditions),
                 )
 
 

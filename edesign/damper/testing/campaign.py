@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Literal
 
 import yaml
 from pydantic import Field
@@ -37,6 +37,10 @@ from edesign.project.reading.file_bytes import is_there
 from edesign.project.reading.problems import FileProblems, Problems
 from edesign.project.reading.yaml_file import check_model, read_yaml_text
 
+Order = Literal["as_listed", "unknown"]
+"""Whether tests were made in the order in which they are listed."""
+
+ConditionName = Annotated[str, Field(pattern=r"^[A-Za-z][A-Za-z0-9_]*$")]
 CAMPAIGN_FILE = "campaign.yaml"
 _WHAT, _BEGINS = "campaign file", "specimen:"
 
@@ -56,6 +60,8 @@ class TestEntry(ReadingKeys):
         use: whether laws are fitted to the test, or it is only compared.
         start: how the test starts, in place of `start` of the file.
         start_ramp: time from rest to the first sample, with `start: at_rest`.
+        conditions: other quantities under which the test was made, plain numbers by name, the same names in all tests:
+            `{gas_pressure_MPa: 0.69, clicks: 4}`.
     """
 
     __test__ = False  # no test of pytest
@@ -67,6 +73,7 @@ class TestEntry(ReadingKeys):
     use: Use = "fit"
     start: StartKind | None = None
     start_ramp: PositiveTime | None = None
+    conditions: Annotated[dict[ConditionName, float], Field(min_length=1)] | None = None
 
     @property
     def celsius(self) -> float | None:
@@ -85,7 +92,9 @@ class CampaignFile(ReadingKeys):
         start: how the tests start.
         start_ramp: time from rest to the first sample, with `start: at_rest`; without the key one sampling interval.
         acceptance: what the device is accepted by; without the key as a viscoelastic one, by both standards.
-        tests: tests in the order in which they were made.
+        order: whether the tests are listed in the order in which they were made; `unknown` also where each has a
+            specimen of its own.
+        tests: tests in the order in which they were made, if it is known.
     """
 
     title: str = ""
@@ -95,23 +104,25 @@ class CampaignFile(ReadingKeys):
     start: StartKind = "unknown"
     start_ramp: PositiveTime | None = None
     acceptance: Acceptance = Acceptance()
+    order: Order = "as_listed"
     tests: Annotated[tuple[TestEntry, ...], Field(min_length=1)]
 
 
 @dataclass(frozen=True)
 class Campaign:
-    """Tests of one specimen, in the order in which they were made.
+    """Tests of one specimen, in the order in which they were made, if that is known.
 
     Attributes:
         specimen: the layers that were tested; None: the device has none, or they are not said.
         law: thought to describe it; None: none named.
-        tests: in the order of the file, which is that of the tests.
+        tests: in the order of the file.
         path: the campaign file.
         title: for people.
         text: of the campaign file.
         document: for the cover of a report.
         acceptance: what the device is accepted by.
         specimen_name: name of what was tested.
+        ordered: whether the order of the file is that in which the tests were made.
     """
 
     specimen: Specimen | None
@@ -123,6 +134,7 @@ class Campaign:
     document: Document = Document()
     acceptance: Acceptance = field(default_factory=Acceptance)
     specimen_name: str = "specimen"
+    ordered: bool = True
 
     @property
     def label(self) -> str:
@@ -230,24 +242,26 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
             problems.at_value((*keys, "file"), f"there is no file {path.parent / entry.file}")
     _check_twins(file, problems)
     _check_starts(file, problems)
+    _check_conditions(file, problems)
+    if file.order == "unknown" and file.law is not None and file.law.extremes == "lasting":
+        problems.at_value(("law", "extremes"), "what lasts from test to test needs their order, and `order` is unknown")
     if problems.found:
         raise CampaignError(path, problems.found)
     tests, wrong = [], []
     for name, entry in zip(_names(file), file.tests, strict=True):
         try:
-            tests.append(
-                read_test(
-                    path.parent / entry.file,
-                    temperature_C=entry.celsius,
-                    title=entry.title,
-                    use=entry.use,
-                    needs_force=needs_force,
-                    name=name,
-                    start=entry.start or file.start,
-                    start_ramp=_ramp(entry, file),
-                    said=reading_of(entry, file),
-                )
+            test = read_test(
+                path.parent / entry.file,
+                temperature_C=entry.celsius,
+                title=entry.title,
+                use=entry.use,
+                needs_force=needs_force,
+                name=name,
+                start=entry.start or file.start,
+                start_ramp=_ramp(entry, file),
+                said=reading_of(entry, file),
             )
+            tests.append(replace(test, conditions=entry.conditions or {}))
         except InputError as error:
             wrong.append(str(error))
     if wrong:
@@ -263,6 +277,7 @@ def load_campaign(path: Path | str, needs_force: bool = True) -> Campaign:
         file.document,
         file.acceptance,
         file.specimen.name,
+        file.order == "as_listed",
     )
 
 
@@ -342,6 +357,7 @@ def _text(specimen: Specimen | None, name: str, tests: Sequence[DamperTest], law
             "use": test.use,
             **({"start": test.start} if test.start != "unknown" else {}),
             **({"start_ramp": f"{test.start_ramp:.12g} s"} if test.start_ramp is not None else {}),
+            **({"conditions": dict(test.conditions)} if test.conditions else {}),
         }
         for test in tests
     ]
@@ -389,6 +405,23 @@ def _check_starts(file: CampaignFile, problems: Problems) -> None:
     for i, entry in enumerate(file.tests):
         if entry.start_ramp is not None and (entry.start or file.start) != "at_rest":
             problems.at_key(("tests", i, "start_ramp"), needs)
+
+
+def _check_conditions(file: CampaignFile, problems: Problems) -> None:
+    """Refuse a condition that some tests declare alone, or that has a key of its own."""
+    names = list(dict.fromkeys(name for entry in file.tests for name in entry.conditions or {}))
+    for i, entry in enumerate(file.tests):
+        own = entry.conditions or {}
+        if missing := ", ".join(f"`{name}`" for name in names if name not in own):
+            text = f"{missing} of other tests is missing here; all tests need the same conditions"
+            if own:
+                problems.at_key(("tests", i, "conditions"), text)
+            else:
+                problems.under(("tests", i), "conditions", text)
+        for name in own:
+            if name.lower() in ("temperature", "temperature_c"):
+                message = "the temperature of a test has a key of its own, `temperature`"
+                problems.at_key(("tests", i, "conditions", name), message)
 
 
 def _check_twins(file: CampaignFile, problems: Problems) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 from typing import Literal
 
 import numpy as np
@@ -79,6 +80,7 @@ class DamperTest:
         start_ramp: duration of the way from rest to the first sample of a test that starts at rest, s; None: one
             sampling interval.
         reading: how its table was read, as far as it is not plain, and where its displacement begins; for people.
+        conditions: other quantities under which it was made, by name, in units of the campaign.
     """
 
     name: str
@@ -94,6 +96,7 @@ class DamperTest:
     start: StartKind = "unknown"
     start_ramp: float | None = None
     reading: str = ""
+    conditions: Mapping[str, float] = field(default_factory=dict)
 
     def __post_init__(self) -> None:
         for name in ("time", "displacement", "force", "temperature_history"):

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import (
     alignment,
     amplitude,
+    condition,
     friction,
     gain,
     gas_spring,
@@ -29,7 +32,13 @@ TABLES = (
 """Modules, each with its FORMS."""
 
 
-def forms(sizes: Sizes) -> tuple[EffectForm, ...]:
-    """Return all forms that a campaign can show, of whatever law."""
-    every = (*(form for table in TABLES for form in table.FORMS), *gain.from_test(sizes))
+def forms(sizes: Sizes, parameters: Sequence[str] = ("parameter",)) -> tuple[EffectForm, ...]:
+    """Return all forms that a campaign can show, of whatever law.
+
+    Args:
+        sizes: of the campaign.
+        parameters: names of those of the law that may go with a condition of the tests; any one stands for all.
+    """
+    listed = (form for table in TABLES for form in table.FORMS)
+    every = (*listed, *condition.of_conditions(sizes, parameters), *gain.from_test(sizes))
     return tuple(form for form in every if form.shown(sizes))

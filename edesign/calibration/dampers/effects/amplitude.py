@@ -87,7 +87,7 @@ _LASTING = EffectForm(
     (LastingExtremes(),),
     lambda s: (),
     lambda s: ((),),
-    shown=lambda s: s.tests > 1,
+    shown=lambda s: s.tests > 1 and s.ordered,
     laws=SOFTENED,
 )
 

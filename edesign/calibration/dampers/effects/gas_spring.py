@@ -26,4 +26,7 @@ _POLYTROPIC = EffectForm(
     laws=_FLUID,
 )
 
+FORM = _POLYTROPIC
+"""Of a gas that is the same in all tests."""
+
 FORMS = (_POLYTROPIC,)

@@ -142,6 +142,7 @@ _GROWING = replace(
         (_STARTS[0] * s.lag_period, 0.0, _STARTS[0] * s.lag_period / s.duration),
     ),
     constants=lambda s: {"N": max(s.tests - 1.0, 1.0)},
+    shown=lambda s: s.ordered,
     proportional=False,
 )
 

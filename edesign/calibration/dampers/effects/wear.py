@@ -16,7 +16,7 @@ _FACTORS = (Placement.WHOLE, Placement.SPRINGS, Placement.DASHPOTS)
 
 
 def _several(s: Sizes) -> bool:
-    return s.tests > 1
+    return s.tests > 1 and s.ordered
 
 
 def _heat(s: Sizes) -> tuple[Parameter, ...]:

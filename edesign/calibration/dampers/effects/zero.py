@@ -96,6 +96,7 @@ _CAMPAIGN = replace(
         size("rate", "N/s", _CLASS * s.force / s.total, -s.force / s.duration, s.force / s.duration),
     ),
     starts=lambda s: ((_CLASS * s.force / s.total,),),
+    shown=lambda s: s.ordered,
 )
 _DISPLACEMENT = replace(
     _PER_TEST_LINE,

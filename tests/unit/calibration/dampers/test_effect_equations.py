@@ -15,7 +15,8 @@ from edesign.estimation.model import PredictionError
 
 K, C = LAW_VALUES["kelvin_voigt"].values()
 DEGREES = (20.0, 26.0, 31.0, 24.0, 28.0)
-PROBLEM = problem(tests=5, degrees=DEGREES, tones=(50.0, 31.0))
+VOLTS = (1.0, 3.0, 0.0, 1.0, 2.5)  # the last test is no part of mean and range
+PROBLEM = problem(tests=5, degrees=DEGREES, tones=(50.0, 31.0), conditions={"V": VOLTS})
 MOTIONS = [one.motion for one in PROBLEM.experiments]
 S = PROBLEM.typical
 P = Mapping[str, float]
@@ -275,6 +276,8 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
         lambda m: m.displacement - p["rate"] * m.time, lambda m: m.velocity - p["rate"]
     ),
     "inertia.mass": lambda p: beside(lambda m, i: p["mass"] * m.acceleration),
+    "condition.force_of_V": lambda p: beside(lambda m, i: p["offset"] * (VOLTS[i] - 1.25) / 3.0),
+    "condition.factor_of_V": lambda p: whole(lambda m, i: 1.0 + p["b"] * (VOLTS[i] - 1.25) / 3.0),
     "gain.force": lambda p: gained(p, 1),
     "gain.displacement": lambda p: scaled(p, 1),
     "gain.force_from_test_3": lambda p: gained(p, 3),
@@ -486,7 +489,7 @@ def test_every_form_is_checked_here_or_by_the_core():
     known = {*EQUATIONS, *RIGS, "lag.delay", "lag.filter", "lag.second_order", "lag.growing", "inertia.sprung"}
     known |= {"offset.per_test", "drift.each_own", "hum.tone", "hum.two_tones", "hum.harmonics"}
     known |= {"self_heating.carried", "friction.presliding", "play.backlash", "hysteresis.branch"}
-    known |= {"gas_spring.polytropic"}
+    known |= {"gas_spring.polytropic", "condition.parameter_of_V", "condition.gas_of_V"}
     known |= {"extremes.lasting"}
     endings = ("_inside", "_springs", "_dashpots", "_in_place")
     for form in forms(S):

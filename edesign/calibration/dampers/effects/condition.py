@@ -1,0 +1,122 @@
+"""Declared conditions of the tests, as gas pressure, voltage or axial load, and what of the damper goes with them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+
+from edesign.calibration.dampers.acts import Act, Amendment, ForceChannel, LawParameters, Placement, Values
+from edesign.calibration.dampers.effect import EffectForm, placed, size
+from edesign.calibration.dampers.effects import gas_spring
+from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.sizes import Condition, Sizes
+from edesign.damper.law import Law
+
+CONDITION = "condition"
+"""Name of the effect."""
+
+_FEWEST = 3  # tests fitted to: one for the law, one for the slope, one that tells how tests scatter
+_LEAST = 0.1  # of a factor, which it keeps in every test of the campaign
+_LINEAR = (
+    "phenomenological: first order in the condition; Spencer, Dyke, Sain & Carlson (1997), J. Eng. Mech. ASCE 123, "
+    "230-238 (parameters of an MR damper linear in its voltage)"
+)
+_PUSHED = "equilibrium of the rod: Dixon (2007), The Shock Absorber Handbook, Wiley, section 5.11"
+
+
+def _away(p: Values, test: Experiment, name: str) -> float:
+    """Return x = (q - q_mean)/(q_max - q_min), of the tests fitted to."""
+    return (test.conditions[name] - p["q_mean"]) / p["q_range"]
+
+
+def _pushed(name: str, p: Values, test: Experiment, motion: Motion, force: np.ndarray) -> np.ndarray:
+    return np.asarray(force + p["offset"] * _away(p, test, name))
+
+
+def _factor(name: str, p: Values, test: Experiment) -> float:
+    return 1.0 + p["b"] * _away(p, test, name)
+
+
+def _other(
+    name: str, parameter: str, p: Values, test: Experiment, law: Law, values: dict[str, float]
+) -> dict[str, float]:
+    return {**values, parameter: values[parameter] * _factor(name, p, test)}
+
+
+def _filled(name: str, p: Values, test: Experiment) -> Values:
+    return {"P": p["P"] * test.conditions[name] / p["q_mean"]}
+
+
+def of_conditions(s: Sizes, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
+    """Return the forms of each condition that differs between the tests fitted to.
+
+    Args:
+        s: sizes of the campaign.
+        parameters: names of those of the law.
+    """
+    shown = [one for one in s.conditions if one.span > 0.0] if sum(s.fitted) >= _FEWEST else []
+    return tuple(form for one in shown for form in _forms(one, parameters))
+
+
+def _forms(one: Condition, parameters: Sequence[str]) -> tuple[EffectForm, ...]:
+    # the factor stays positive in every test, in those that are compared only too
+    most = (1.0 - _LEAST) / one.reach
+    named = f"{one.name}, {one.lowest:.4g} to {one.highest:.4g}"
+
+    def form(what: str, title: str, signature: str, act: Act) -> EffectForm:
+        return EffectForm(
+            CONDITION,
+            f"{what}_of_{one.name}",
+            "damper",
+            f"{title} that goes with {named}",
+            signature,
+            _LINEAR,
+            (act,),
+            lambda s: (size("b", "", 1.0, -most, most),),
+            lambda s: ((0.2,), (-0.2,)),
+            lambda s: {"q_mean": one.mean, "q_range": one.span},
+        )
+
+    def of_parameter(parameter: str) -> EffectForm:
+        act = LawParameters(partial(_other, one.name, parameter))
+        signature = f"{parameter} of the law another from test to test, in proportion to the condition"
+        return form(parameter, f"{parameter} of the law", signature, act)
+
+    push: Callable[..., np.ndarray] = partial(_pushed, one.name)
+    constant = EffectForm(
+        CONDITION,
+        f"force_of_{one.name}",
+        "damper",
+        f"constant force that goes with {named}",
+        "a constant force in each test, in proportion to the condition",
+        _PUSHED,
+        (ForceChannel(push, of="carriage"),),
+        lambda s: (size("offset", "N", 0.2 * s.force, -2.0 * s.force, 2.0 * s.force),),
+        lambda s: ((0.1 * s.force,),),
+        lambda s: {"q_mean": one.mean, "q_range": one.span},
+    )
+    factor = form(
+        "factor",
+        "factor of the force",
+        "a factor of the force, constant within a test, in proportion to the condition",
+        Amendment("constant", factor=partial(_factor, one.name)),
+    )
+    gas = replace(
+        gas_spring.FORM,
+        name=CONDITION,
+        form=f"gas_of_{one.name}",
+        title=f"gas that is compressed by the rod, its pressure in proportion to {named}",
+        signature="a constant force and a stiffness in each test, both in proportion to the condition, at all rates",
+        acts=(replace(gas_spring.FORM.amendments[0], own=partial(_filled, one.name)),),
+        constants=lambda s: {**gas_spring.FORM.constants(s), "q_mean": one.mean},
+    )
+    return (
+        constant,
+        *([gas] if one.positive else []),
+        *placed(factor, Placement.WHOLE, Placement.SPRINGS, Placement.DASHPOTS),
+        *map(of_parameter, parameters),
+    )
