@@ -146,12 +146,13 @@ def _damper(campaign: Path, search: _Search) -> _Found:
     from edesign.calibration.results.write import calibration_json, check_files, write_files
     from edesign.calibration.run import calibrate as run
     from edesign.damper.testing.campaign import load_campaign
+    from edesign.damper.testing.clipping import clipping_notes
     from edesign.report.calibration.tables import tables_of
     from edesign.report.calibration.verdict import verdict_text
     from edesign.report.page.calibration import calibration_page
 
     loaded = load_campaign(campaign)
-    for note in loaded.notes:
+    for note in (*loaded.notes, *clipping_notes(loaded.tests)):
         search.tell(note)
     check_files(campaign, loaded.label, search.folder, search.overwrite)
     found = run(loaded, search.settings, search.workers, search.tell)

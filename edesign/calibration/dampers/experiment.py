@@ -39,6 +39,7 @@ class Experiment:
         start: how its record starts away from rest; None: at rest.
         full: the test at full rate, if this is not.
         conditions: that the test declares, by name, in units of the campaign.
+        clipped: (n,) whether the force stands at the end of the load cell's range; None: it does nowhere.
     """
 
     name: str
@@ -55,6 +56,7 @@ class Experiment:
     start: Start | None = None
     full: Experiment | None = None
     conditions: Mapping[str, float] = field(default_factory=dict)
+    clipped: np.ndarray | None = None
     _finer: dict[int, Motion] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -83,12 +85,18 @@ class Experiment:
         return self.start.first(self.motion.time) if self.start else 0
 
     @cached_property
+    def judged(self) -> np.ndarray:
+        """Samples (n,) that are judged: none before the first one, and none at which the force is clipped."""
+        found = np.ones(self.motion.time.size, dtype=bool) if self.clipped is None else ~self.clipped
+        found[: self.judged_from] = False
+        return found
+
+    @cached_property
     def weights(self) -> np.ndarray:
-        """Factors (n,) of the residuals: 0 before the first sample that is judged, for which the others stand."""
+        """Factors (n,) of the residuals: 0 where they are not judged, for which the others stand."""
         size = self.motion.time.size
-        found = np.ones(size) if self.weight is None else self.weight.copy()
-        found[: self.judged_from] = 0.0
-        return found * math.sqrt(size / max(size - self.judged_from, 1))
+        found = np.where(self.judged, 1.0 if self.weight is None else self.weight, 0.0)
+        return found * math.sqrt(size / max(int(np.count_nonzero(self.judged)), 1))
 
     @cached_property
     def work(self) -> float:
@@ -111,6 +119,7 @@ class Experiment:
             motion=self.motion.thinned(stride),
             force=np.ascontiguousarray(self.force[::stride]),
             weight=None if self.weight is None else np.ascontiguousarray(self.weight[::stride]),
+            clipped=None if self.clipped is None else self.clipped[::stride],
             full=self,
         )
 

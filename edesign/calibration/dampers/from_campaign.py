@@ -26,6 +26,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.temperature import GammaT, at
 from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.clipping import clipped, noise_within
 from edesign.damper.testing.measured_histories import DamperTest, Use, lost_motion
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
@@ -153,9 +154,14 @@ def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
         motion, noise = _motion(test.time, test.displacement)
         history = test.temperature_history
         degrees = test.temperature_C if history is None else float(np.mean(history))
-        of_test = test.measured_force(), degrees, noise
+        force = test.measured_force()
+        at_end = clipped(force)
         found.append(
-            Experiment(test.name, test.use, order, elapsed, motion, *of_test, conditions=dict(test.conditions))
+            Experiment(
+                *(test.name, test.use, order, elapsed, motion, force, degrees, noise),
+                conditions=dict(test.conditions),
+                clipped=at_end if np.any(at_end) else None,
+            )
         )
         elapsed += float(motion.since[-1])
     return tuple(found)
@@ -232,7 +238,10 @@ def with_noise(
 def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray) -> Experiment:
     """Return a test with its noise; that of the motion makes power (n,) N^2 of the predicted force (n,) N."""
     time, force = test.motion.time, test.force
-    channel = min(white_noise(force, time), white_noise(force - predicted, time))
+    if test.clipped is None:
+        channel = min(white_noise(force, time), white_noise(force - predicted, time))
+    else:  # there is no noise at the end of a range
+        channel = noise_within(force, ~test.clipped)
     channel = max(channel, least_noise(force))
     if not np.any(power):
         return replace(test, channel_noise=channel)

@@ -136,6 +136,8 @@ class Series:
         test: name of the test of which this is a channel; "" if it is all of it.
         channel: of the test, for people.
         start: how the record of a damper test starts away from rest; None: at rest.
+        clipped: (n,) whether what is measured stands at the end of the instrument's range; None: it does nowhere.
+        assumed: whether `noise` is the least that an instrument is thought to have, as the record shows less.
     """
 
     name: str
@@ -154,11 +156,20 @@ class Series:
     test: str = ""
     channel: str = ""
     start: Start | None = None
+    clipped: np.ndarray | None = None
+    assumed: bool = False
 
     @property
     def judged(self) -> slice:
-        """Samples that count: those before depend on how the test started."""
+        """Samples from the first one that counts: those before depend on how the test started."""
         return slice(self.start.first(self.time) if self.start else 0, None)
+
+    @property
+    def counted(self) -> np.ndarray:
+        """Samples (n,) that errors count: of those that are judged the ones that are not clipped."""
+        found = np.ones(self.time.size, dtype=bool) if self.clipped is None else ~self.clipped
+        found[: self.judged.start] = False
+        return found
 
     @property
     def of_test(self) -> str:
@@ -166,6 +177,8 @@ class Series:
         return self.test or self.name
 
     def residual(self, stage: Stage) -> Residual:
-        """Return the residual at a stage, as its analysis takes it: the samples that are judged."""
-        histories = self.time, self.displacement, self.velocity, self.measured, self.predicted[stage], self.temperature
+        """Return the residual at a stage, as its analysis takes it: nothing is left where the measured is clipped."""
+        predicted = self.predicted[stage]
+        measured = self.measured if self.clipped is None else np.where(self.clipped, predicted, self.measured)
+        histories = self.time, self.displacement, self.velocity, measured, predicted, self.temperature
         return Residual(self.name, self.order, self.use, *(values[self.judged] for values in histories))

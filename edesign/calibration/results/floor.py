@@ -56,7 +56,7 @@ class Floor:
                 thermometer. Without effects that noise has been taken through the declared law.
             forces: (n_i,) N of every test, predicted by it.
         """
-        left = [judged(one, one.force - f) for one, f in zip(problem.experiments, forces, strict=True)]
+        left = [judged(one, one.judged * (one.force - f)) for one, f in zip(problem.experiments, forces, strict=True)]
         cycles = [_from_cycle_to_cycle(one, r) for one, r in zip(problem.experiments, left, strict=True)]
         again = _from_test_to_test(problem.experiments, left)
         repeats = [
@@ -72,7 +72,7 @@ class Floor:
     def nrms(self, use: Use) -> float:
         """Return the NRMS over the tests of one use."""
         chosen = [i for i, one in enumerate(self.problem.experiments) if one.use == use]
-        size = {i: judged(self.problem.experiments[i], self.problem.experiments[i].force) for i in chosen}
+        size = {i: one.force[one.judged] for i in chosen for one in [self.problem.experiments[i]]}
         power = sum(float(force @ force) for force in size.values())
         return sum((self.noise[i] ** 2 + self.thermal[i]) * size[i].size for i in chosen) / max(power, 1e-300)
 
@@ -80,7 +80,7 @@ class Floor:
         """Return the test that leaves most over its noise; None: every test is at its floor."""
         parts = []
         for one, noise, thermal in zip(self.problem.experiments, self.noise, self.thermal, strict=True):
-            force = judged(one, one.force)
+            force = one.force[one.judged]
             power = max(float(np.mean(force**2)), 1e-300)
             parts.append(Part(one.name, errors.tests[one.name], noise**2 / power, force.size, thermal / power))
         return worst_of(parts)

@@ -23,6 +23,7 @@ from edesign.calibration.results.result import Calibration
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
+from edesign.calibration.signals.noise import least_noise
 from edesign.damper.fitting.identifiable import reasons_held
 from edesign.damper.testing.campaign import Campaign
 from edesign.estimation.model import PredictionError
@@ -175,6 +176,8 @@ class Outcome:
                     else np.full(one.force.size, one.temperature),
                     floor.noise[i],
                     start=one.start,
+                    clipped=one.clipped,
+                    assumed=floor.noise[i] <= least_noise(one.force),
                 )
             )
         return tuple(found)

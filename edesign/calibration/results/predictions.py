@@ -41,7 +41,7 @@ def predicted(problem: DamperProblem, effects: Sequence[Effect], values: np.ndar
 
 
 def judged(one: Experiment, values: np.ndarray) -> np.ndarray:
-    """Return those values of a history (n,) that are judged: what is before depends on how the test started.
+    """Return a history (n,) from the first sample that is judged: what is before depends on how the test started.
 
     Args:
         one: the test.
@@ -59,8 +59,8 @@ def errors_of(problem: DamperProblem, forces: Sequence[np.ndarray]) -> Errors:
     """
     squared, power = {}, {}
     for one, force in zip(problem.experiments, forces, strict=True):
-        squared[one.name] = float(np.sum(judged(one, one.force - force) ** 2))
-        power[one.name] = max(float(np.sum(judged(one, one.force) ** 2)), 1e-300)
+        squared[one.name] = float(np.sum((one.force - force)[one.judged] ** 2))
+        power[one.name] = max(float(np.sum(one.force[one.judged] ** 2)), 1e-300)
     each = {name: squared[name] / power[name] for name in power}
     return Errors(_over(problem, "fit", squared, power), _over(problem, "validate", squared, power), each)
 

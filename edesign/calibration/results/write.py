@@ -121,6 +121,9 @@ def archive_groups(found: Calibration) -> dict[str, Group]:
         group.add("temperature", ("sample",), series.temperature, "degC", "temperature")
         what, unit = series.quantity, series.unit
         group.add(f"measured_{what}", ("sample",), series.measured, unit, f"measured {what}")
+        if series.clipped is not None:
+            words = f"1 where the measured {what} stands at the end of its range and is not judged"
+            group.add("clipped", ("sample",), series.clipped.astype(np.int8), "1", words)
         for stage, values in series.predicted.items():
             words = f"{what} predicted by the {stage} {'law' if found.subject == 'damper' else 'building'}"
             group.add(f"{stage}_{what}", ("sample",), values, unit, words)
@@ -215,6 +218,10 @@ def _of_a_damper(found: Calibration) -> dict[str, Any]:
         "extremes": "lasting" if found.lasting else "fresh",
         "gamma_T_of": found.gamma_of,
         "starts": _starts(found),
+        "noise_assumed": [one.name for one in found.series if one.assumed],
+        "clipped_samples": {
+            one.name: int(np.count_nonzero(one.clipped)) for one in found.series if one.clipped is not None
+        },
     }
 
 

@@ -51,6 +51,17 @@ def each_test_table(calibration: Calibration) -> Table:
     for series in calibration.series:
         errors = [percent(calibration.errors[stage].of(series)) for stage in STAGES]
         table.rows.append([label_of(series), series.use, *errors, percent(noise_of(series))])
+    clipped = [f"{one.name} {np.count_nonzero(one.clipped)}" for one in calibration.series if one.clipped is not None]
+    if assumed := [label_of(one) for one in calibration.series if one.assumed]:
+        which = "all tests" if len(assumed) == len(calibration.series) else ", ".join(assumed)
+        table.notes.append(
+            f"noise floor of {which}: not measured, but the reproducibility of a transducer of class 0.5 (0.1 % rms); "
+            "the record shows less, as one that was averaged, smoothed or computed does, and errors of that stay unseen"
+        )
+    if clipped:
+        table.notes.append(
+            f"clipped samples of the force, at the end of the load cell's range, are not judged: {', '.join(clipped)}"
+        )
     return table
 
 
@@ -63,7 +74,7 @@ def label_of(series: Series) -> str:
 
 def noise_of(series: Series) -> float:
     """NRMS of the noise of a test, over the samples that are judged."""
-    power = float(np.mean(series.measured[series.judged] ** 2))
+    power = float(np.mean(series.measured[series.counted] ** 2))
     return series.noise**2 / power if power > 0.0 else math.nan
 
 

@@ -15,6 +15,7 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import practical_unit, write_parameters
 from edesign.damper.testing.campaign import load_campaign
 from edesign.damper.testing.campaign_blocks import LawChoice, is_programme
+from edesign.damper.testing.clipping import clipping_doubt
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.programme import planned_tests
 from edesign.damper.testing.programme_file import Programme, SineTest, SweepTest, load_programme
@@ -192,9 +193,10 @@ def force_doubts(test: DamperTest) -> list[str]:
         return ["no force was measured"]
     if not np.any(test.force - np.mean(test.force)):
         return ["the force is the same throughout; was the load cell connected?"]
+    found = [doubt] if (doubt := clipping_doubt(test)) else []
     if sign_doubtful(test.displacement, test.force):
-        return ["the damper gives energy instead of taking it: is the sign of force or displacement reversed?"]
-    return []
+        found.append("the damper gives energy instead of taking it: is the sign of force or displacement reversed?")
+    return found
 
 
 def _range(tests: Sequence[DamperTest], specimen: Specimen | None) -> str:

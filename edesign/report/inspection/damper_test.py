@@ -6,6 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
+from edesign.damper.testing.clipping import clipping_text
 from edesign.damper.testing.measured_files import EXAMPLE, rest_before
 from edesign.errors import InputError
 from edesign.report.inspection.account import OPEN, Account, Column, Sampling, ends, quoted, table_keys
@@ -107,6 +108,9 @@ def _remarks(table: Table, places: dict[str, int], units: dict[str, str | None],
             )
     if "force" in places and np.ptp(table.rows[:, places["force"]]) == 0.0:
         found.append("the force is the same in all rows; was the load cell connected?")
+    elif "force" in places:
+        text = clipping_text(table.rows[:, places["force"]], units["force"] or "(no unit)", time)
+        found += [text] if text else []
     return found
 
 
