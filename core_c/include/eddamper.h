@@ -79,7 +79,12 @@ enum {
   ED_AMEND_FRICTION_STRIBECK = 24,        /* F_c s v_s: F_c (1 + s exp(-(v/v_s)^2)) tanh(10 v/v_s) */
   ED_AMEND_ONE_SIDED_VALVE = 25,          /* b v0 side(1, -1): phi = 1 + b max(tanh(side v/v0), 0) */
   ED_AMEND_GAS_SPRING_POLYTROPIC = 26,    /* P c n: P (1 - c u)^-n; beyond c u = 0.95 straight */
-  ED_AMEND_ONE_SIDED_FORCE = 27           /* b side(1, -1): phi = 1 + b where side F_law > 0 */
+  ED_AMEND_ONE_SIDED_FORCE = 27,          /* b side(1, -1): phi = 1 + b where side F_law > 0 */
+  ED_AMEND_HARDENING_SATURATING = 28,     /* k u0: k u0 tanh(u/u0) */
+  ED_AMEND_VELOCITY_EXPONENT_POSITION = 29, /* c alpha q r: c (|u|/r)^q |v|^alpha sgn v */
+  ED_AMEND_HYSTERESIS_STRETCH = 30,       /* F_y Y n r: F_y (|u|/r)^n z/Y, z' = v - |v| z/Y, exact over the way of the path */
+  ED_AMEND_HYSTERESIS_BOUC_WEN = 31,      /* k beta gamma: k z, z' = v - gamma |v| z - beta v |z|, exact over the way of the path */
+  ED_AMEND_PINCHING_SLIP = 32             /* d w: phi = 1 - d exp(-(u/(w M))^2) */
 };
 /* Where an equation acts.
  * WHOLE: a factor on all of the law's force, a force beside it.

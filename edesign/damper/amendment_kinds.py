@@ -299,6 +299,16 @@ def _kinds() -> tuple[AmendmentKind, ...]:
             ),
         ),
         kind(
+            "hardening.saturating",
+            "spring that saturates",
+            "k u0 tanh(u/u0)",
+            "spring of a pile in sand: API RP 2A-WSD, section 6.8.7",
+            (
+                _any("k", "stiffness at u = 0", "N/m"),
+                _positive("u0", "deformation over which it bends: its force ends at k u0", "m"),
+            ),
+        ),
+        kind(
             "hardening.threshold",
             "hardening beyond a deformation",
             "k max(|u| - u0, 0) sgn u",
@@ -409,6 +419,55 @@ def _kinds() -> tuple[AmendmentKind, ...]:
                 _positive("v0", "velocity of the bend", "m/s"),
             ),
             True,
+        ),
+        kind(
+            "velocity_exponent.position",
+            "power-law dashpot that is stronger at larger deformation",
+            "c (|u|/r)^q |u'|^alpha sgn u'",
+            "Hunt and Crossley (1975), J. Appl. Mech. 42, 440-445 (alpha = 1)",
+            (
+                _any("c", "damping coefficient at r", "N*(s/m)^alpha"),
+                Parameter("alpha", "exponent of the velocity", ""),
+                _positive("q", "exponent of the deformation", ""),
+                Parameter("r", "deformation at which the coefficient is c", "m", fitted=False),
+            ),
+            True,
+        ),
+        kind(
+            "hysteresis.stretch",
+            "hysteresis whose force grows with the deformation",
+            "F_y (|u|/r)^n z/Y, z' = u' - |u'| z/Y",
+            "friction that goes with the spring's force, as of ring springs: Nims, Richter and Bachman (1993), "
+            "Earthquake Spectra 9, 467-489",
+            (
+                _positive("F_y", "force at r of what has slid", "N"),
+                _positive("Y", "way over which it builds up", "m"),
+                _positive("n", "exponent of the deformation", ""),
+                Parameter("r", "deformation at which the force is F_y", "m", fitted=False),
+            ),
+        ),
+        kind(
+            "hysteresis.bouc_wen",
+            "hysteresis that stiffens or softens on its way",
+            "k z, z' = u' - gamma |u'| z - beta u' |z|",
+            "Bouc (1967); Wen (1976), J. Eng. Mech. Div. 102, 249-263; gamma + beta < 0: hardening, as of Noel and "
+            "Schoukens (2016)",
+            (
+                _positive("k", "stiffness at z = 0", "N/m"),
+                _any("beta", "share of the bend that is alike in both directions", "1/m"),
+                _positive("gamma", "share of the bend that makes loops", "1/m"),
+            ),
+        ),
+        kind(
+            "pinching.slip",
+            "force that slips through the middle of the loops",
+            "phi = 1 - d exp(-(u/(w M))^2)",
+            "Baber and Noori (1986), J. Vib. Acoust. Stress Reliab. Des. 108, 411-420 (Gaussian function of slip), of "
+            "the deformation",
+            (
+                _share("d", "share of the force that goes at u = 0"),
+                _positive("w", "half width of the zone of slip, of the largest deformation so far", ""),
+            ),
         ),
         kind(
             "friction.coulomb",

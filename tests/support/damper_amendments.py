@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from math import exp, log
 from typing import NamedTuple
 
@@ -43,6 +43,11 @@ EXAMPLES: dict[tuple[str, str], dict[str, float]] = {
     ("payne", "exponential"): {"d": 0.25, "a0": 4e-3, "m": 1.3, "tau_a": 2.0},
     ("hardening", "exponential"): {"k": 1e6, "u0": 7e-3},
     ("gas_spring", "polytropic"): {"P": 4e3, "c": -40.0, "n": 1.2},
+    ("hardening", "saturating"): {"k": 3e6, "u0": 2e-3},
+    ("velocity_exponent", "position"): {"c": 1.1e4, "alpha": 0.6, "q": 1.3, "r": 5e-3},
+    ("hysteresis", "stretch"): {"F_y": 3e3, "Y": 8e-4, "n": 1.2, "r": 5e-3},
+    ("hysteresis", "bouc_wen"): {"k": 2e6, "beta": -220.0, "gamma": 160.0},
+    ("pinching", "slip"): {"d": 0.4, "w": 0.3},
     ("friction", "coulomb"): {"F_c": 1.2e3, "v0": 2e-3},
     ("friction", "presliding"): {"F_c": 1.5e3, "x0": 8e-4},
     ("friction", "stribeck"): {"F_c": 1e3, "s": 0.7, "v_s": 2e-2},
@@ -244,6 +249,16 @@ def _values(
             return p["F_c"] * (1.0 + p["s"] * np.exp(-((v / p["v_s"]) ** 2))) * np.tanh(10.0 * v / p["v_s"])
         case "friction.presliding":
             return p["F_c"] * _dahl(p["x0"], h, u, v)
+        case "hardening.saturating":
+            return p["k"] * p["u0"] * np.tanh(u / p["u0"])
+        case "velocity_exponent.position":
+            return p["c"] * (np.abs(u) / p["r"]) ** p["q"] * np.abs(v) ** p["alpha"] * np.sign(v)
+        case "hysteresis.stretch":
+            return p["F_y"] * (np.abs(u) / p["r"]) ** p["n"] * _dahl(p["Y"], h, u, v)
+        case "hysteresis.bouc_wen":
+            return p["k"] * _along(lambda z, way: _bouc_wen(p, z, way), h, u, v)
+        case "pinching.slip":
+            return 1.0 - p["d"] * np.exp(-((u / (p["w"] * np.maximum(largest, 1e-300))) ** 2))
         case "degradation.energy" | "self_heating.rate":
             return None
     raise KeyError(one.kind.name)
@@ -258,15 +273,31 @@ def _envelope(p: Mapping[str, float], h: np.ndarray, u: np.ndarray) -> np.ndarra
 
 
 def _dahl(x0: float, h: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
-    """z/x0, z' = v - |v| z/x0: exponential over the ways between the turns of the cubics between samples."""
+    """z/x0, z' = v - |v| z/x0: exponential over the ways."""
+    return _along(lambda z, way: np.sign(way) + (z - np.sign(way)) * exp(-abs(way) / x0), h, u, v)
+
+
+def _bouc_wen(p: Mapping[str, float], z: float, way: float) -> float:
+    """z' = v - gamma |v| z - beta v |z| by the exponentials of its two sides, joined where z is zero."""
+    sign, left = -1.0 if way < 0.0 else 1.0, abs(way)
+    y, out, back = sign * z, p["gamma"] + p["beta"], p["gamma"] - p["beta"]
+    if y < 0.0:
+        to_zero = log(1.0 - back * y) / back
+        if left <= to_zero:
+            return sign * ((y - 1.0 / back) * exp(-back * left) + 1.0 / back)
+        y, left = 0.0, left - to_zero
+    return sign * ((y - 1.0 / out) * exp(-out * left) + 1.0 / out)
+
+
+def _along(go: Callable[[float, float], float], h: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """A state (n,) that goes with the ways between the turns of the cubics between samples."""
     z = np.zeros_like(u)
     for i, step in enumerate(h):
         cubic = CubicHermiteSpline([0.0, step], u[i : i + 2], v[i : i + 2])
         turns = [s for s in cubic.derivative().roots(extrapolate=False) if 0.0 < s < step]
-        places = cubic([0.0, *sorted(turns), step])
         now = z[i]
-        for way in np.diff(places):
-            now = np.sign(way) + (now - np.sign(way)) * exp(-abs(way) / x0)
+        for way in np.diff(cubic([0.0, *sorted(turns), step])):
+            now = go(now, way)
         z[i + 1] = now
     return z
 

@@ -118,6 +118,88 @@ def test_a_power_of_the_velocity_inside_the_mgmm_is_its_own():
     assert np.max(np.abs(plain - own)) > 0.05 * np.max(np.abs(own))
 
 
+# ---- closed forms of effects of the deformation
+
+
+def cycles(amplitude: float, n: int = 4000) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Five cycles of a sine of 1 rad/s."""
+    t = np.linspace(0.0, 10.0 * np.pi, 5 * n + 1)
+    return t, amplitude * np.sin(t), amplitude * np.cos(t)
+
+
+def beside_a_spring(amendment: Amendment, t: np.ndarray, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Force (n,) N of what stands beside a spring of 1 MN/m, or of that spring with a factor."""
+    return Damper(law("kelvin_voigt"), {"k": 1e6, "c": 0.0}, amendments=(amendment,)).force(t, u, v)
+
+
+def work_of_last_cycle(force: np.ndarray, u: np.ndarray) -> float:
+    n = (u.size - 1) // 5
+    return float(np.trapezoid(force[-n - 1 :], u[-n - 1 :]))
+
+
+def test_friction_that_grows_with_the_deformation_dissipates_a_bow_tie():
+    """Sliding at once: 4 times the area under F_y (u/r)^n up to a, 4 F_y a^(n+1)/((n+1) r^n)."""
+    f, r, a = 5e3, 4e-3, 6e-3
+    for n in (1.0, 2.0):
+        one = Amendment("hysteresis", "stretch", {"F_y": f, "Y": 1e-7, "n": n, "r": r})
+        t, u, v = cycles(a)
+        found = work_of_last_cycle(beside_a_spring(one, t, u, v), u)
+        # trapezia over 4000 steps, and the way 1e-7 m after each turn
+        assert found == pytest.approx(4.0 * f * a ** (n + 1.0) / ((n + 1.0) * r**n), rel=1e-3)
+
+
+def test_a_dashpot_of_the_position_dissipates_as_that_of_van_der_pol():
+    """c (u/r)^2 u' at a sin(w t): pi c w a^4/(4 r^2) in a cycle."""
+    c, r, a = 3e5, 4e-3, 6e-3
+    one = Amendment("velocity_exponent", "position", {"c": c, "alpha": 1.0, "q": 2.0, "r": r})
+    t, u, v = cycles(a)
+    found = work_of_last_cycle(beside_a_spring(one, t, u, v), u)
+    assert found == pytest.approx(np.pi * c * a**4 / (4.0 * r**2), rel=1e-6)  # trapezia of a periodic function
+
+
+@pytest.mark.parametrize(("beta", "gamma"), [(-900.0, 700.0), (300.0, 300.0), (0.0, 500.0), (-500.0, 500.0)])
+def test_a_bouc_wen_branch_bends_as_its_equation_says(beta, gamma):
+    """dz/du = 1 - gamma |z| sgn(z du) - beta |z| by another integrator; from zero (1 - exp(-s u))/s, s their sum."""
+    one = Amendment("hysteresis", "bouc_wen", {"k": 2e6, "beta": beta, "gamma": gamma})
+    t, u, v = cycles(2e-3, 400)
+    found = (beside_a_spring(one, t, u, v) - 1e6 * u) / 2e6
+    out, s = 100, beta + gamma
+    way = u[1 : out + 1]  # a history comes to its first sample within 1e-9 of a step
+    assert found[1 : out + 1] == pytest.approx(-np.expm1(-s * way) / s if s else way, rel=1e-8)
+
+    def rate(x: float, z: np.ndarray) -> np.ndarray:
+        w = 2e-3 * np.cos(x)
+        return w - gamma * abs(w) * z - beta * w * abs(z)
+
+    exact = solve_ivp(rate, (0.0, t[-1]), [0.0], t_eval=t, rtol=1e-9, atol=1e-13, max_step=0.01).y[0]
+    # cubics with exact velocities follow the sine to h^4/384 of its amplitude
+    assert np.max(np.abs(found - exact)) < 1e-6 * np.max(np.abs(exact))
+
+
+def test_slip_widens_with_the_largest_deformation():
+    """At rest the share d is gone, at the largest deformation exp(-1/w^2) of it; small cycles are slack after large
+    ones alone."""
+    one = Amendment("pinching", "slip", {"d": 0.6, "w": 0.3})
+    t = np.linspace(0.0, 6.0 * np.pi, 6001)
+    sizes = np.where((t >= 2.0 * np.pi) & (t < 4.0 * np.pi), 5e-3, 1e-3)
+    factor = beside_a_spring(one, t, sizes * np.sin(t), sizes * np.cos(t)) / np.where(
+        t > 0.0, 1e6 * sizes * np.sin(t), 1.0
+    )
+    first, last = (int(round((turns + 0.25) * 2000)) for turns in (0.0, 2.0))
+    assert factor[first] == pytest.approx(1.0 - 0.6 * np.exp(-1.0 / 0.09), rel=1e-9)
+    assert factor[last] == pytest.approx(1.0 - 0.6 * np.exp(-((0.2 / 0.3) ** 2)), rel=1e-6)  # a fifth of the largest
+
+
+def test_a_spring_that_saturates_has_its_stiffness_and_its_force():
+    one = Amendment("hardening", "saturating", {"k": 4e6, "u0": 1e-4})
+    t, u, v = cycles(5e-3, 400)
+    force = beside_a_spring(one, t, u, v) - 1e6 * u
+    assert np.max(force) == pytest.approx(400.0, rel=1e-9)  # k u0
+    near = np.abs(u) < 1e-6
+    # (u/u0)^2/3, and what a history begins with, 1e-9 of a step
+    assert force[near] == pytest.approx(4e6 * u[near], rel=1e-4, abs=1e-6)
+
+
 # ---- in a frame
 
 MASS, STIFFNESS = 1000.0, 1000.0 * (2.0 * np.pi) ** 2  # T = 1 s

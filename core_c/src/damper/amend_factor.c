@@ -134,6 +134,20 @@ static double mullins_damage_rested(const double *p, double before)
 const ed_amendment_kind ed_amend_mullins_damage = {
     .name = "mullins.damage", .is_factor = 1, .has_state = 1, .at_end = mullins_damage, .rested = mullins_damage_rested};
 
+/* Slip through the middle of the loops [Baber & Noori 1986]: its zone grows with the largest deformation so far. */
+static void pinching_slip(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_PINCHING_SLIP_PARAMETERS };
+  const double u = fabs(ends->u1), largest = fmax(before, u), x = largest > 0.0 ? u / (p[W] * largest) : 1.0 / p[W];
+  const double slips = p[D] * exp(-x * x);
+  *after = largest;
+  out->value = 1.0 - slips;
+  out->by_u1 = u < before ? 2.0 * x * slips / (p[W] * largest) * ed_sign(ends->u1) : 0.0;
+}
+
+const ed_amendment_kind ed_amend_pinching_slip = {
+    .name = "pinching.slip", .is_factor = 1, .has_state = 1, .at_end = pinching_slip};
+
 static void degradation_path(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_DEGRADATION_PATH_PARAMETERS };

@@ -42,11 +42,16 @@ static void stribeck(const double *p, double before, const ed_ends *ends, double
 
 const ed_amendment_kind ed_amend_friction_stribeck = {.name = "friction.stribeck", .on_speed = 1, .at_end = stribeck};
 
-/* State z/x0. On a way that does not turn it comes near to 1 or -1 by exp(-way/x0), however fast. */
-static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+/* A state at the end of a way that does not turn, with its derivatives to the state before it and to the way. */
+typedef struct {
+  double z, by_before, by_way;
+} ed_gone;
+
+/* The state at the end of a step, from the one before it, over the ways between the turning points of the path. by: its derivatives to the
+ * two unknowns of the path. */
+static double along(const double *p, ed_gone (*go)(const double *p, double z, double way), double before, const ed_ends *ends, double by[2])
 {
-  enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
-  double at[3], z = before, from = 0.0, from_by[2] = {0.0}, by[2] = {0.0};
+  double at[3], z = before, from = 0.0, from_by[2] = {0.0};
   int n = 0;
   if (ends->path) {
     n = ed_path_reversals(ends->path, at);
@@ -56,18 +61,38 @@ static void presliding(const double *p, double before, const ed_ends *ends, doub
       from_by[j] = ends->direction[j].c[0];
   }
   for (int i = 0; i < n; i++) {
-    const double to = ed_path_u(ends->path, at[i]), way = (to - from) / p[X0], sign = ed_sign(way);
-    const double left = exp(-fabs(way)), rate = (1.0 - sign * z) * left / p[X0]; /* d z / d way */
-    z = left * z - sign * expm1(-fabs(way));
+    const double to = ed_path_u(ends->path, at[i]);
+    const ed_gone gone = go(p, z, to - from);
+    z = gone.z;
     for (int j = 0; j < 2; j++) { /* a turning point is where the path is at rest: it moves as the path does there */
       const double to_by = ed_path_u(&ends->direction[j], at[i]);
-      by[j] = left * by[j] + rate * (to_by - from_by[j]);
+      by[j] = gone.by_before * by[j] + gone.by_way * (to_by - from_by[j]);
       from_by[j] = to_by;
     }
     from = to;
   }
-  *after = z;
-  out->value = p[F_C] * z;
+  return z;
+}
+
+/* State z/x0: on a way it comes near to 1 or -1 by exp(-way/x0), however fast. */
+static ed_gone dahl(double x0, double z, double way)
+{
+  const double sign = ed_sign(way), left = exp(-fabs(way) / x0);
+  return (ed_gone){left * z - sign * expm1(-fabs(way) / x0), left, (1.0 - sign * z) * left / x0};
+}
+
+static ed_gone presliding_way(const double *p, double z, double way)
+{
+  enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
+  return dahl(p[X0], z, way);
+}
+
+static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
+  double by[2] = {0.0};
+  *after = along(p, presliding_way, before, ends, by);
+  out->value = p[F_C] * *after;
   for (int j = 0; j < 2; j++)
     out->by_path[j] = p[F_C] * by[j];
 }
@@ -81,3 +106,58 @@ static double let_go(const double *p, double before)
 
 const ed_amendment_kind ed_amend_friction_presliding = {
     .name = "friction.presliding", .has_state = 1, .at_end = presliding, .rested = let_go};
+
+static ed_gone stretch_way(const double *p, double z, double way)
+{
+  enum { ED_AMEND_HYSTERESIS_STRETCH_PARAMETERS };
+  return dahl(p[Y], z, way);
+}
+
+static void stretch(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_HYSTERESIS_STRETCH_PARAMETERS };
+  double by[2] = {0.0};
+  const double u = fabs(ends->u1), most = p[F_Y] * pow(u / p[R], p[N]);
+  *after = along(p, stretch_way, before, ends, by);
+  out->value = most * *after;
+  out->by_u1 = u > 0.0 ? p[N] * out->value / ends->u1 : 0.0;
+  for (int j = 0; j < 2; j++)
+    out->by_path[j] = most * by[j];
+}
+
+const ed_amendment_kind ed_amend_hysteresis_stretch = {
+    .name = "hysteresis.stretch", .has_state = 1, .at_end = stretch, .rested = let_go};
+
+/* y = z sgn v: y' = 1 - (gamma + beta) y where the force grows, before it y' = 1 + (gamma - beta) |y|, y of the way. */
+static ed_gone bouc_wen_way(const double *p, double z, double way)
+{
+  enum { ED_AMEND_HYSTERESIS_BOUC_WEN_PARAMETERS };
+  const double sign = way < 0.0 ? -1.0 : 1.0, grows = p[GAMMA] + p[BETA], falls = p[GAMMA] - p[BETA]; /* no way: z stays */
+  double y = sign * z, length = fabs(way), left = 1.0;
+  if (y < 0.0) {
+    const double bend = -falls * y, to_zero = bend > -1.0 ? (falls != 0.0 ? log1p(bend) / falls : -y) : INFINITY;
+    const double part = fmin(length, to_zero);
+    left = exp(-falls * part);
+    y = part < to_zero ? left * y + (falls != 0.0 ? -expm1(-falls * part) / falls : part) : 0.0;
+    length -= part;
+  }
+  if (length > 0.0) {
+    const double rest = exp(-grows * length);
+    y = rest * y + (grows != 0.0 ? -expm1(-grows * length) / grows : length);
+    left *= rest;
+  }
+  return (ed_gone){sign * y, left, y < 0.0 ? 1.0 - falls * y : 1.0 - grows * y};
+}
+
+static void bouc_wen(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_HYSTERESIS_BOUC_WEN_PARAMETERS };
+  double by[2] = {0.0};
+  *after = along(p, bouc_wen_way, before, ends, by);
+  out->value = p[K] * *after;
+  for (int j = 0; j < 2; j++)
+    out->by_path[j] = p[K] * by[j];
+}
+
+const ed_amendment_kind ed_amend_hysteresis_bouc_wen = {
+    .name = "hysteresis.bouc_wen", .has_state = 1, .at_end = bouc_wen, .rested = let_go};

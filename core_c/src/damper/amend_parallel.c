@@ -56,6 +56,17 @@ static void hardening_exponential(const double *p, double before, const ed_ends 
 
 const ed_amendment_kind ed_amend_hardening_exponential = {.name = "hardening.exponential", .at_end = hardening_exponential};
 
+static void hardening_saturating(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_HARDENING_SATURATING_PARAMETERS };
+  (void)before, (void)after;
+  const double x = ends->u1 / p[U0], near = 1.0 / cosh(x);
+  out->value = p[K] * p[U0] * tanh(x);
+  out->by_u1 = p[K] * near * near;
+}
+
+const ed_amendment_kind ed_amend_hardening_saturating = {.name = "hardening.saturating", .at_end = hardening_saturating};
+
 static void hardening_threshold(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_HARDENING_THRESHOLD_PARAMETERS };
@@ -127,6 +138,22 @@ static void dashpot(const double *p, double before, const ed_ends *ends, double 
 }
 
 const ed_amendment_kind ed_amend_velocity_exponent_dashpot = {.name = "velocity_exponent.dashpot", .on_speed = 1, .at_end = dashpot};
+
+/* A dashpot whose coefficient goes with a power of the deformation: none at rest. */
+static void dashpot_of_position(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
+{
+  enum { ED_AMEND_VELOCITY_EXPONENT_POSITION_PARAMETERS };
+  (void)before, (void)after;
+  double secant;
+  const double size = fabs(ends->u1), at = pow(size / p[R], p[Q]);
+  ed_power_dashpot(p[C] * at, p[ALPHA], ends->v1, &secant, &out->by_v1);
+  out->value = secant * ends->v1;
+  out->by_u1 = size > 0.0 ? p[Q] * out->value / ends->u1 : 0.0;
+  out->chord = fmax(secant - out->by_v1, 0.0);
+}
+
+const ed_amendment_kind ed_amend_velocity_exponent_position = {
+    .name = "velocity_exponent.position", .on_speed = 1, .at_end = dashpot_of_position};
 
 /* Activated flow [Eyring 1936]. */
 static void flow(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)

@@ -46,13 +46,16 @@ struct ed_amendment {
 /* amend_factor.c */
 extern const ed_amendment_kind ed_amend_constant, ed_amend_payne_whole, ed_amend_mullins_path, ed_amend_mullins_maximum,
     ed_amend_degradation_energy, ed_amend_self_heating_rate, ed_amend_one_sided_factor, ed_amend_payne_network, ed_amend_mullins_damage,
-    ed_amend_degradation_path, ed_amend_payne_exponential, ed_amend_one_sided_valve, ed_amend_one_sided_force;
+    ed_amend_degradation_path, ed_amend_payne_exponential, ed_amend_one_sided_valve, ed_amend_one_sided_force,
+    ed_amend_pinching_slip;
 /* amend_parallel.c */
 extern const ed_amendment_kind ed_amend_payne_elastic, ed_amend_mullins_elastic, ed_amend_hardening_power,
     ed_amend_hardening_threshold, ed_amend_one_sided_spring, ed_amend_relaxation_branch_maxwell, ed_amend_velocity_exponent_dashpot,
-    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential, ed_amend_gas_spring_polytropic;
+    ed_amend_velocity_exponent_flow, ed_amend_one_sided_contact, ed_amend_one_sided_even, ed_amend_hardening_exponential, ed_amend_gas_spring_polytropic,
+    ed_amend_hardening_saturating, ed_amend_velocity_exponent_position;
 /* amend_friction.c */
-extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck;
+extern const ed_amendment_kind ed_amend_friction_coulomb, ed_amend_friction_presliding, ed_amend_friction_stribeck,
+    ed_amend_hysteresis_stretch, ed_amend_hysteresis_bouc_wen;
 
 /* amendment_table.c: the kinds by their id in eddamper.h (ED_AMEND_*). NULL: no such amendment. */
 const ed_amendment_kind *ed_amendment_kind_of(int id);

@@ -77,6 +77,10 @@ const ed_parameters ed_amendment_parameters[] = {
         {.n = 2,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"u0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HARDENING_SATURATING] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"u0", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_HARDENING_THRESHOLD] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"k", -INFINITY, INFINITY, 0, 1, 0, NULL},
@@ -128,6 +132,27 @@ const ed_parameters ed_amendment_parameters[] = {
         {.n = 2,
          .parameter = (const ed_parameter[]){{"f", -INFINITY, INFINITY, 0, 1, 0, NULL},
                                              {"v0", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_VELOCITY_EXPONENT_POSITION] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"c", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"alpha", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"q", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HYSTERESIS_STRETCH] =
+        {.n = 4,
+         .parameter = (const ed_parameter[]){{"F_y", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"Y", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"n", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"r", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_HYSTERESIS_BOUC_WEN] =
+        {.n = 3,
+         .parameter = (const ed_parameter[]){{"k", 0.0, INFINITY, 0, 1, 0, NULL},
+                                             {"beta", -INFINITY, INFINITY, 0, 1, 0, NULL},
+                                             {"gamma", 0.0, INFINITY, 0, 1, 0, NULL}}},
+    [ED_AMEND_PINCHING_SLIP] =
+        {.n = 2,
+         .parameter = (const ed_parameter[]){{"d", -INFINITY, 1.0, 0, 1, 0, NULL},
+                                             {"w", 0.0, INFINITY, 0, 1, 0, NULL}}},
     [ED_AMEND_FRICTION_COULOMB] =
         {.n = 2,
          .parameter = (const ed_parameter[]){{"F_c", 0.0, INFINITY, 0, 1, 0, NULL},

@@ -34,6 +34,11 @@ const ed_amendment_kind *ed_amendment_kind_of(int id)
       [ED_AMEND_ONE_SIDED_VALVE] = &ed_amend_one_sided_valve,
       [ED_AMEND_GAS_SPRING_POLYTROPIC] = &ed_amend_gas_spring_polytropic,
       [ED_AMEND_ONE_SIDED_FORCE] = &ed_amend_one_sided_force,
+      [ED_AMEND_HARDENING_SATURATING] = &ed_amend_hardening_saturating,
+      [ED_AMEND_VELOCITY_EXPONENT_POSITION] = &ed_amend_velocity_exponent_position,
+      [ED_AMEND_HYSTERESIS_STRETCH] = &ed_amend_hysteresis_stretch,
+      [ED_AMEND_HYSTERESIS_BOUC_WEN] = &ed_amend_hysteresis_bouc_wen,
+      [ED_AMEND_PINCHING_SLIP] = &ed_amend_pinching_slip,
   };
   return id >= 0 && id < (int)(sizeof kinds / sizeof *kinds) ? kinds[id] : NULL;
 }

@@ -58,7 +58,7 @@ class Amendment:
     @property
     def carries(self) -> bool:
         """Whether the specimen remembers its state from test to test, however long it rests between."""
-        return self.equation.partition(".")[0] in ("mullins", "degradation")
+        return self.equation.partition(".")[0] in ("mullins", "degradation", "pinching")
 
     def in_test(self, p: Values, test: Experiment) -> AmendmentValues:
         """Return the amendment as the core takes it in a test.

@@ -17,6 +17,7 @@ from edesign.calibration.dampers.effects import (
     lag,
     mullins,
     one_sided,
+    pinching,
     rig,
     temperature_law,
     viscous,
@@ -26,7 +27,7 @@ from edesign.calibration.dampers.effects import (
 from edesign.calibration.dampers.sizes import Sizes
 
 TABLES = (
-    *(amplitude, mullins, hardening, one_sided, viscous, hysteresis, gas_spring, temperature_law, wear),
+    *(amplitude, mullins, hardening, one_sided, viscous, hysteresis, pinching, gas_spring, temperature_law, wear),
     *(friction, rig, alignment, lag, gain, zero),
 )
 """Modules, each with its FORMS."""

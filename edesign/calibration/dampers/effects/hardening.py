@@ -17,6 +17,11 @@ def _at_zero(p: Values) -> Values:
     return {"k": p["k_r"] / math.expm1((p["r"] / p["u0"]) ** 2)}
 
 
+def _at_rest(p: Values) -> Values:
+    """Return k of a spring that is told by the force at which it saturates."""
+    return {"k": p["F_s"] / p["u0"]}
+
+
 def _spring(s: Sizes) -> Parameter:
     return size("k", "N/m", 0.5 * s.stiffness, -2.0 * s.stiffness, 5.0 * s.stiffness)
 
@@ -63,5 +68,20 @@ _EXPONENTIAL = EffectForm(
     lambda s: {"r": s.displacement},
     meanings={"k_r": "of the added spring at the largest displacement: force over displacement"},
 )
+_SATURATING = EffectForm(
+    "hardening",
+    "saturating",
+    "damper",
+    "a spring that is stiff at first and saturates",
+    "too little force at small deformation, odd in it, and the same beyond; the same at all frequencies",
+    "hyperbolic tangent of a spring: API RP 2A-WSD, section 6.8.7",
+    (Amendment("hardening.saturating", more=_at_rest),),
+    lambda s: (
+        size("F_s", "N", 0.3 * s.force, -2.0 * s.force, 2.0 * s.force),
+        # in much less than the motion it jumps, as friction does; in much more it is the law's own spring
+        shape("u0", "m", 0.2 * s.displacement, 0.01 * s.displacement, 2.0 * s.displacement, spread=0.7),
+    ),
+    lambda s: tuple((0.1 * s.force, at * s.displacement) for at in (0.05, 0.2, 0.5)),
+)
 
-FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL)
+FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL, _SATURATING)

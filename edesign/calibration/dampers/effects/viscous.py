@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 from edesign.calibration.dampers.acts import Amendment, Placement, Values
 from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
@@ -59,6 +60,17 @@ _DASHPOT = EffectForm(
     refined=4,  # its force may jump where the velocity changes its sign
     meanings={"F_V": "its force at the largest velocity of the tests fitted to"},
 )
+_POSITION = replace(
+    _DASHPOT,
+    form="position",
+    title="viscous force that grows with the deformation",
+    signature="in phase with the velocity, more of it at a larger deformation; nothing at the tips nor in the middle",
+    source="damping by the depth of an impact: Hunt & Crossley (1975), J. Appl. Mech. 42, 440-445 (alpha = 1)",
+    acts=(Amendment("velocity_exponent.position", more=_coefficient),),
+    parameters=lambda s: (*_DASHPOT.parameters(s), shape("q", "", 1.0, 0.3, 4.0, spread=0.5)),
+    starts=lambda s: tuple((0.08 * s.force, alpha, 1.0) for alpha in (0.2, 0.5, 1.0, 2.0)),
+    constants=lambda s: {"V": s.velocity, "r": s.displacement},
+)
 _FLOW = EffectForm(
     "velocity_exponent",
     "flow",
@@ -74,4 +86,4 @@ _FLOW = EffectForm(
     lambda s: tuple((0.06 * s.force / math.asinh(1.0 / x), x * s.velocity) for x in (0.01, 0.1, 0.5)),
 )
 
-FORMS = (_MAXWELL, *placed(_DASHPOT, Placement.WHOLE, Placement.INSIDE), _FLOW)
+FORMS = (_MAXWELL, *placed(_DASHPOT, Placement.WHOLE, Placement.INSIDE), _POSITION, _FLOW)

@@ -217,6 +217,10 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
             / np.expm1((S.displacement / p["u0"]) ** 2)
         )
     ),
+    "hardening.saturating": lambda p: beside(lambda m, i: p["F_s"] * np.tanh(m.displacement / p["u0"])),
+    "pinching.slip": lambda p: whole(
+        lambda m, i: 1.0 - p["d"] * np.exp(-((m.displacement / (p["w"] * np.maximum(largest()[i], 1e-12))) ** 2))
+    ),
     "one_sided.spring_positive": lambda p: sided(p, 1.0),
     "one_sided.spring_negative": lambda p: sided(p, -1.0),
     "one_sided.contact_positive": lambda p: contact(p, 1.0),
@@ -236,6 +240,14 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
     "relaxation_branch.maxwell": maxwell,
     "velocity_exponent.dashpot": lambda p: beside(
         lambda m, i: p["F_V"] * np.abs(m.velocity / S.velocity) ** p["alpha"] * np.sign(m.velocity)
+    ),
+    "velocity_exponent.position": lambda p: beside(
+        lambda m, i: (
+            p["F_V"]
+            * (np.abs(m.displacement) / S.displacement) ** p["q"]
+            * np.abs(m.velocity / S.velocity) ** p["alpha"]
+            * np.sign(m.velocity)
+        )
     ),
     "velocity_exponent.flow": lambda p: beside(lambda m, i: p["f"] * np.arcsinh(m.velocity / p["v0"])),
     "temperature_law.exponential": lambda p: temperature(p, 0.0),
@@ -286,6 +298,7 @@ EQUATIONS: dict[str, Callable[[P], Forces]] = {
 TOLERANCES = {
     "relaxation_branch.maxwell": 1e-6,  # midpoints of 40 steps
     "velocity_exponent.dashpot": 1e-9,
+    "velocity_exponent.position": 1e-9,
 }
 
 
@@ -490,6 +503,7 @@ def test_every_form_is_checked_here_or_by_the_core():
     known |= {"offset.per_test", "drift.each_own", "hum.tone", "hum.two_tones", "hum.harmonics"}
     known |= {"self_heating.carried", "friction.presliding", "play.backlash", "hysteresis.branch"}
     known |= {"gas_spring.polytropic", "condition.parameter_of_V", "condition.gas_of_V"}
+    known |= {"hysteresis.stretch", "hysteresis.bouc_wen"}
     known |= {"extremes.lasting"}
     endings = ("_inside", "_springs", "_dashpots", "_in_place")
     for form in forms(S):
