@@ -52,7 +52,7 @@ _COULOMB = EffectForm(
 _PRESLIDING = replace(
     _COULOMB,
     form="presliding",
-    title="friction in the guides that builds up over a way",
+    title="friction that builds up over a way, in the guides or of a part that yields",
     source="Dahl (1968), Aerospace Corp. TOR-0158(3107-18)-1; Dahl (1976), AIAA Journal 14, 1675-1682",
     acts=(Amendment("friction.presliding"),),
     # where the way is as long as the largest motion there is no sliding left: a spring and a lossy one at that

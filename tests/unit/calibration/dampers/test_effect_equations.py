@@ -443,14 +443,10 @@ def test_heat_that_is_carried_cools_over_the_rest():
         assert np.max(np.abs(force - total)) < 1e-9 * S.force
 
 
-@pytest.mark.parametrize(
-    ("label", "force", "way"), [("friction.presliding", "F_c", "x0"), ("hysteresis.branch", "F_y", "Y")]
-)
-def test_friction_that_builds_up_slides_in_the_end(label, force, way):
+def test_friction_that_builds_up_slides_in_the_end():
     """Dahl: z' = v - |v| z / x0, by small steps along the path."""
-    effect = offered(label)
+    effect = offered("friction.presliding")
     p, found = predicted(effect, effect.starts[0])
-    p = {"F_c": p[force], "x0": p[way]}
     for m, force in zip(MOTIONS, found, strict=True):
         z, fine = np.zeros_like(m.time), 50
         for j in range(1, z.size):
@@ -501,7 +497,7 @@ def test_every_form_is_checked_here_or_by_the_core():
     """Placements are those of the core's amendments, which have tests of their own; the MGMM has its gamma_T alone."""
     known = {*EQUATIONS, *RIGS, "lag.delay", "lag.filter", "lag.second_order", "lag.growing", "inertia.sprung"}
     known |= {"offset.per_test", "drift.each_own", "hum.tone", "hum.two_tones", "hum.harmonics"}
-    known |= {"self_heating.carried", "friction.presliding", "play.backlash", "hysteresis.branch"}
+    known |= {"self_heating.carried", "friction.presliding", "play.backlash"}
     known |= {"gas_spring.polytropic", "condition.parameter_of_V", "condition.gas_of_V"}
     known |= {"hysteresis.stretch", "hysteresis.bouc_wen"}
     known |= {"extremes.lasting"}
