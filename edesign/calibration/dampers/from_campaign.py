@@ -226,7 +226,7 @@ def with_noise(
             if one.displacement_noise > 0.0:
                 noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
                 motion, _ = _motion(motion.time, noisy)
-                if not motion.cornered:
+                if problem.law.rate_dependent and not motion.cornered:
                     # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
                     motion = replace(motion, velocity=smooth(motion.time, noisy, rests=False)[1])
             again.append(replace(one, motion=motion))
