@@ -288,7 +288,7 @@ class Search:
         return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
     def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
-        """Return the model without effects that it does not need, or that are of no size.
+        """Return the model without effects that it does not need, or that are of no size, or less than instruments see.
 
         Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
         """
@@ -303,7 +303,8 @@ class Search:
                 if self._difference(model, one, noise, one).sure and one is not known:
                     one = self._fitting.settled(self._reformed(one, noise, True))
                     noise = self._fitting.noise(model, one)
-                if not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
+                seen = one.nrms - model.nrms > self._settings.least**2
+                if not seen or not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
                     simpler.append(one)
             if not simpler:
                 break

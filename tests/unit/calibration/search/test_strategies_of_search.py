@@ -163,6 +163,18 @@ def test_an_effect_at_the_bound_of_its_size_is_another_one() -> None:
     assert found(CurveProblem(effects=(small,), truth=((linear("large", shape), (0.08,)),))).best.names == {"small"}
 
 
+def test_what_is_less_than_instruments_see_is_no_effect() -> None:
+    shape = columns(7)
+    one = linear("small", shape)
+
+    def names(share: float) -> frozenset[str]:
+        problem = CurveProblem(effects=(one,), noise=1e-4)
+        rms = float(np.sqrt(np.mean(np.concatenate(problem.measured) ** 2)))
+        return found(replace(problem, truth=((one, (share * rms,)),))).best.names
+
+    assert names(0.0015) == frozenset() and names(0.003) == {"small"}  # of shapes with a root mean square of 1
+
+
 def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
     cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
     truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * (u**3 + 0.04 * np.sin(2.0 * np.pi * u) * u**2))
