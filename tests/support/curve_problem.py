@@ -54,6 +54,8 @@ class CurveProblem:
         noise: standard deviation.
         tests: number of them.
         seed: of motions and noise.
+        zeros: standard deviation of a zero of each test.
+        input_noise: share of the power that noise of the motion makes.
     """
 
     effects: tuple[Effect, ...] = EFFECTS
@@ -62,6 +64,7 @@ class CurveProblem:
     tests: int = 5
     seed: int = 1
     zeros: float = 0.0
+    input_noise: float = 0.0
 
     @cached_property
     def motions(self) -> list[tuple[np.ndarray, np.ndarray]]:

@@ -85,6 +85,13 @@ class DamperProblem:
         return tuple(float(np.sqrt(np.mean(y**2))) for y in self.model(()).measured)
 
     @cached_property
+    def input_noise(self) -> float:
+        """Share of the power of the force that noise of the displacement makes through the law."""
+        fitted = [self.experiments[i] for i in self.fitted]
+        noise = sum(one.force.size * one.motion_noise**2 for one in fitted)
+        return noise / sum(one.force.size * size**2 for one, size in zip(fitted, self.sizes, strict=True))
+
+    @cached_property
     def base(self) -> tuple[Parameter, ...]:
         """Parameters of the law with priors about what is declared; those that others make needless are held.
 

@@ -89,6 +89,11 @@ class PropertyProblem:
         return (1.0,) * len(self.used_for("fit"))
 
     @property
+    def input_noise(self) -> float:
+        """Share of the power that noise of measured inputs makes: a table has none."""
+        return 0.0
+
+    @property
     def start(self) -> tuple[float, ...]:
         """Values, SI, from which the base is fitted."""
         return tuple(one.centre for one in self.model(()).parameters)

@@ -52,6 +52,7 @@ class Problem(Protocol):
     Attributes:
         deviations: (tests,) standard deviation of the noise of each test that is fitted.
         sizes: (tests,) root mean square of what was measured in each.
+        input_noise: share of the power of what was measured that noise of measured inputs makes through the model.
         effects: that the model may lack.
         start: (p,) values of the base model, SI, from which it is fitted.
     """
@@ -63,6 +64,10 @@ class Problem(Protocol):
     @property
     def sizes(self) -> tuple[float, ...]:
         """Root mean square of what was measured in each."""
+
+    @property
+    def input_noise(self) -> float:
+        """Share of the power of what was measured that noise of measured inputs makes through the model."""
 
     @property
     def effects(self) -> tuple[Effect, ...]:

@@ -290,8 +290,12 @@ class Search:
     def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
         """Return the model without effects that it does not need, or that are of no size, or less than instruments see.
 
+        Noise of the motion makes force through the law. An effect that swallows it, as a clearance as large as the
+        noise, is better and is none.
+
         Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
         """
+        fitting = self._fitting
         while model.effects:
             simpler = []
             for index in range(len(model.effects)):
@@ -299,17 +303,17 @@ class Search:
                 one = known if others == known.effects else self._without(model, index)
                 if one is None:
                     continue
-                noise = self._fitting.noise(model, one)
+                noise = fitting.noise(model, one)
                 if self._difference(model, one, noise, one).sure and one is not known:
-                    one = self._fitting.settled(self._reformed(one, noise, True))
-                    noise = self._fitting.noise(model, one)
-                seen = one.nrms - model.nrms > self._settings.least**2
+                    one = fitting.settled(self._reformed(one, noise, True))
+                    noise = fitting.noise(model, one)
+                seen = one.nrms - model.nrms > max(self._settings.least**2, fitting.problem.input_noise)
                 if not seen or not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
                     simpler.append(one)
             if not simpler:
                 break
-            noise = self._fitting.noise(model, known)
-            model = max(simpler, key=lambda one: self._fitting.score(one, noise).total)
+            noise = fitting.noise(model, known)
+            model = max(simpler, key=lambda one: fitting.score(one, noise).total)
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model
 

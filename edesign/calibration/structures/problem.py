@@ -133,6 +133,11 @@ class StructureProblem:
         )
 
     @property
+    def input_noise(self) -> float:
+        """Share of the power that noise of measured inputs makes: the ground moves as it was measured."""
+        return 0.0
+
+    @property
     def start(self) -> tuple[float, ...]:
         """Values, SI, from which the base is fitted."""
         return tuple(one.centre for one in self.model(()).parameters)

@@ -175,6 +175,17 @@ def test_what_is_less_than_instruments_see_is_no_effect() -> None:
     assert names(0.0015) == frozenset() and names(0.003) == {"small"}  # of shapes with a root mean square of 1
 
 
+def test_an_effect_that_swallows_noise_of_the_motion_is_none() -> None:
+    """It explains 1 % of the rms, and noise of the motion is told to make half or twice as much."""
+    shape = columns(7)
+    one = linear("clearance", shape)
+    problem = CurveProblem(effects=(one,), noise=1e-3)
+    rms = float(np.sqrt(np.mean(np.concatenate(problem.measured) ** 2)))
+    problem = replace(problem, truth=((one, (0.01 * rms,)),))
+    assert found(replace(problem, input_noise=0.005**2)).best.names == {"clearance"}
+    assert found(replace(problem, input_noise=0.02**2)).best.names == frozenset()
+
+
 def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
     cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
     truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * (u**3 + 0.04 * np.sin(2.0 * np.pi * u) * u**2))
