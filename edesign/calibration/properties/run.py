@@ -118,8 +118,8 @@ class _Outcome:
         steps: Steps,
         threads: int,
     ) -> _Outcome:
-        fitting = unbounded(quick, settings)
-        final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
+        fitter = unbounded(quick, settings)
+        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best, ()), True)
         steps.progress("predicting all rows")
         problem = property_problem(campaign, CYCLES, SAMPLES, threads)
         declared = np.array([one.centre for one in quick.inner.base])

@@ -16,7 +16,7 @@ from edesign.calibration.residual.series import Errors, Stage
 from edesign.calibration.results.fit import Kept, effect_estimates, estimates
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.result import Effect, Hypothesis, SearchDepth, Verdict
-from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitting
+from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.search import Ending, Found, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -87,14 +87,14 @@ class Evidence:
     """What the models of a search say of the effects that it found.
 
     Attributes:
-        fitting: of the problem at the sampling of a fit, without a limit.
+        fitter: of the problem at the sampling of a fit, without a limit.
         found: by the search.
         kept: the model that stands, and what was taken off it.
         validate: NRMS of the validation tests by a model; nan: it cannot predict them.
         not_carried: why no file carries an effect of a model, by its index, for people; "" if one does.
     """
 
-    fitting: Fitting
+    fitter: Fitter
     found: Found
     kept: Kept
     validate: Callable[[FittedModel], float]
@@ -105,8 +105,8 @@ class Evidence:
         """The posterior over the models of the search, about the one that stands."""
         best, final = self.found.best, self.kept.model
         if self.kept.dropped:
-            best = self.fitting.fit(final.effects, final.fit.values, best.noise) or best
-        return Posterior.of(self.fitting, self.found, best)
+            best = self.fitter.fit(final.effects, final.fit.values, best.noise) or best
+        return Posterior.of(self.fitter, self.found, best)
 
     def effects(
         self, steps: Steps, withheld: str, corrected: float

@@ -11,7 +11,7 @@ import numpy as np
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.results.practical_units import practical
 from edesign.calibration.results.result import Estimate
-from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.model import PredictionError
@@ -34,31 +34,31 @@ class Kept:
     dropped: tuple[tuple[FittedModel, int, str], ...]
 
 
-def unbounded(problem: Problem, settings: SearchSettings) -> Fitting:
+def unbounded(problem: Problem, settings: SearchSettings) -> Fitter:
     """Return what fits models of a problem without counting the effort."""
-    return Fitting(problem, replace(settings, effort=math.inf))
+    return Fitter(problem, replace(settings, effort=math.inf))
 
 
-def at_full_rate(fitting: Fitting, model: FittedModel) -> FittedModel:
+def at_full_rate(fitter: Fitter, model: FittedModel) -> FittedModel:
     """Return a model fitted to all samples; where it cannot be, with the values that it has.
 
     Raises:
         PredictionError: it cannot predict at full rate.
     """
-    problem, values = fitting.problem, model.fit.values
+    problem, values = fitter.problem, model.fit.values
     whole = problem.model(model.effects)
     (forces,) = whole.predict(values[np.newaxis])
     if isinstance(forces, PredictionError):
         raise forces
     left = [y - f for y, f in zip(whole.measured, forces, strict=True)]
     noise = Noise.left_by(left, problem.deviations, problem.sizes)
-    found = fitting.fit(model.effects, values, noise, _STEPS)
+    found = fitter.fit(model.effects, values, noise, _STEPS)
     if found is None:
         raise PredictionError(f"{model.label} cannot be fitted to all samples")
-    return fitting.settled(found)
+    return fitter.reweighted(found)
 
 
-def kept(fitting: Fitting, model: FittedModel) -> Kept:
+def kept(fitter: Fitter, model: FittedModel) -> Kept:
     """Return a model without the effects of which the 95 % interval of the size holds zero, the others fitted again."""
     dropped: list[tuple[FittedModel, int, str]] = []
     while True:
@@ -67,7 +67,7 @@ def kept(fitting: Fitting, model: FittedModel) -> Kept:
             return Kept(model, tuple(dropped))
         index, size = max(may_be_nothing, key=lambda one: (one[1].interval[1] - one[1].interval[0], one[0]))
         others, values = model.without(index)
-        fewer = fitting.fit(others, values, model.noise, _STEPS)
+        fewer = fitter.fit(others, values, model.noise, _STEPS)
         if fewer is None:
             raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
         own = model.effects[index].parameters
@@ -76,7 +76,7 @@ def kept(fitting: Fitting, model: FittedModel) -> Kept:
         (low, high), name = shown.interval, own[0].name
         why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
         dropped.append((model, index, why))
-        model = fitting.settled(fitting.fit(others, fewer.fit.values, fewer.noise) or fewer)
+        model = fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise) or fewer)
 
 
 def _size(model: FittedModel, index: int) -> Estimate | None:

@@ -10,7 +10,7 @@ from functools import cached_property
 import numpy as np
 
 from edesign.calibration.results.result import ComparedModel
-from edesign.calibration.search.models import FittedModel, Fitting
+from edesign.calibration.search.models import FittedModel, Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found
 from edesign.estimation.left_out import Difference, Score, difference
@@ -28,7 +28,7 @@ class Posterior:
     """Models of a search with weights exp(score), as the last round of the search that adopted one compared them.
 
     Attributes:
-        fitting: of the problem at the sampling of a fit.
+        fitter: of the problem at the sampling of a fit.
         best: the model that stands.
         known: the model beside which the last effect was found, whose equations may be wrong.
         models: all of them, the best one first.
@@ -36,18 +36,18 @@ class Posterior:
             which it compared beside what both have in common.
     """
 
-    fitting: Fitting
+    fitter: Fitter
     best: FittedModel
     known: FittedModel
     models: tuple[FittedModel, ...]
     searched: Mapping[tuple[str, ...], Difference] = field(default_factory=dict)
 
     @staticmethod
-    def of(fitting: Fitting, found: Found, best: FittedModel) -> Posterior:
+    def of(fitter: Fitter, found: Found, best: FittedModel) -> Posterior:
         """Return the posterior over the models of a search.
 
         Args:
-            fitting: of the problem at the sampling of a fit.
+            fitter: of the problem at the sampling of a fit.
             found: by the search.
             best: the model that stands, at that sampling.
         """
@@ -57,12 +57,12 @@ class Posterior:
         rivals = [one for of_effect in found.rivals for one in of_effect] if best is found.best else []
         richer = [one for depth in found.depths if depth.best is best for one in depth.tried]
         searched = {_key(one.model): one.difference for one in (*richer, *rivals)}
-        return Posterior(fitting, best, known[-1] if known else found.base, (best, *others), searched)
+        return Posterior(fitter, best, known[-1] if known else found.base, (best, *others), searched)
 
     @cached_property
     def noise(self) -> Noise:
         """By which they are compared."""
-        return self.fitting.noise(self.best, self.known)
+        return self.fitter.noise(self.best, self.known)
 
     @cached_property
     def scores(self) -> tuple[Score, ...]:
@@ -79,7 +79,7 @@ class Posterior:
             model: at the sampling of a fit.
             sure: whether it is fitted again without a test that moves it far.
         """
-        return self.fitting.score(model, self.noise, self.known, sure)
+        return self.fitter.score(model, self.noise, self.known, sure)
 
     @cached_property
     def probabilities(self) -> np.ndarray:
@@ -179,12 +179,12 @@ def _models(found: Found) -> Iterator[FittedModel]:
 
 def without(posterior: Posterior, index: int) -> tuple[FittedModel | None, Difference | None]:
     """Return the best model without one of its effects, the others fitted again, and how far that is behind."""
-    best, fitting = posterior.best, posterior.fitting
+    best, fitter = posterior.best, posterior.fitter
     others, values = best.without(index)
-    rough = fitting.fit(others, values, best.noise)
+    rough = fitter.fit(others, values, best.noise)
     # the noise of the best one is far below what is left without the effect
-    again = None if rough is None else fitting.fit(others, rough.fit.values, rough.noise)
+    again = None if rough is None else fitter.fit(others, rough.fit.values, rough.noise)
     if again is None:
         return None, None
-    fewer = fitting.settled(again)
+    fewer = fitter.reweighted(again)
     return fewer, difference(posterior.score(best), posterior.score(fewer))

@@ -59,11 +59,11 @@ class Outcome:
         """Return the outcome of a search."""
         problem: DamperProblem = found.base.problem  # type: ignore[assignment]
         whole, thin = problem.full_rate, unbounded(problem, settings)
-        fitting = unbounded(whole, settings)
+        fitter = unbounded(whole, settings)
 
         def fitted() -> tuple[FittedModel, Kept]:
-            refit = at_full_rate(fitting, found.base)
-            return refit, kept(fitting, at_full_rate(fitting, found.best) if found.best.effects else refit)
+            refit = at_full_rate(fitter, found.base)
+            return refit, kept(fitter, at_full_rate(fitter, found.best) if found.best.effects else refit)
 
         try:
             refit, final = steps.take("fitting all samples", fitted, (found.base, kept(thin, found.best)), True)

@@ -17,7 +17,7 @@ from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
 
-_SETTLED = 0.2  # fall of the logarithm of the noise, below which a fit under the noise that it leaves has settled
+_REWEIGHTED = 0.2  # fall of the logarithm of the noise, below which a fit under the noise that it leaves has settled
 _FITS = 4  # most of them
 _STEPS = 15
 _ROUGH = Settings(rough=True)
@@ -142,7 +142,7 @@ class FittedModel:
         return found
 
 
-class Fitting:
+class Fitter:
     """Fits models of a problem and scores them, counting the effort; what was fitted is kept.
 
     Args:
@@ -155,7 +155,7 @@ class Fitting:
         self.effort = Effort(settings.effort)
         self.fitted = 0
         self._scores: dict[tuple[int, Noise, int, bool], tuple[FittedModel, object, Score]] = {}
-        self._wrong: dict[int, tuple[FittedModel, Columns | None]] = {}
+        self._discrepancies: dict[int, tuple[FittedModel, Columns | None]] = {}
 
     def predict(self, effects: Sequence[Effect], values: np.ndarray) -> list[Sequence[np.ndarray] | PredictionError]:
         """Return predictions (n_i,) of each test for each row of values, SI."""
@@ -195,15 +195,17 @@ class Fitting:
         self.effort.spend(found.evaluations, effects)
         return FittedModel(self.problem, effects, found)
 
-    def grown(self, model: FittedModel, starts: Sequence[Start], noise: Noise) -> FittedModel | None:
+    def extended(self, model: FittedModel, starts: Sequence[Start], noise: Noise) -> FittedModel | None:
         """Return a model with more effects at their starts, with its slopes, and those of their parameters; not fitted.
 
         None: it cannot predict there.
         """
         effects = (*model.effects, *(start.effect for start in starts))
-        return self.placed(effects, [model.fit.values, *(start.values for start in starts)], model.fit.slopes, noise)
+        return self.linearised(
+            effects, [model.fit.values, *(start.values for start in starts)], model.fit.slopes, noise
+        )
 
-    def placed(
+    def linearised(
         self, effects: tuple[Effect, ...], values: Sequence[np.ndarray], slopes: Columns, noise: Noise
     ) -> FittedModel | None:
         """Return a model at values (p,) SI; its slopes to the first parameters are known, those to others are found."""
@@ -227,7 +229,7 @@ class Fitting:
         found = Fit(with_them, noise, z, tuple(here), tuple(rates), 0)
         return FittedModel(self.problem, effects, found)
 
-    def settled(self, model: FittedModel) -> FittedModel:
+    def reweighted(self, model: FittedModel) -> FittedModel:
         """Fit again under the noise that the fit leaves, until that noise is known."""
         start, slopes = model.fit.z, model.fit.slopes
         of = model.fit.model
@@ -235,7 +237,7 @@ class Fitting:
         for _ in range(_FITS):
             before, model = model, found
             fall = float(np.mean(np.log(before.noise.long_run)) - np.mean(np.log(model.noise.long_run)))
-            if fall < _SETTLED:
+            if fall < _REWEIGHTED:
                 break
             found = self.fit(model.effects, model.fit, model.noise) or model
         return found
@@ -249,7 +251,7 @@ class Fitting:
             beside: a model whose equations may be wrong, which is allowed for; None: none.
             sure: whether the model is fitted again without a test that moves it far.
         """
-        wrong = None if beside is None else self.wrong(beside)
+        wrong = None if beside is None else self.discrepancy(beside)
         key = id(model), noise, id(wrong), sure
         if key not in self._scores:
             found = score(model.fit, noise, wrong, refits=sure)
@@ -268,7 +270,7 @@ class Fitting:
         """
         return self._at_least(leader.noise, known)
 
-    def noise_left(self, left: Sequence[np.ndarray], known: FittedModel) -> Noise:
+    def noise_of(self, left: Sequence[np.ndarray], known: FittedModel) -> Noise:
         """Return the noise by which models are compared, of what is left (n_i,) of each test.
 
         Args:
@@ -281,36 +283,36 @@ class Fitting:
         wrong = np.array([self.problem.deviations, self.problem.deviations]) ** 2
         for index in range(len(known.effects)):
             for i, change in enumerate(known.contribution(index)):
-                power = self.settings.unlike**2 * float(change @ change) / change.size
+                power = self.settings.own_discrepancy**2 * float(change @ change) / change.size
                 wrong[:, i] += power, power * correlation_length(change)
         variance = np.maximum(left.variance, wrong[0])
         long_run = np.maximum(np.maximum(left.long_run, wrong[1]), variance)
         return Noise(tuple(variance.tolist()), tuple(long_run.tolist()))
 
-    def wrong(self, model: FittedModel) -> Columns | None:
+    def discrepancy(self, model: FittedModel) -> Columns | None:
         """Return columns by which the equations of a model's effects may be wrong: what other equations of them do.
 
         Their shares have the prior N(0, 1); all of them together are `alike` of what the effect does.
         """
-        if id(model) not in self._wrong:
-            found = [self._unlike(model, index) for index in range(len(model.effects))]
+        if id(model) not in self._discrepancies:
+            found = [self._discrepancy_of(model, index) for index in range(len(model.effects))]
             every = np.hstack(found) if found else np.zeros((0, 0))
             ends = np.cumsum([f.size for f in model.fit.predicted])[:-1]
-            self._wrong[id(model)] = model, np.split(every, ends) if every.shape[1] else None
-        return self._wrong[id(model)][1]
+            self._discrepancies[id(model)] = model, np.split(every, ends) if every.shape[1] else None
+        return self._discrepancies[id(model)][1]
 
-    def _unlike(self, model: FittedModel, index: int) -> np.ndarray:
+    def _discrepancy_of(self, model: FittedModel, index: int) -> np.ndarray:
         """Return what other equations of an effect do in its place (n, k), as principal components of size `alike`."""
         change = np.concatenate(model.contribution(index))
-        found = [one / np.linalg.norm(one) for _, _, one in self.in_place(model, index, np.ones(len(model.left)))]
-        size = self.settings.alike * float(np.linalg.norm(change))
+        found = [one / np.linalg.norm(one) for _, _, one in self.alternatives(model, index, np.ones(len(model.left)))]
+        size = self.settings.shared_discrepancy * float(np.linalg.norm(change))
         if not found or not size:
             return np.zeros((change.size, 0))
         u, s, _ = np.linalg.svd(np.column_stack(found), full_matrices=False)
         keep = s > _NEGLIGIBLE * s[0]
         return np.asarray(size * u[:, keep] * (s[keep] / np.sqrt(np.sum(s**2))))
 
-    def in_place(
+    def alternatives(
         self, model: FittedModel, index: int, weights: Sequence[float] | np.ndarray
     ) -> list[tuple[Effect, np.ndarray, np.ndarray]]:
         """Return what other equations of an effect do in its place, at each of their starts.

@@ -25,7 +25,7 @@ from typing import TypeVar
 
 import numpy as np
 
-from edesign.calibration.search.models import FittedModel, Fitting, Start
+from edesign.calibration.search.models import FittedModel, Fitter, Start
 from edesign.estimation.left_out import PRIOR_FREEDOM
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
@@ -58,28 +58,28 @@ class Screening:
     pairs: tuple[Pair, ...]
 
 
-def screen(fitting: Fitting, model: FittedModel, known: FittedModel) -> Screening:
+def screen(fitter: Fitter, model: FittedModel, known: FittedModel) -> Screening:
     """Screen all forms of effects that a model does not have.
 
     Args:
-        fitting: of the search.
+        fitter: of the search.
         model: fitted.
         known: a model whose equations may be wrong, which is allowed for.
     """
-    tests, starts, own, screened = _candidates(fitting, model, known)
+    tests, starts, own, screened = _candidates(fitter, model, known)
     plain = model.fit.model.own(model.fit.values)
     every = [_stacked(of_test) for of_test in zip(plain, *(columns for _, columns in own), strict=True)]
-    noise = fitting.noise_left(_left(tests, every, Noise.white(fitting.problem.deviations)), known)
+    noise = fitter.noise_of(_left(tests, every, Noise.white(fitter.problem.deviations)), known)
     alone = _Evidence.of(tests, plain, noise, len(starts))
     nothing = float(alone.log_of(0.0, 0.0))
     singles = alone.singles(starts)
-    pairs = alone.pairs(starts, fitting.settings.pairs)
+    pairs = alone.pairs(starts, fitter.settings.pairs)
     for start, columns in own:
         beside = _Evidence.of(tests, columns, noise, len(starts))
         singles.append((start, float(beside.log_of(0.0, 0.0))))
         pairs += [((start, one), log) for one, log in beside.singles(starts) if one.effect.name != start.effect.name]
     best = _best(singles, lambda start: start.effect.label)
-    both = _best(pairs, lambda pair: frozenset(start.effect.name for start in pair))[: fitting.settings.pairs]
+    both = _best(pairs, lambda pair: frozenset(start.effect.name for start in pair))[: fitter.settings.pairs]
     return Screening(
         screened,
         noise,
@@ -89,7 +89,7 @@ def screen(fitting: Fitting, model: FittedModel, known: FittedModel) -> Screenin
 
 
 def _candidates(
-    fitting: Fitting, model: FittedModel, known: FittedModel
+    fitter: Fitter, model: FittedModel, known: FittedModel
 ) -> tuple[list[np.ndarray], list[Start], list[tuple[Start, Own]], int]:
     """Return what the model leaves and what changes it, and the candidates.
 
@@ -102,20 +102,20 @@ def _candidates(
     size = float(np.linalg.norm(measured))
     starts, own, screened = list[Start](), list[tuple[Start, Own]](), 0
     columns = [[r[:, np.newaxis], j] for r, j in zip(model.fit.left, model.fit.slopes, strict=True)]
-    for of_test, wrong in zip(columns, fitting.wrong(known) or (), strict=False):
+    for of_test, wrong in zip(columns, fitter.discrepancy(known) or (), strict=False):
         of_test.append(wrong)
-    for effect in fitting.problem.effects:
+    for effect in fitter.problem.effects:
         if effect.name in model.names:
             continue
         screened += 1
         effects = (*model.effects, effect)
         values = np.array([[*model.fit.values, *start] for start in effect.starts])
         if effect.own:
-            fitting.effort.spend(len(values), effects)
-            own_of = fitting.problem.model(effects).own
+            fitter.effort.spend(len(values), effects)
+            own_of = fitter.problem.model(effects).own
             own += [(Start(effect, np.array(s)), own_of(v)) for s, v in zip(effect.starts, values, strict=True)]
             continue
-        for start, there in zip(effect.starts, fitting.predict(effects, values), strict=True):
+        for start, there in zip(effect.starts, fitter.predict(effects, values), strict=True):
             if isinstance(there, PredictionError):
                 continue
             change = [f - g for f, g in zip(there, model.fit.predicted, strict=True)]

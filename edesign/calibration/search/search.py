@@ -9,7 +9,7 @@ from typing import Literal
 
 import numpy as np
 
-from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitting, Start
+from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Start
 from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.screening import Screening, screen
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -87,23 +87,23 @@ class Search:
         self, problem: Problem, settings: SearchSettings = SETTINGS, progress: Progress = lambda _: None
     ) -> None:
         self._problem, self._settings, self._progress = problem, settings, progress
-        self._fitting = Fitting(problem, settings)
+        self._fitter = Fitter(problem, settings)
 
     def run(self) -> Found:
         """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
         base = self._base()
         self._best, self._depths, self._rivals = base, list[Depth](), list[tuple[Tried, ...]]()
-        self._been = {base.names}
+        self._visited = {base.names}
         ending: Ending = "complete"
         try:
             self._grow()
-            while self._best.effects and self._challenge():
+            while self._best.effects and self._swap():
                 self._grow()
         except EffortSpentError:
             ending = "effort_spent"
         except KeyboardInterrupt:
             ending = "interrupted"
-        spent = self._fitting.effort.spent
+        spent = self._fitter.effort.spent
         return Found(base, self._best, tuple(self._depths), tuple(self._rivals), ending, spent)
 
     def _grow(self) -> None:
@@ -114,85 +114,87 @@ class Search:
             adopted = self._depths[-1].adopted
             if adopted is None:
                 break
-            self._take(adopted)
+            self._adopt(adopted)
 
-    def _take(self, model: FittedModel) -> None:
+    def _adopt(self, model: FittedModel) -> None:
         """Make a model the best one; none of its effects is so twice, so that the search comes to its end."""
         self._best = model
-        self._been.add(model.names)
+        self._visited.add(model.names)
 
-    def _challenge(self) -> bool:
+    def _swap(self) -> bool:
         """Try other effects in the place of each one; return whether one of them is surely better, and was taken.
 
         Those that the best model does not surely beat are its rivals: the tests cannot tell them apart.
         """
-        fitting, best = self._fitting, self._best
+        fitter, best = self._fitter, self._best
         self._rivals = []
         for index, effect in enumerate(best.effects):
             self._progress(f"trying others in the place of {effect.label}")
-            rest = self._without(best, index)
+            rest = self._omitting(best, index)
             if rest is None:
                 self._rivals.append(())
                 continue
-            noise = fitting.noise(best, rest)
+            noise = fitter.noise(best, rest)
             found: dict[str, FittedModel] = {}
-            for start, gain in screen(fitting, rest, rest).singles:
+            for start, gain in screen(fitter, rest, rest).singles:
                 name = start.effect.name
                 if gain <= 0.0 or len(found) == self._settings.others:
                     break
                 if name == effect.name or name in found:
                     continue
-                grown = fitting.grown(rest, [start], noise)
+                grown = fitter.extended(rest, [start], noise)
                 if grown is not None:
-                    found[name] = fitting.settled(fitting.rough(grown, noise))
+                    found[name] = fitter.reweighted(fitter.rough(grown, noise))
             tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values()]
             # what equations may be wrong by, of an effect that does much, must not hide that less is explained
             better = [
                 one
                 for one in tried
-                if one.difference.sure and one.model.names not in self._been and self._ahead(one.model, best)
-                if not any(self._of_no_size(one.model, i) for i in range(len(one.model.effects)))
+                if one.difference.sure
+                and one.model.names not in self._visited
+                and self._predicts_better(one.model, best)
+                if not any(self._insignificant(one.model, i) for i in range(len(one.model.effects)))
             ]
             if better:
                 leader = max(better, key=lambda one: one.difference.total).model
-                self._take(self._reformed(leader, noise))
+                self._adopt(self._with_best_forms(leader, noise))
                 return True
             alike = [one for one in tried if not self._difference(best, one.model, noise, rest).sure]
             self._rivals.append(tuple(alike))
         return False
 
-    def _ahead(self, one: FittedModel, other: FittedModel) -> bool:
+    def _predicts_better(self, one: FittedModel, other: FittedModel) -> bool:
         """Return whether a model predicts better than another one beside what this one leaves alone."""
-        return self._fitting.score(one, other.noise).total > self._fitting.score(other, other.noise).total
+        return self._fitter.score(one, other.noise).total > self._fitter.score(other, other.noise).total
 
-    def _without(self, model: FittedModel, index: int) -> FittedModel | None:
+    def _omitting(self, model: FittedModel, index: int) -> FittedModel | None:
         """Return a model without one of its effects, fitted; None: it cannot predict then."""
         others, values = model.without(index)
         if not others:
             return self._base_model
         slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
-        rough = self._fitting.placed(others, [values], slopes, model.noise)
-        return None if rough is None else self._fitting.settled(rough)
+        rough = self._fitter.linearised(others, [values], slopes, model.noise)
+        return None if rough is None else self._fitter.reweighted(rough)
 
     def _base(self) -> FittedModel:
         """Return the base model, fitted."""
         noise = Noise.of_first_fit(self._problem.deviations, self._problem.sizes)
-        found = self._fitting.fit((), np.array(self._problem.start), noise)
+        found = self._fitter.fit((), np.array(self._problem.start), noise)
         if found is None:
             raise ValueError("the base model cannot predict with its declared parameters")
-        self._base_model = self._fitting.settled(found)
+        self._base_model = self._fitter.reweighted(found)
         return self._base_model
 
     def _depth(self, best: FittedModel) -> Depth:
-        fitting = self._fitting
-        before, screening = fitting.fitted, screen(fitting, best, best)
+        fitter = self._fitter
+        before, screening = fitter.fitted, screen(fitter, best, best)
         noise = screening.noise
         children = self._children(best, screening, noise)
-        leaders = [fitting.settled(self._reformed(one, noise, True)) for one in self._different(children, noise)]
+        leaders = [fitter.reweighted(self._with_best_forms(one, noise, True)) for one in self._beam(children, noise)]
         if not leaders:
-            return Depth(best, screening, fitting.fitted - before, (), None)
-        leader = max(leaders, key=lambda one: fitting.score(one, noise, best, sure=False).total)
-        noise = fitting.noise(leader, best)
+            return Depth(best, screening, fitter.fitted - before, (), None)
+        leader = max(leaders, key=lambda one: fitter.score(one, noise, best, sure=False).total)
+        noise = fitter.noise(leader, best)
         tried = [Tried(one, self._difference(one, best, noise, best)) for one in leaders]
         tried.sort(key=lambda one: -one.difference.total)
         for one in tried:
@@ -204,19 +206,19 @@ class Search:
             # of those that pass, the best by what is needed of it; parts of it may be less than the next one
             if not one.difference.sure or one.difference.total <= most:
                 continue
-            needed = self._needed(self._reformed(one.model, noise), best)
-            if needed is not None and needed.names not in self._been:
+            needed = self._pruned(self._with_best_forms(one.model, noise), best)
+            if needed is not None and needed.names not in self._visited:
                 total = self._difference(needed, best, noise, best).total
                 if total > most:
                     adopted, most = needed, total
-        return Depth(best, screening, fitting.fitted - before, tuple(tried), adopted)
+        return Depth(best, screening, fitter.fitted - before, tuple(tried), adopted)
 
     def _difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
-        return difference(self._fitting.score(better, noise, known), self._fitting.score(worse, noise, known))
+        return difference(self._fitter.score(better, noise, known), self._fitter.score(worse, noise, known))
 
     def _children(self, model: FittedModel, screening: Screening, noise: Noise) -> list[FittedModel]:
         """Return the model with each of the effects and pairs that the screening puts first, roughly fitted."""
-        fitting, forms = self._fitting, dict[str, int]()
+        fitter, forms = self._fitter, dict[str, int]()
         tried: list[tuple[Start, ...]] = []
         for start, _ in screening.singles:
             # shares of each test's own are no function of a start: what they do is hardly seen to first order
@@ -224,14 +226,14 @@ class Search:
             if forms[start.effect.name] <= self._settings.forms:
                 tried.append((start,))
         tried = [*tried[: self._settings.singles], *(pair for pair, _ in screening.pairs)]
-        grown = [fitting.grown(model, starts, noise) for starts in tried]
-        return [fitting.rough(one, noise) for one in grown if one is not None]
+        grown = [fitter.extended(model, starts, noise) for starts in tried]
+        return [fitter.rough(one, noise) for one in grown if one is not None]
 
-    def _different(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
+    def _beam(self, models: Sequence[FittedModel], noise: Noise) -> list[FittedModel]:
         """Return the best models of different effects, none with an effect that it does not need."""
 
         def total(one: FittedModel) -> float:
-            return self._fitting.score(one, noise, sure=False).total
+            return self._fitter.score(one, noise, sure=False).total
 
         found: list[FittedModel] = []
         for model in sorted(models, key=lambda one: -total(one)):
@@ -242,7 +244,7 @@ class Search:
                 found.append(model)
         return found[: self._settings.beam]
 
-    def _reformed(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
+    def _with_best_forms(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
         """Return the model with that equation of each effect that predicts best.
 
         Args:
@@ -250,14 +252,14 @@ class Search:
             noise: by which predictions are compared.
             roughly: whether fewer equations are tried, and none is fitted to the end.
         """
-        fitting, settings = self._fitting, self._settings
+        fitter, settings = self._fitter, self._settings
         weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
         for index in range(len(model.effects)):
             # what the effect does and should do
             both = zip(weights, model.contribution(index), model.left, strict=True)
             target = np.concatenate([w * (c + r) for w, c, r in both])
             like: dict[str, tuple[float, Start]] = {}
-            for form, values, change in fitting.in_place(model, index, weights):
+            for form, values, change in fitter.alternatives(model, index, weights):
                 share = float(change @ target) / float(change @ change)
                 near = share * float(change @ target)
                 if near > like.get(form.label, (-1.0,))[0]:
@@ -268,14 +270,14 @@ class Search:
             rough: list[FittedModel] = []
             number = settings.forms if roughly else settings.others
             for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
-                placed = fitting.placed((*others, start.effect), [kept, start.values], slopes, noise)
+                placed = fitter.linearised((*others, start.effect), [kept, start.values], slopes, noise)
                 if placed is not None:
-                    rough.append(fitting.rough(placed, noise))
-            totals = [fitting.score(one, noise, sure=False).total for one in rough]
+                    rough.append(fitter.rough(placed, noise))
+            totals = [fitter.score(one, noise, sure=False).total for one in rough]
             likely = [one for one, total in zip(rough, totals, strict=True) if total > max(totals) - LEAST]
             if not roughly:
-                likely = [fitting.settled(one) for one in likely]
-            model = self._simplest([model, *(fitting.in_order(one, order) for one in likely)], noise, not roughly)
+                likely = [fitter.reweighted(one) for one in likely]
+            model = self._simplest([model, *(fitter.in_order(one, order) for one in likely)], noise, not roughly)
         return model
 
     def _simplest(self, models: Sequence[FittedModel], noise: Noise, sure: bool) -> FittedModel:
@@ -283,11 +285,11 @@ class Search:
 
         A form at a bound of a parameter is another form; that bound is no price of a parameter.
         """
-        totals = [self._fitting.score(one, noise, sure=sure).total for one in models]
+        totals = [self._fitter.score(one, noise, sure=sure).total for one in models]
         alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
         return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
 
-    def _needed(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
+    def _pruned(self, model: FittedModel, known: FittedModel) -> FittedModel | None:
         """Return the model without effects that it does not need, or that are of no size, or less than instruments see.
 
         Noise of the motion makes force through the law. An effect that swallows it, as a clearance as large as the
@@ -295,29 +297,29 @@ class Search:
 
         Each effect is needed beside the others, whatever equations these have, and although these may be wrong.
         """
-        fitting = self._fitting
+        fitter = self._fitter
         while model.effects:
             simpler = []
             for index in range(len(model.effects)):
                 others, _ = model.without(index)
-                one = known if others == known.effects else self._without(model, index)
+                one = known if others == known.effects else self._omitting(model, index)
                 if one is None:
                     continue
-                noise = fitting.noise(model, one)
+                noise = fitter.noise(model, one)
                 if self._difference(model, one, noise, one).sure and one is not known:
-                    one = fitting.settled(self._reformed(one, noise, True))
-                    noise = fitting.noise(model, one)
-                seen = one.nrms - model.nrms > max(self._settings.least**2, fitting.problem.input_noise)
-                if not seen or not self._difference(model, one, noise, one).sure or self._of_no_size(model, index):
+                    one = fitter.reweighted(self._with_best_forms(one, noise, True))
+                    noise = fitter.noise(model, one)
+                seen = one.nrms - model.nrms > max(self._settings.least**2, fitter.problem.input_noise)
+                if not seen or not self._difference(model, one, noise, one).sure or self._insignificant(model, index):
                     simpler.append(one)
             if not simpler:
                 break
-            noise = fitting.noise(model, known)
-            model = max(simpler, key=lambda one: fitting.score(one, noise).total)
+            noise = fitter.noise(model, known)
+            model = max(simpler, key=lambda one: fitter.score(one, noise).total)
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model
 
-    def _of_no_size(self, model: FittedModel, index: int) -> bool:
+    def _insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect."""
         size = model.places(index)[:1]
         if not size:

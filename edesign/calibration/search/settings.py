@@ -20,9 +20,9 @@ class SearchSettings:
         others: equations of an adopted effect that are fitted in its place.
         rough_steps: of the fits by which models are put in order.
         depth: most effects of a model.
-        alike: share of what an effect does by which its equation may be wrong, as other equations of it differ from it:
-            those of one effect, fitted to each other, leave 10 % to 40 %.
-        unlike: the same in a way that no other equation of it has.
+        shared_discrepancy: share of what an effect does by which its equation may be wrong, as other equations of it
+            differ from it: those of one effect, fitted to each other, leave 10 % to 40 %.
+        own_discrepancy: the same in a way that no other equation of it has.
         least: root mean square of what an effect explains beside the others, of that of what was measured. Less is not
             told from the instruments: a force transducer of class 1 reproduces no better (ISO 376:2011, table 2).
         effort: weighted predictions of all tests, after which the search ends unfinished.
@@ -35,8 +35,8 @@ class SearchSettings:
     others: int = 4
     rough_steps: int = 4
     depth: int = 4
-    alike: float = 0.3
-    unlike: float = 0.1
+    shared_discrepancy: float = 0.3
+    own_discrepancy: float = 0.1
     least: float = 0.002
     effort: float = 20_000.0
 

@@ -97,8 +97,8 @@ class _Outcome:
     def of(
         campaign: StructureCampaign, problem: StructureProblem, found: Found, settings: SearchSettings, steps: Steps
     ) -> _Outcome:
-        fitting = unbounded(found.base.problem, settings)
-        final = steps.take("weighing effects", lambda: kept(fitting, found.best), Kept(found.best, ()), True)
+        fitter = unbounded(found.base.problem, settings)
+        final = steps.take("weighing effects", lambda: kept(fitter, found.best), Kept(found.best, ()), True)
         steps.progress("predicting all tests")
         centres = np.array([one.centre for one in problem.base])
         histories: dict[Stage, Sequence[np.ndarray]] = {

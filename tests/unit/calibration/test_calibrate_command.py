@@ -42,7 +42,7 @@ def test_a_search_that_is_interrupted_leaves_what_it_has_found(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     campaign(tmp_path / "c", _hardened, tests=5)
-    monkeypatch.setattr(Search, "_challenge", _interrupt)
+    monkeypatch.setattr(Search, "_swap", _interrupt)
     assert _run(tmp_path / "c", "--output", str(tmp_path / "out"), "--no-page") == 130
     said = capsys.readouterr()
     assert (
@@ -61,7 +61,7 @@ def test_a_second_interrupt_while_tests_are_predicted_loses_nothing(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     campaign(tmp_path / "c", _hardened, tests=5)
-    monkeypatch.setattr(Search, "_challenge", _interrupt)
+    monkeypatch.setattr(Search, "_swap", _interrupt)
     before, predicted = signal.getsignal(signal.SIGINT), outcome.predicted
 
     def interrupted(*given):  # type: ignore[no-untyped-def]

@@ -231,13 +231,13 @@ def test_the_next_test_is_where_models_differ_more_than_in_the_table(thesis: Pro
     plain, softer = _at(thesis, (), np.array(centres)), _at(thesis, payne, np.array([*centres, 0.3, 2e-4, 1.0, 5.0]))
     # what the search says of the two, in place of scores: that it cannot tell them apart
     searched = {(): Difference(0.0, 0.0), ("payne.whole",): Difference(-1.0, 2.0)}
-    fitting = unbounded(thesis, SETTINGS)
-    found = next_test(thesis, Posterior(fitting, plain, plain, (plain, softer), searched))
+    fitter = unbounded(thesis, SETTINGS)
+    found = next_test(thesis, Posterior(fitter, plain, plain, (plain, softer), searched))
     assert found is not None and found.separates == ("none", "payne.whole")
     assert found.text.startswith("record the loop, force over displacement, of ")
     assert found.difference > 1.2 * found.largest
     sure = {**searched, ("payne.whole",): Difference(-30.0, 2.0)}
-    assert next_test(thesis, Posterior(fitting, plain, plain, (plain, softer), sure)) is None
+    assert next_test(thesis, Posterior(fitter, plain, plain, (plain, softer), sure)) is None
 
 
 def test_a_law_file_predicts_as_the_model_does(thesis: PropertyProblem) -> None:

@@ -64,9 +64,9 @@ def with_a_shift_in_place(validating: float) -> LawFile:
     (plain,) = tests.model((), ("fit", "validate")).forces(values[: -len(shift.starts[0])])
     made[-1] = plain[-1] + validating * (made[-1] - plain[-1])
     tests = tests.with_experiments([replace(e, force=f) for e, f in zip(tests.experiments, made, strict=True)])
-    fitting, noise = unbounded(tests, SETTINGS), Noise.white([100.0] * 3)
-    final = fitting.fit((shift,), values, noise)
-    refit = fitting.fit((), values[: len(tests.base)], noise)
+    fitter, noise = unbounded(tests, SETTINGS), Noise.white([100.0] * 3)
+    final = fitter.fit((shift,), values, noise)
+    refit = fitter.fit((), values[: len(tests.base)], noise)
     assert final is not None and refit is not None
     return law_file(tests, final, refit)
 

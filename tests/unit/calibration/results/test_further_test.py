@@ -28,15 +28,15 @@ class Even(Posterior):
 
 
 def posterior(tests, *labels: str, size: float = 0.3) -> Posterior:
-    fitting = unbounded(tests, SETTINGS)
+    fitter = unbounded(tests, SETTINGS)
     noise = Noise.white([100.0] * 3)
     base = np.array([one.centre for one in tests.base])
     models = []
     for label in labels:
         effect = next(one for one in tests.effects if one.label == label)
         values = np.array([size * effect.starts[0][0], *effect.starts[0][1:]])
-        models.append(fitting.fit((effect,), np.append(base, values), noise, 0))
-    return Even(fitting, models[0], models[0], tuple(models))
+        models.append(fitter.fit((effect,), np.append(base, values), noise, 0))
+    return Even(fitter, models[0], models[0], tuple(models))
 
 
 def test_tests_thought_of_are_no_larger_no_faster_and_no_warmer():

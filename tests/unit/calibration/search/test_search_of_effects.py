@@ -68,7 +68,7 @@ def test_an_equation_that_is_nearly_right_draws_no_other_effect_in() -> None:
     bend = effect("bend", "sine", lambda p, i, u, v: p[0] * np.sin(2.0 * np.pi * u))
     problem = CurveProblem(effects=(CUBIC, FIFTH, DRAG, bend), truth=((truth, (1.0,)),))
     assert found(problem).best.names == {"hardening"}
-    assert found(problem, alike=1e-6, unlike=1e-6).best.names == {"hardening", "bend"}
+    assert found(problem, shared_discrepancy=1e-6, own_discrepancy=1e-6).best.names == {"hardening", "bend"}
 
 
 def test_an_effect_of_one_test_alone_is_found() -> None:

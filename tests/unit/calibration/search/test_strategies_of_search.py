@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from curve_problem import DRAG, OWN, Change, CurveProblem, effect
 
-from edesign.calibration.search.models import Fitting
+from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -192,7 +192,7 @@ def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
     bend = effect("bend", "sine", lambda p, i, u, v: p[0] * np.sin(2.0 * np.pi * u) * u**2)
     problem = CurveProblem(effects=(cubic, bend), truth=((truth, (1.0,)),), noise=0.005)
     assert found(problem).best.names == {"hardening"}
-    assert found(problem, unlike=0.0).best.names == {"hardening", "bend"}
+    assert found(problem, own_discrepancy=0.0).best.names == {"hardening", "bend"}
 
 
 def test_effects_are_screened_beside_what_is_each_tests_own() -> None:
@@ -229,10 +229,10 @@ def test_models_are_fitted_again_without_a_test_that_moves_them_far() -> None:
     problem.__dict__["motions"] = [
         (a * u / np.max(np.abs(u)), a * v / np.max(np.abs(u))) for a, (u, v) in zip(sizes, problem.motions, strict=True)
     ]
-    fitting, noise = Fitting(problem, SETTINGS), Noise.white(problem.deviations)
-    model = fitting.fit((power,), np.array([1.0, 0.3, 0.3, 6.0]), noise)
+    fitter, noise = Fitter(problem, SETTINGS), Noise.white(problem.deviations)
+    model = fitter.fit((power,), np.array([1.0, 0.3, 0.3, 6.0]), noise)
     assert model is not None
-    rough, sure = (fitting.score(model, noise, sure=one) for one in (False, True))
+    rough, sure = (fitter.score(model, noise, sure=one) for one in (False, True))
     assert sure.moved > 1.0
     assert sure.total == score(model.fit, noise, refits=True).total != rough.total
 
