@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, LawParameters, Values
-from edesign.calibration.dampers.effect import EffectForm, Rows, shape, size
+from edesign.calibration.dampers.acts import Amendment, LawParameters, Placement, Values
+from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.damper.fitting.scales import Scales
@@ -182,7 +182,7 @@ def _in_place(form: EffectForm) -> EffectForm:
 
 
 FORMS = (
-    _EXPONENTIAL,
+    *placed(_EXPONENTIAL, Placement.WHOLE, Placement.SPRINGS, Placement.DASHPOTS),
     _WLF_FACTOR,
     _TRANSITION,
     _SHIFT,
