@@ -1,9 +1,9 @@
-"""What was found at the sampling of a fit, fitted to all samples; effects that may be nothing are taken off it."""
+"""What was found at the sampling of a fit, fitted to all samples, without effects that may be nothing or mislead."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -66,17 +66,51 @@ def kept(fitter: Fitter, model: FittedModel) -> Kept:
         if not may_be_nothing:
             return Kept(model, tuple(dropped))
         index, size = max(may_be_nothing, key=lambda one: (one[1].interval[1] - one[1].interval[0], one[0]))
-        others, values = model.without(index)
-        fewer = fitter.fit(others, values, model.noise, _STEPS)
-        if fewer is None:
-            raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
         own = model.effects[index].parameters
         values = model.fit.values[model.places(index)].tolist()
         shown = practical(size, {one.name: Estimate.held(v, one.unit) for one, v in zip(own, values, strict=True)})
         (low, high), name = shown.interval, own[0].name
         why = f"the 95 % interval of {name}, {low:.3g} to {high:.3g} {shown.unit}".rstrip() + ", holds zero"
         dropped.append((model, index, why))
-        model = fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise) or fewer)
+        model = _without(fitter, model, index)
+
+
+def validated(fitter: Fitter, found: Kept, refit: float, validate: Callable[[FittedModel], float]) -> Kept:
+    """Return a model without the effects by which validation tests are predicted worse than by the refit.
+
+    Where all effects together do that, the one goes without which these tests are predicted best, and so on. No effect
+    comes in by the validation tests.
+
+    Args:
+        fitter: of the problem.
+        found: a model of which no effect may be nothing.
+        refit: error of the validation tests by the refitted law.
+        validate: error of the validation tests by a model.
+    """
+    model, dropped = found.model, list(found.dropped)
+    error = validate(model)
+    while len(model.effects) > 1 and not error <= refit:
+        fewer = [_without(fitter, model, i) for i in range(len(model.effects))]
+        errors = [validate(one) for one in fewer]
+        index = min(range(len(errors)), key=lambda i: (math.isnan(errors[i]), errors[i]))
+        left = f"with it the validation tests are predicted worse ({100.0 * error:.3g} %) than without it"
+        dropped.append((model, index, f"{left} ({100.0 * errors[index]:.3g} %)"))
+        model, error = fewer[index], errors[index]
+    # where one effect alone is worse than none, all of them are withheld
+    return Kept(model, tuple(dropped)) if error <= refit else found
+
+
+def _without(fitter: Fitter, model: FittedModel, index: int) -> FittedModel:
+    """Return a model without an effect, fitted again.
+
+    Raises:
+        PredictionError: it cannot be fitted.
+    """
+    others, values = model.without(index)
+    fewer = fitter.fit(others, values, model.noise, _STEPS)
+    if fewer is None:
+        raise PredictionError(f"the model cannot be fitted without {model.effects[index].label}")
+    return fitter.reweighted(fitter.fit(others, fewer.fit.values, fewer.noise) or fewer)
 
 
 def _size(model: FittedModel, index: int) -> Estimate | None:

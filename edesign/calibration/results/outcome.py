@@ -13,7 +13,7 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import FEWEST, Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import Evidence, Steps, depths_of, unexplained_share, verdict_of, why_withheld
-from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded
+from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded, validated
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
@@ -63,7 +63,14 @@ class Outcome:
 
         def fitted() -> tuple[FittedModel, Kept]:
             refit = at_full_rate(fitter, found.base)
-            return refit, kept(fitter, at_full_rate(fitter, found.best) if found.best.effects else refit)
+            if not found.best.effects:
+                return refit, Kept(refit, ())
+
+            def error(model: FittedModel) -> float:
+                return validation_error(whole, model.effects, model.fit.values)
+
+            sure = kept(fitter, at_full_rate(fitter, found.best))
+            return refit, validated(fitter, sure, error(refit), error)
 
         try:
             refit, final = steps.take("fitting all samples", fitted, (found.base, kept(thin, found.best)), True)

@@ -499,7 +499,7 @@ def test_every_form_is_checked_here_or_by_the_core():
     known |= {"offset.per_test", "drift.each_own", "hum.tone", "hum.two_tones", "hum.harmonics"}
     known |= {"self_heating.carried", "friction.presliding", "play.backlash"}
     known |= {"gas_spring.polytropic", "condition.parameter_of_V", "condition.gas_of_V"}
-    known |= {"hysteresis.stretch", "hysteresis.bouc_wen"}
+    known |= {"hysteresis.stretch"}
     known |= {"extremes.lasting"}
     endings = ("_inside", "_springs", "_dashpots", "_in_place")
     for form in forms(S):

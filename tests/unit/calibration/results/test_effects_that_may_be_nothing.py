@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from damper_problems import problem
 
-from edesign.calibration.results.fit import kept, unbounded
+from edesign.calibration.results.fit import kept, unbounded, validated
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.settings import SETTINGS
 from edesign.estimation.noise import Noise
@@ -54,3 +54,23 @@ def test_the_interval_of_a_size_is_told_in_units_of_a_laboratory() -> None:
 def test_sizes_that_the_tests_tell_stay() -> None:
     found = kept(unbounded(problem(), SETTINGS), fitted(mass=2000.0))
     assert {one.name for one in found.model.effects} == {"inertia", "offset"} and found.dropped == ()
+
+
+def test_an_effect_that_misleads_goes_and_the_others_stay() -> None:
+    """Validation tests without the mass of the tests fitted to: it is worse than no effects, the zero is not."""
+    model = fitted(mass=2000.0)
+    fitter = unbounded(model.problem, SETTINGS)
+    sure = kept(fitter, model)
+
+    def error(one: FittedModel) -> float:
+        names = [effect.name for effect in one.effects]
+        return 0.05 + 0.1 * ("inertia" in names) - 0.04 * ("offset" in names)
+
+    found = validated(fitter, sure, 0.05, error)
+    assert [one.name for one in found.model.effects] == ["offset"]
+    ((before, index, why),) = found.dropped
+    assert before is model and model.effects[index].name == "inertia"
+    assert why == "with it the validation tests are predicted worse (11 %) than without it (1 %)"
+    # no better than none: all are withheld, which is told elsewhere
+    assert validated(fitter, sure, 0.001, error) is sure
+    assert validated(fitter, sure, 0.2, error).model is model
