@@ -16,7 +16,8 @@ from edesign.damper.damper import Damper
 from edesign.damper.temperature import GammaT, at
 from edesign.estimation.noise import Noise
 
-BETWEEN_TESTS = ("mullins", "degradation", "self_heating")  # the first test alone begins as a law file has it
+BETWEEN_TESTS = ("mullins", "degradation", "self_heating", "pinching")
+"""Effects that remember earlier tests: the first test alone begins as a law file has it."""
 
 
 @pytest.mark.parametrize("law", ["kelvin_voigt", "mgmm"])
