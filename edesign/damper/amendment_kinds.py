@@ -505,11 +505,12 @@ AMENDMENTS: dict[tuple[str, str], AmendmentKind] = {
 """All amendments by name of the effect and form."""
 
 _ONCE_INSIDE = ("payne", "mullins", "hardening", "one_sided", "velocity_exponent")
+_WITH_PLACEMENTS = ("exponential", "saturating", "valve", "force", "position")  # which came with placements, or later
 
 FORMER_FORMS: dict[tuple[str, str], tuple[str, Placement]] = {
     (name, form + _INSIDE): (form, "inside")
     for name, form in AMENDMENTS
-    if name in _ONCE_INSIDE and form not in ("exponential", "valve", "force")  # these came with placements
+    if name in _ONCE_INSIDE and form not in _WITH_PLACEMENTS
 }
 """Forms that law files had before they said placements, by effect and form: the form today, and its placement."""
 
