@@ -41,6 +41,11 @@ static const amendment EACH[] = {
     {ED_AMEND_ONE_SIDED_VALVE, 3, {0.3, 0.5, -1.0}},
     {ED_AMEND_GAS_SPRING_POLYTROPIC, 3, {0.6, -0.55, 1.3}},
     {ED_AMEND_ONE_SIDED_FORCE, 2, {0.3, -1.0}},
+    {ED_AMEND_HARDENING_SATURATING, 2, {1.2, 0.5}},
+    {ED_AMEND_VELOCITY_EXPONENT_POSITION, 4, {0.5, 0.6, 1.4, 0.8}},
+    {ED_AMEND_HYSTERESIS_STRETCH, 4, {0.4, 0.2, 1.3, 0.7}},
+    {ED_AMEND_HYSTERESIS_BOUC_WEN, 3, {1.1, -1.8, 1.2}}, /* it stiffens on its way out */
+    {ED_AMEND_PINCHING_SLIP, 2, {0.4, 0.35}},
 };
 enum { KINDS = sizeof EACH / sizeof *EACH };
 
@@ -66,7 +71,7 @@ static void amend(rig *r, const amendment *one)
 
 /* Drivers and forces by the definitions, with memories of their own. */
 typedef struct {
-  double u, v, envelope[KINDS], largest, path, work, heat, branch, network, friction, force;
+  double u, v, envelope[KINDS], largest, path, work, heat, branch, network, friction, stretch, hysteresis, force;
 } memory;
 
 static double broken(const double *p, double *envelope, double h, double u)
@@ -93,10 +98,33 @@ static double cubic_u(const memory *m, double h, double u, double v, double s)
   return (1.0 - s) * (1.0 - s) * ((1.0 + 2.0 * s) * m->u + s * h * m->v) + s * s * ((3.0 - 2.0 * s) * u - (1.0 - s) * h * v);
 }
 
-/* z/x0 of Dahl's model after a way from one turn of the cubic to the next, by bisection between a hundred places. */
-static double dahl(const memory *m, double h, double u, double v, double x0)
+/* z/x0 of Dahl's model after a way that does not turn. */
+static double dahl(const double *p, double z, double way)
 {
-  double z = m->friction, from = m->u;
+  const double steady = way > 0.0 ? 1.0 : -1.0;
+  return steady + (z - steady) * exp(-fabs(way) / p[1]);
+}
+
+/* z of Bouc and Wen: with the signs of u' and of z fixed dz/dw = s - (gamma + beta s sgn z) z along the way w, which is linear. */
+static double bouc_wen(const double *p, double z, double way)
+{
+  const double s = way > 0.0 ? 1.0 : -1.0;
+  double left = fabs(way);
+  if (s * z < 0.0) { /* until it has passed zero */
+    const double rate = p[2] - p[1], steady = s / rate, zero = log(1.0 - z / steady) / rate;
+    if (left <= zero)
+      return steady + (z - steady) * exp(-rate * left);
+    left -= zero;
+    z = 0.0;
+  }
+  const double rate = p[2] + p[1], steady = s / rate;
+  return steady + (z - steady) * exp(-rate * left);
+}
+
+/* A state after a way from one turn of the cubic to the next, by bisection between a hundred places. */
+static double along(const memory *m, double h, double u, double v, const double *p, double z, double (*go)(const double *p, double z, double way))
+{
+  double from = m->u;
   for (int i = 0; i <= 100; i++) {
     double low = 0.01 * i, high = fmin(0.01 * (i + 1), 1.0);
     if (i < 100 && cubic_v(m, h, u, v, low) * cubic_v(m, h, u, v, high) >= 0.0)
@@ -105,8 +133,8 @@ static double dahl(const memory *m, double h, double u, double v, double x0)
       const double middle = 0.5 * (low + high);
       *(cubic_v(m, h, u, v, middle) * cubic_v(m, h, u, v, low) > 0.0 ? &low : &high) = middle;
     }
-    const double to = i < 100 ? cubic_u(m, h, u, v, low) : u, steady = to > from ? 1.0 : -1.0;
-    z = steady + (z - steady) * exp(-fabs(to - from) / x0);
+    const double to = i < 100 ? cubic_u(m, h, u, v, low) : u;
+    z = go(p, z, to - from);
     from = to;
   }
   return z;
@@ -168,9 +196,22 @@ static double expected(memory *m, const int *used, double h, double u, double v,
     }
     case ED_AMEND_FRICTION_COULOMB: beside += p[0] * (1.0 - 2.0 / (exp(2.0 * v / p[1]) + 1.0)); break;
     case ED_AMEND_FRICTION_PRESLIDING:
-      m->friction = dahl(m, h, u, v, p[1]);
+      m->friction = along(m, h, u, v, p, m->friction, dahl);
       beside += p[0] * m->friction;
       break;
+    case ED_AMEND_HARDENING_SATURATING: beside += p[0] * p[1] * (1.0 - 2.0 / (exp(2.0 * u / p[1]) + 1.0)); break;
+    case ED_AMEND_VELOCITY_EXPONENT_POSITION:
+      beside += copysign(p[0] * pow(fabs(u) / p[3], p[2]) * pow(fabs(v), p[1]), v);
+      break;
+    case ED_AMEND_HYSTERESIS_STRETCH:
+      m->stretch = along(m, h, u, v, p, m->stretch, dahl);
+      beside += p[0] * pow(fabs(u) / p[3], p[2]) * m->stretch;
+      break;
+    case ED_AMEND_HYSTERESIS_BOUC_WEN:
+      m->hysteresis = along(m, h, u, v, p, m->hysteresis, bouc_wen);
+      beside += p[0] * m->hysteresis;
+      break;
+    case ED_AMEND_PINCHING_SLIP: phi *= 1.0 - p[0] * exp(-u * u / (p[1] * p[1] * m->largest * m->largest)); break;
     case ED_AMEND_FRICTION_STRIBECK: {
       const double x = v / p[2];
       beside += p[0] * (1.0 + p[1] * exp(-x * x)) * (1.0 - 2.0 / (exp(20.0 * x) + 1.0));
