@@ -82,6 +82,7 @@ _SATURATING = EffectForm(
         shape("u0", "m", 0.2 * s.displacement, 0.01 * s.displacement, 2.0 * s.displacement, spread=0.7),
     ),
     lambda s: tuple((0.1 * s.force, at * s.displacement) for at in (0.05, 0.2, 0.5)),
+    meanings={"F_s": "force that the spring comes to"},
 )
 
 FORMS = (*placed(_POWER, Placement.WHOLE, Placement.INSIDE), _THRESHOLD, _EXPONENTIAL, _SATURATING)
