@@ -320,12 +320,16 @@ class Search:
         return None if model.names <= known.names else model
 
     def _insignificant(self, model: FittedModel, index: int) -> bool:
-        """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect."""
+        """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
+
+        A share may be all of it.
+        """
         size = model.places(index)[:1]
         if not size:
             return False
+        one = model.effects[index].parameters[0]
         if not model.fit.free[size[0]]:
-            return True
+            return not (one.upper == 1.0 and model.fit.values[size[0]] > 0.5)
         if not model.effects[index].linear:
             return False
         low, high = uncertainty(model.fit, model.noise).interval(size[0])
