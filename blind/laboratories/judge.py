@@ -61,14 +61,21 @@ def judge(
     }
 
 
-def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int]:
-    """How many parameters of the law have an interval that holds the true value, and how many were fitted."""
+def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | None:
+    """How many parameters of the law have an interval that holds the true value, and how many were fitted.
+
+    None where they are told at another temperature: of the MGMM at 20 degC, and beside a law of the temperature.
+    """
+    if truth["law"] == "mgmm" or any(e["name"] == "temperature_law" for e in truth["effects"]):
+        return None
     fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
     true = dict(truth["law_true"])
     if truth["law"] == "bouc_wen":
         # z has no unit of its own: the fit holds gamma, and with it the size of z
         size = (truth["law_declared"]["gamma"] / true["gamma"]) ** (1.0 / true["n"])
         true |= {"Fy": true["Fy"] * size, "Y": true["Y"] * size, "beta": true["beta"] * size ** true["n"]}
+    if truth["law"] == "friction":  # the fit holds N
+        true |= {"mu": true["mu"] * true["N"] / truth["law_declared"]["N"]}
     told = {name: fitted[name]["interval"] for name in true if fitted.get(name, {}).get("standard_error")}
     return [sum(low <= true[name] <= high for name, (low, high) in told.items()), len(told)]
 

@@ -89,6 +89,8 @@ def test_intervals_count_where_the_effects_are_right() -> None:
         "n": {"interval": [2.0, 2.0], "standard_error": 0.0},
     }
     assert judged(said, told)["inside"] == [2, 3]
+    assert judged(truth("one_F", "lag", law="mgmm"), result("lag"))["inside"] is None
+    assert judged(truth("one_F", "temperature_law"), result("temperature_law"))["inside"] is None
 
 
 def test_two_effects_are_a_set() -> None:
