@@ -69,13 +69,13 @@ def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | 
     if truth["law"] == "mgmm" or any(e["name"] == "temperature_law" for e in truth["effects"]):
         return None
     fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
-    true = dict(truth["law_true"])
+    true, declared = (dict(truth[key].get("parameters", truth[key])) for key in ("law_true", "law_declared"))
     if truth["law"] == "bouc_wen":
         # z has no unit of its own: the fit holds gamma, and with it the size of z
-        size = (truth["law_declared"]["gamma"] / true["gamma"]) ** (1.0 / true["n"])
+        size = (declared["gamma"] / true["gamma"]) ** (1.0 / true["n"])
         true |= {"Fy": true["Fy"] * size, "Y": true["Y"] * size, "beta": true["beta"] * size ** true["n"]}
     if truth["law"] == "friction":  # the fit holds N
-        true |= {"mu": true["mu"] * true["N"] / truth["law_declared"]["N"]}
+        true |= {"mu": true["mu"] * true["N"] / declared["N"]}
     told = {name: fitted[name]["interval"] for name in true if fitted.get(name, {}).get("standard_error")}
     return [sum(low <= true[name] <= high for name, (low, high) in told.items()), len(told)]
 

@@ -39,7 +39,8 @@ def truth(category: str, *effects: str, accept: tuple[str, ...] = (), **changed:
         "noise_floor_validate": 0.01,
         "tests_in_motion": [],
         "nrms_is": "root: rms error over rms force",
-        "law_true": {"k0": 2.0},
+        "law_true": {"type": "zener", "parameters": {"k0": 2.0}},
+        "law_declared": {"k0": 2.1},
         **changed,
     }
 
