@@ -46,7 +46,7 @@ def calibrate(
             "-e",
             min=1.0,
             help="Predictions of all tests, weighted by what effects cost, after which the search "
-            "ends unfinished. The same on every machine; 20 000 if not said.",
+            "ends unfinished. The same on every machine; 10 000 if not said.",
             show_default=False,
         ),
     ] = None,

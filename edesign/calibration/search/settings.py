@@ -38,7 +38,7 @@ class SearchSettings:
     shared_discrepancy: float = 0.3
     own_discrepancy: float = 0.1
     least: float = 0.002
-    effort: float = 20_000.0
+    effort: float = 10_000.0
 
 
 SETTINGS = SearchSettings()
