@@ -1,4 +1,4 @@
-"""What all tests share: one thread of BLAS, and drawn examples that are judged by what they give.
+"""What all tests share: one thread of BLAS, no width of a terminal, and drawn examples judged by what they give.
 
 Never by the time that a loaded machine takes.
 """
@@ -9,6 +9,9 @@ import os
 # cores that have other tests to run this takes up to ten times the work
 for _library in ("OPENBLAS", "OMP", "MKL"):
     os.environ.setdefault(f"{_library}_NUM_THREADS", "1")
+
+# workers of pytest-xdist have the width of the terminal; tables in a pipe, as tests read them, would be folded to it
+os.environ.pop("COLUMNS", None)
 
 from hypothesis import HealthCheck, settings  # noqa: E402
 
