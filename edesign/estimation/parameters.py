@@ -27,6 +27,7 @@ class Parameter:
         spread: standard deviation of the prior, SI, of a logarithmic parameter that of its natural logarithm.
         logarithmic: whether the logarithm is normal: a positive parameter whose order of magnitude is not known.
         flat: whether nothing is known but the bounds: centre and spread are then the origin and unit of the coordinate.
+        whole: whether it is a share of a whole: at its upper bound, all of it, the model is as right as below.
     """
 
     name: str
@@ -37,6 +38,7 @@ class Parameter:
     spread: float
     logarithmic: bool = False
     flat: bool = False
+    whole: bool = False
 
     def __post_init__(self) -> None:
         finite = math.isfinite(self.centre) and 0.0 < self.spread < math.inf

@@ -15,7 +15,7 @@ from edesign.calibration.search.screening import Screening, screen
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.estimation.left_out import LEAST, Difference, difference
 from edesign.estimation.noise import Noise
-from edesign.estimation.uncertainty import uncertainty
+from edesign.estimation.uncertainty import at_bounds, uncertainty
 
 Ending = Literal["complete", "effort_spent", "interrupted"]
 Progress = Callable[[str], None]
@@ -322,14 +322,14 @@ class Search:
     def _insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.
 
-        A share may be all of it.
+        A share of a whole may be all of it.
         """
         size = model.places(index)[:1]
         if not size:
             return False
-        one = model.effects[index].parameters[0]
-        if not model.fit.free[size[0]]:
-            return not (one.upper == 1.0 and model.fit.values[size[0]] > 0.5)
+        bound = at_bounds(model.fit)[size[0]]
+        if bound:
+            return not (bound == "upper" and model.effects[index].parameters[0].whole)
         if not model.effects[index].linear:
             return False
         low, high = uncertainty(model.fit, model.noise).interval(size[0])

@@ -80,7 +80,7 @@ _OTHER = tuple(
         form=kind,
         title=f"{kind} damping in the place of a share of the declared one",
         act=ChangedBuilding(_of_kind(kind)),
-        parameters=lambda _: (share("share", 0.0, 1.0),),
+        parameters=lambda _: (replace(share("share", 0.0, 1.0), whole=True),),
         starts=lambda _: ((0.5,),),
         shown=_is_another(kind),
     )

@@ -163,11 +163,11 @@ def test_an_effect_at_the_bound_of_its_size_is_another_one() -> None:
     assert found(CurveProblem(effects=(small,), truth=((linear("large", shape), (0.08,)),))).best.names == {"small"}
 
 
-@pytest.mark.parametrize(("most", "names"), [(1.0, {"part"}), (0.99, set())], ids=["all of it", "another one"])
-def test_a_share_may_be_all_of_it(most: float, names: set[str]) -> None:
+@pytest.mark.parametrize(("whole", "names"), [(True, {"part"}), (False, set())], ids=["share", "size"])
+def test_a_share_may_be_all_of_it(whole: bool, names: set[str]) -> None:
     """Noise makes a little more than the whole of what was measured."""
     shape = columns(7)
-    size = Parameter("share", "", 0.0, most, 0.5, 0.5)
+    size = Parameter("share", "", 0.0, 1.0, 0.5, 0.5, whole=whole)
     part = Effect("part", "x", "damper", (size,), ((0.5,),), False, False, lambda p, i, u, v: p[0] * shape[i])
     model = found(CurveProblem(effects=(part,), truth=((linear("whole", shape), (1.01,)),))).best
     assert model.names == names
