@@ -117,7 +117,7 @@ class Search:
             self._adopt(adopted)
 
     def _adopt(self, model: FittedModel) -> None:
-        """Make a model the best one; none of its effects is so twice, so that the search comes to its end."""
+        """Make a model the best one; no set of effects is that twice, so that the search comes to its end."""
         self._best = model
         self._visited.add(model.names)
 
