@@ -10,7 +10,7 @@ from typing import Literal
 import numpy as np
 
 from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter, Start
-from edesign.calibration.search.problem import Problem
+from edesign.calibration.search.problem import Effect, Problem
 from edesign.calibration.search.screening import Screening, screen
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.estimation.left_out import LEAST, Difference, difference
@@ -88,6 +88,7 @@ class Search:
     ) -> None:
         self._problem, self._settings, self._progress = problem, settings, progress
         self._fitter = Fitter(problem, settings)
+        self._beside = dict[frozenset[str], dict[str, FittedModel]]()
 
     def run(self) -> Found:
         """Search until the next depth, fully searched, does not pass the rule, or until the effort is spent."""
@@ -126,7 +127,7 @@ class Search:
 
         Those that the best model does not surely beat are its rivals: the tests cannot tell them apart.
         """
-        fitter, best = self._fitter, self._best
+        best = self._best
         self._rivals = []
         for index, effect in enumerate(best.effects):
             self._progress(f"trying others in the place of {effect.label}")
@@ -134,18 +135,9 @@ class Search:
             if rest is None:
                 self._rivals.append(())
                 continue
-            noise = fitter.noise(best, rest)
-            found: dict[str, FittedModel] = {}
-            for start, gain in screen(fitter, rest, rest).singles:
-                name = start.effect.name
-                if gain <= 0.0 or len(found) == self._settings.others:
-                    break
-                if name == effect.name or name in found:
-                    continue
-                grown = fitter.extended(rest, [start], noise)
-                if grown is not None:
-                    found[name] = fitter.reweighted(fitter.rough(grown, noise))
-            tried = [Tried(one, self._difference(one, best, noise, rest)) for one in found.values()]
+            noise = self._fitter.noise(best, rest)
+            others = self._in_place(effect, rest)
+            tried = [Tried(one, self._difference(one, best, noise, rest)) for one in others]
             # what equations may be wrong by, of an effect that does much, must not hide that less is explained
             better = [
                 one
@@ -162,6 +154,30 @@ class Search:
             alike = [one for one in tried if not self._difference(best, one.model, noise, rest).sure]
             self._rivals.append(tuple(alike))
         return False
+
+    def _in_place(self, effect: Effect, rest: FittedModel) -> list[FittedModel]:
+        """Return models with another effect in the place of one, fitted: those that the screening puts first.
+
+        Args:
+            effect: that is replaced.
+            rest: model without it.
+        """
+        key = frozenset(one.label for one in rest.effects)
+        if key not in self._beside:
+            found: dict[str, FittedModel] = {}
+            screening = screen(self._fitter, rest, rest)
+            for start, gain in screening.singles:
+                if gain <= 0.0 or len(found) > self._settings.others:
+                    break
+                if start.effect.name in found:
+                    continue
+                grown = self._fitter.extended(rest, [start], screening.noise)
+                if grown is not None:
+                    rough = self._fitter.rough(grown, screening.noise)
+                    found[start.effect.name] = self._fitter.reweighted(rough)
+            self._beside[key] = found
+        others = [one for name, one in self._beside[key].items() if name != effect.name]
+        return others[: self._settings.others]
 
     def _predicts_better(self, one: FittedModel, other: FittedModel) -> bool:
         """Return whether a model predicts better than another one beside what this one leaves alone."""
@@ -205,6 +221,8 @@ class Search:
         for one in tried:
             # of those that pass, the best by what is needed of it; parts of it may be less than the next one
             if not one.difference.sure or one.difference.total <= most:
+                continue
+            if not self._identified_among(tried, one.model, best, noise):
                 continue
             needed = self._pruned(self._with_best_forms(one.model, noise), best)
             if needed is not None and needed.names not in self._visited:
@@ -310,7 +328,12 @@ class Search:
                     one = fitter.reweighted(self._with_best_forms(one, noise, True))
                     noise = fitter.noise(model, one)
                 seen = one.nrms - model.nrms > max(self._settings.least**2, fitter.problem.input_noise)
-                if not seen or not self._difference(model, one, noise, one).sure or self._insignificant(model, index):
+                if (
+                    not seen
+                    or not self._difference(model, one, noise, one).sure
+                    or self._insignificant(model, index)
+                    or not self._identified_in(model, index, one, noise)
+                ):
                     simpler.append(one)
             if not simpler:
                 break
@@ -318,6 +341,30 @@ class Search:
             model = max(simpler, key=lambda one: fitter.score(one, noise).total)
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model
+
+    def _identified_among(self, tried: Sequence[Tried], model: FittedModel, known: FittedModel, noise: Noise) -> bool:
+        """Return whether what a model adds is no error of the equations of known effects.
+
+        It explains more than these may be wrong by, or no model with other effects predicts as well.
+        """
+        if known.nrms - model.nrms > self._errors(known, range(len(known.effects))):
+            return True
+        others = [one.model for one in tried if not (one.model.names <= model.names or one.model.names >= model.names)]
+        return all(self._difference(model, one, noise, known).sure for one in others)
+
+    def _identified_in(self, model: FittedModel, index: int, rest: FittedModel, noise: Noise) -> bool:
+        """Return whether an effect is no error of the equations of the others.
+
+        It explains more than these may be wrong by, or no other effect predicts as well in its place.
+        """
+        if rest.nrms - model.nrms > self._errors(model, [i for i in range(len(model.effects)) if i != index]):
+            return True
+        others = self._in_place(model.effects[index], rest)
+        return all(self._difference(model, one, noise, rest).sure for one in others)
+
+    def _errors(self, model: FittedModel, effects: Sequence[int]) -> float:
+        """Return the share of the power of what was measured by which equations of effects may be wrong."""
+        return self._settings.own_discrepancy**2 * sum(model.size(i) ** 2 for i in effects)
 
     def _insignificant(self, model: FittedModel, index: int) -> bool:
         """Return whether the size of an effect may be nothing (95 %), or is at a bound, where it is another effect.

@@ -205,6 +205,50 @@ def test_an_equation_may_be_wrong_in_a_way_that_no_other_one_of_it_is() -> None:
     assert found(problem, own_discrepancy=0.0).best.names == {"hardening", "bend"}
 
 
+def small_beside_a_large_one() -> tuple[CurveProblem, Effect]:
+    """An effect of a third of the force, and 6 % of it that two other effects explain nearly as well."""
+    cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    error = [0.01 * c for c in columns(51)]
+    truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * u**3 + error[i])
+
+    def like(name: str, seed: int) -> Effect:
+        return linear(name, [m + 0.003 * c for m, c in zip(error, columns(seed), strict=True)])
+
+    one, other = like("one", 52), like("other", 53)
+    return CurveProblem(effects=(cubic, one, other), truth=((truth, (0.5,)),), noise=0.002), one
+
+
+def test_a_small_effect_that_another_one_explains_as_well_is_an_error_of_the_large_one() -> None:
+    problem, one = small_beside_a_large_one()
+    assert found(problem).best.names == {"hardening"}
+    cubic = problem.effects[0]
+    assert found(replace(problem, effects=(cubic, one))).best.names == {"hardening", "one"}
+
+
+def test_a_small_effect_that_came_in_a_pair_needs_to_be_told_from_others_too() -> None:
+    """Only the best model is fitted to the end, so that no rival of it is at hand."""
+    problem, _ = small_beside_a_large_one()
+    result = found(problem, beam=1)
+    assert [tried.model.label for tried in result.depths[0].tried] == ["hardening.cubic + other.x"]
+    assert result.best.names == {"hardening"}
+
+
+def test_a_small_pair_that_another_pair_explains_as_well_is_an_error_of_the_large_effect() -> None:
+    """Of each pair the difference is what is missing, and no effect of one pair does without the other of it."""
+    cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    error = [0.01 * c for c in columns(51)]
+    truth = effect("hardening", "truth", lambda p, i, u, v: p[0] * u**3 + error[i])
+
+    def pair(one: str, other: str, seed: int) -> tuple[Effect, Effect]:
+        apart = [0.1 * c for c in columns(seed)]
+        return linear(one, [m + c for m, c in zip(error, apart, strict=True)]), linear(other, apart)
+
+    first, second = pair("first", "second", 52), pair("third", "fourth", 53)
+    problem = CurveProblem(effects=(cubic, *first), truth=((truth, (0.5,)),), noise=0.002)
+    assert found(problem).best.names == {"hardening", "first", "second"}
+    assert found(replace(problem, effects=(cubic, *first, *second))).best.names == {"hardening"}
+
+
 def test_effects_are_screened_beside_what_is_each_tests_own() -> None:
     """What the second effect does is a constant mostly, of which each test has one of its own."""
     lifted = effect("lifted", "x", lambda p, i, u, v: p[0] * (20.0 + np.sin(7.0 * u)))
