@@ -24,7 +24,7 @@ from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms as damper_forms
 from edesign.calibration.dampers.sizes import Condition, Sizes
 from edesign.calibration.properties import arrangement, reading
-from edesign.calibration.properties.reading import Reading
+from edesign.calibration.properties.reading import ReadingForm
 from edesign.calibration.structures.building import Building, Damping, DampingKind
 from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm
 from edesign.calibration.structures.effects import forms as structure_forms
@@ -82,7 +82,7 @@ class Row:
         fixed: numbers that the campaign fixes, by name.
     """
 
-    form: EffectForm | StructureForm | Reading
+    form: EffectForm | StructureForm | ReadingForm
     name: str
     where: tuple[str, ...]
     parameters: tuple[tuple[Parameter, str, str], ...]
@@ -131,7 +131,7 @@ def structure_rows() -> list[Row]:
 
 def table_rows() -> list[Row]:
     """Forms of effects that tables of moduli alone show."""
-    every: tuple[EffectForm | Reading, ...] = (*arrangement.FORMS, *reading.FORMS)
+    every: tuple[EffectForm | ReadingForm, ...] = (*arrangement.FORMS, *reading.FORMS)
     return [_row(form, _USUAL, _of_dampers, _SYMBOLS) for form in every]
 
 
@@ -151,7 +151,7 @@ def _row(
             spread = f"{one.spread:.3g}"
         prior = f"{'ln ' if one.logarithmic else ''}N({centre}, {spread})"
         parameters.append((one, prior, f"{lower} to {upper}"))
-    constants = (lambda _: {}) if isinstance(form, Reading) else form.constants
+    constants = form.constants
     named = {name for name in constants(sizes) if not re.fullmatch(r"f\d_\d|size|side|first_test|q_mean|q_range", name)}
     fixed = {name: text(lambda s, name=name: constants(s)[name], "") for name in sorted(named)}  # type: ignore[misc]
     base, where = _placed(form)
@@ -215,14 +215,14 @@ def _power(symbol: str, power: int) -> str:
     return symbol if power == 1 else f"{symbol}^{power}"
 
 
-def _placed(form: EffectForm | StructureForm | Reading) -> tuple[str, tuple[str, ...]]:
+def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[str, ...]]:
     """Return the name of a form without its placement, side and number, and where it acts."""
     base = re.sub(r"_from_test_\d+$", "_from_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
-    if isinstance(form, Reading):
+    if isinstance(form, ReadingForm):
         return base, ("what was read",)
     if isinstance(form, StructureForm):
         kinds = {ChangedBuilding: "building", Links: "beside storeys"}
-        return base, (kinds.get(type(form.act), "channels"),)
+        return base, (kinds.get(type(form.acts[0]), "channels"),)
     in_place = base.endswith("_in_place")
     base = base.removesuffix("_in_place")
     placements = {act.placement for act in form.amendments}

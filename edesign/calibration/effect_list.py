@@ -160,9 +160,7 @@ def _known(tests: str, forms: list[Any], page: str, sizes: Any) -> KnownEffect:
             listed[name] = replace(known, placements=(*known.placements, placement))
     first = forms[0]
     signatures = "; or ".join(dict.fromkeys(form.signature for form in forms))
-    return KnownEffect(
-        first.name, tests, getattr(first, "kind", "instrument"), signatures, tuple(listed.values()), page
-    )
+    return KnownEffect(first.name, tests, first.kind, signatures, tuple(listed.values()), page)
 
 
 def _by_layer(form: Any) -> bool:

@@ -9,7 +9,7 @@ measured motion -> MotionChannel  the motion that the rig made, then the one of 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import Enum
 from functools import lru_cache
@@ -19,13 +19,11 @@ import numpy as np
 
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.form import Values
 from edesign.core.damper import AmendmentValues
 from edesign.damper.amendment_kinds import parameters_in_core
 from edesign.damper.law import Law
 from edesign.estimation.model import PredictionError
-
-Values = Mapping[str, float]
-"""Parameters by name, SI: those of a form, and numbers that the campaign fixes."""
 
 
 class Placement(Enum):

@@ -20,12 +20,12 @@ from edesign.calibration.dampers.acts import (
     Rest,
     Rig,
     RigValues,
-    Values,
 )
-from edesign.calibration.dampers.effect import REFINED, FormInCampaign
+from edesign.calibration.dampers.effect import REFINED
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.law_forces import LONG, LawTest, forces
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.form import FormInCampaign, Values
 from edesign.core import CoreError
 from edesign.damper.history import NONE
 from edesign.damper.law import Law

@@ -10,14 +10,16 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import LastingExtremes, OwnShares, Values
-from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
+from edesign.calibration.dampers.acts import LastingExtremes, OwnShares
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects import forms
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.law_forces import accepted, length_of
 from edesign.calibration.dampers.prediction import Kept, Prediction
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncertain_inputs
+from edesign.calibration.form import FormInCampaign, Values
+from edesign.calibration.problems import EffectModel, Predicted, TestedProblem, changed
 from edesign.calibration.search.problem import Effect
 from edesign.damper.fitting.identifiable import HELD, LIMITED_BY
 from edesign.damper.fitting.scales import Scales
@@ -34,7 +36,7 @@ _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed
 
 
 @dataclass(frozen=True, eq=False)
-class DamperProblem:
+class DamperProblem(TestedProblem):
     """Tests of one specimen in the order in which they were made, and the law thought to describe it.
 
     Attributes:
@@ -66,13 +68,10 @@ class DamperProblem:
         """Indices of the tests that are fitted."""
         return self.used_for("fit")
 
-    def used_for(self, *uses: Use) -> tuple[int, ...]:
-        """Return the indices of tests of some uses.
-
-        Args:
-            uses: fit, validate.
-        """
-        return tuple(i for i, one in enumerate(self.experiments) if one.use in uses)
+    @property
+    def uses(self) -> tuple[Use, ...]:
+        """Use of each test."""
+        return tuple(one.use for one in self.experiments)
 
     @cached_property
     def deviations(self) -> tuple[float, ...]:
@@ -123,7 +122,7 @@ class DamperProblem:
         """Effects that the campaign can show and the core takes with this law."""
         values = self.law.all_parameters(self.declared)
         varied = [one.name for one in values if one.fitted and self.declared[one.name] and one.name not in self._held]
-        return tuple(_effect(form, self.typical) for form in forms(self.typical, varied) if self._suits(form))
+        return tuple(form.effect(self.typical) for form in forms(self.typical, varied) if self._suits(form))
 
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:
@@ -132,7 +131,7 @@ class DamperProblem:
             return False
         if not form.amendments:
             return True
-        p = _in_campaign(form, self.typical).values(form.starts(self.typical)[0])
+        p = form.of(self.typical).values(form.starts(self.typical)[0])
         try:
             amendments = [act.in_test(p, self.experiments[0]) for act in form.amendments]
         except PredictionError:
@@ -178,23 +177,8 @@ class DamperProblem:
 
 
 @dataclass(frozen=True, eq=False)
-class DamperModel:
-    """A law with effects, of some tests.
-
-    Attributes:
-        problem: of the tests.
-        effects: beside or on the law.
-        tests: indices of the tests.
-    """
-
-    problem: DamperProblem
-    effects: tuple[Effect, ...]
-    tests: tuple[int, ...]
-
-    @cached_property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Those of the law, and of the effects in their order."""
-        return (*self.problem.base, *(one for effect in self.effects for one in effect.parameters))
+class DamperModel(EffectModel[DamperProblem]):
+    """A law with effects, of some tests."""
 
     @cached_property
     def weights(self) -> tuple[np.ndarray, ...]:
@@ -206,7 +190,7 @@ class DamperModel:
         """Weighted force (n_i,) N of each test."""
         return tuple(w * self.problem.experiments[i].force for i, w in zip(self.tests, self.weights, strict=True))
 
-    def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+    def predict(self, values: np.ndarray) -> list[Predicted]:
         """Return the weighted force (n_i,) N of each test for each set of parameters, or why there is none.
 
         Args:
@@ -214,9 +198,7 @@ class DamperModel:
         """
         return self._weighted(self.forces(values))
 
-    def near(
-        self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
-    ) -> list[list[np.ndarray] | PredictionError]:
+    def near(self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]) -> list[Predicted]:
         """Return predictions as `predict` does, with changes from a set of parameters near by in longer steps.
 
         Args:
@@ -227,14 +209,9 @@ class DamperModel:
         here, *there = self._weighted(self.forces(np.vstack((around, values)), rough=True))
         if isinstance(here, PredictionError):
             return self.predict(values)
-        return [
-            one
-            if isinstance(one, PredictionError)
-            else [y + (f - g) for y, f, g in zip(predicted, one, here, strict=True)]
-            for one in there
-        ]
+        return changed(predicted, here, there)
 
-    def forces(self, values: np.ndarray, rough: bool = False) -> list[list[np.ndarray] | PredictionError]:
+    def forces(self, values: np.ndarray, rough: bool = False) -> list[Predicted]:
         """Return the force (n_i,) N of each test for each set of parameters, or why there is none.
 
         Args:
@@ -243,9 +220,7 @@ class DamperModel:
         """
         return self.problem.prediction.predict([self._of(one) for one in np.atleast_2d(values)], self.tests, rough)
 
-    def _weighted(
-        self, forces: Sequence[list[np.ndarray] | PredictionError]
-    ) -> list[list[np.ndarray] | PredictionError]:
+    def _weighted(self, forces: Sequence[list[np.ndarray] | PredictionError]) -> list[Predicted]:
         return [
             of_set
             if isinstance(of_set, PredictionError)
@@ -315,36 +290,7 @@ class DamperModel:
 
     def _of(self, values: np.ndarray) -> tuple[dict[str, float], list[tuple[FormInCampaign, Values]]]:
         """Return the law's parameters, and the effects with theirs."""
-        at = len(self.problem.base)
-        law = {
-            **self.problem.declared,
-            **{one.name: float(v) for one, v in zip(self.problem.base, values, strict=False)},
-        }
-        found = []
-        for effect in self.effects:
-            found.append((effect.data, effect.data.values(values[at : at + len(effect.parameters)])))
-            at += len(effect.parameters)
-        return law, found
-
-
-def _in_campaign(form: EffectForm, sizes: Sizes) -> FormInCampaign:
-    return FormInCampaign(form, form.constants(sizes), tuple(one.name for one in form.parameters(sizes)))
-
-
-def _effect(form: EffectForm, sizes: Sizes) -> Effect:
-    parameters = form.parameters(sizes)
-    first = parameters[0] if parameters else None
-    linear = form.proportional and first is not None and not first.logarithmic and first.lower <= 0.0 <= first.upper
-    return Effect(
-        form.name,
-        form.form,
-        form.kind,
-        parameters,
-        form.starts(sizes),
-        linear,
-        form.own,
-        _in_campaign(form, sizes),
-    )
+        return {**self.problem.declared, **self.base_values(values)}, self.effect_values(values)
 
 
 def _about_declared(

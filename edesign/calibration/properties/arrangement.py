@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, LawParameters, Values
+from edesign.calibration.dampers.acts import Amendment, LawParameters
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
+from edesign.calibration.form import Values
 from edesign.damper.law import Law
 
 _AT_ONCE = 1e-4  # s: relaxation that is none, for dashpots at 4 Hz a phase of 0.0025

@@ -9,8 +9,8 @@ import numpy as np
 
 from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LawParameters
-from edesign.calibration.dampers.effect import FormInCampaign
 from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.form import FormInCampaign
 from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.repeatability import QUANTITIES
 from edesign.calibration.results.law_file import law_file

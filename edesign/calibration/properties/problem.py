@@ -8,16 +8,19 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import LastingExtremes, Values
-from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
+from edesign.calibration.dampers.acts import LastingExtremes
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import FormInCampaign, Values
+from edesign.calibration.problems import EffectModel, Predicted, TestedProblem
 from edesign.calibration.properties import arrangement, reading
 from edesign.calibration.properties.campaign import Group
-from edesign.calibration.properties.reading import Reading
+from edesign.calibration.properties.reading import Reading, ReadingForm
 from edesign.calibration.properties.repeatability import noise_of
+from edesign.calibration.results.law_file import ARRANGEMENT
 from edesign.calibration.search.problem import Effect
 from edesign.damper.history import spline_velocity
 from edesign.damper.law import Law
@@ -45,7 +48,7 @@ class SteadyTest(Experiment):
 
 
 @dataclass(frozen=True, eq=False)
-class PropertyProblem:
+class PropertyProblem(TestedProblem):
     """Rows of a property table, in groups: the tests of the search.
 
     A value is a property over the measured one, so that all measured values are 1 and a residual is a relative error.
@@ -65,13 +68,15 @@ class PropertyProblem:
     cycles: tuple[int, int]
     samples: int
 
-    def used_for(self, *uses: Use) -> tuple[int, ...]:
-        """Return the indices of groups of some uses.
+    @property
+    def base(self) -> tuple[Parameter, ...]:
+        """Parameters of the law with priors about what is declared."""
+        return self.inner.base
 
-        Args:
-            uses: fit, validate.
-        """
-        return tuple(i for i, group in enumerate(self.groups) if group.use in uses)
+    @property
+    def uses(self) -> tuple[Use, ...]:
+        """Use of each group."""
+        return tuple(group.use for group in self.groups)
 
     @cached_property
     def repeats(self) -> float:
@@ -88,22 +93,12 @@ class PropertyProblem:
         """Size of the measured values of each group that is fitted: 1."""
         return (1.0,) * len(self.used_for("fit"))
 
-    @property
-    def input_noise(self) -> float:
-        """Share of the power that noise of measured inputs makes: a table has none."""
-        return 0.0
-
-    @property
-    def start(self) -> tuple[float, ...]:
-        """Values, SI, from which the base is fitted."""
-        return tuple(one.centre for one in self.model(()).parameters)
-
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that steady cycles, or what was read from them, can show."""
         steady = [one for one in self.inner.effects if one.name in _SHOWN and _in_every_row(one)]
-        forms = [form for form in arrangement.FORMS if self.inner.law.name in form.laws]
-        return (*steady, *map(_rearranged, forms), *(_read(one, self.inner.typical) for one in reading.FORMS))
+        forms = (*(form for form in arrangement.FORMS if self.inner.law.name in form.laws), *reading.FORMS)
+        return (*steady, *(form.effect(self.inner.typical) for form in forms))
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> PropertyModel:
         """Return the law with effects; its parameters are those of the law, and of the effects in their order."""
@@ -111,44 +106,25 @@ class PropertyProblem:
 
 
 @dataclass(frozen=True, eq=False)
-class PropertyModel:
-    """A law with effects, of some groups of rows.
-
-    Attributes:
-        problem: of the table.
-        effects: beside or on the law, or of what was read.
-        groups: indices of the groups.
-    """
-
-    problem: PropertyProblem
-    effects: tuple[Effect, ...]
-    groups: tuple[int, ...]
-
-    @cached_property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Those of the law, and of the effects in their order."""
-        return (*self.problem.inner.base, *(one for effect in self.effects for one in effect.parameters))
+class PropertyModel(EffectModel[PropertyProblem]):
+    """A law with effects, of some groups of rows, which are its tests."""
 
     @cached_property
     def measured(self) -> tuple[np.ndarray, ...]:
         """Ones (3 rows,) of each group: G', G_eq and loss factor of each row over themselves."""
-        return tuple(np.ones(3 * self.problem.groups[i].rows.size) for i in self.groups)
+        return tuple(np.ones(3 * self.problem.groups[i].rows.size) for i in self.tests)
 
     @cached_property
     def rows(self) -> np.ndarray:
         """Indices (n,) of the rows, ascending."""
-        return np.sort(np.concatenate([self.problem.groups[i].rows for i in self.groups]))
+        return np.sort(np.concatenate([self.problem.groups[i].rows for i in self.tests]))
 
-    def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+    def predict(self, values: np.ndarray) -> list[Predicted]:
         """Return G', G_eq and loss factor over the measured ones (3 rows,) of each group for each set."""
         return [
-            found if isinstance(found, PredictionError) else [self._ratios(found, i) for i in self.groups]
+            found if isinstance(found, PredictionError) else [self._ratios(found, i) for i in self.tests]
             for found in self.amplitudes(values)
         ]
-
-    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return None of each group: nothing is a group's own."""
-        return [None] * len(self.groups)
 
     def amplitudes(self, values: np.ndarray) -> list[np.ndarray | PredictionError]:
         """Return force amplitudes (3, all rows), N: in phase, largest, of the energy; nan of rows of other groups.
@@ -206,19 +182,14 @@ class PropertyModel:
         self, values: np.ndarray
     ) -> tuple[dict[str, float], list[tuple[FormInCampaign, Values]], list[tuple[Reading, Values]]]:
         """Return the law's parameters, effects on the loops and those of reading, with theirs."""
-        inner, at = self.problem.inner, len(self.problem.inner.base)
-        law = {**inner.declared, **{one.name: float(v) for one, v in zip(inner.base, values, strict=False)}}
+        law = {**self.problem.inner.declared, **self.base_values(values)}
         steady: list[tuple[FormInCampaign, Values]] = []
         readings: list[tuple[Reading, Values]] = []
-        for effect in self.effects:
-            own = values[at : at + len(effect.parameters)]
-            at += len(effect.parameters)
-            if isinstance(effect.data, Reading):
-                readings.append((effect.data, {effect.parameters[0].name: float(own[0])}))
-            elif effect.name == "arrangement":
-                steady.append((effect.data, law))
+        for of, p in self.effect_values(values):
+            if isinstance(of.form, ReadingForm):
+                readings += [(act, p) for act in of.form.acts]
             else:
-                steady.append((effect.data, effect.data.values(own)))
+                steady.append((of, law if of.form.name == ARRANGEMENT else p))
         return law, steady, readings
 
     def _ratios(self, amplitudes: np.ndarray, group: int) -> np.ndarray:
@@ -290,11 +261,3 @@ def problem_of(
 def _in_every_row(effect: Effect) -> bool:
     form: EffectForm = effect.data.form
     return _ONE_TEST not in form.form and not form.own and not any(isinstance(a, LastingExtremes) for a in form.acts)
-
-
-def _rearranged(form: EffectForm) -> Effect:
-    return Effect(form.name, form.form, form.kind, (), ((),), False, data=FormInCampaign(form, {}, ()))
-
-
-def _read(one: Reading, sizes: Sizes) -> Effect:
-    return Effect(one.name, one.form, "instrument", one.parameters(sizes), one.starts(sizes), True, data=one)

@@ -2,51 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Values
-from edesign.calibration.dampers.effect import Rows, size
 from edesign.calibration.dampers.sizes import Sizes
-from edesign.estimation.parameters import Parameter
-
-_SOURCE = "thesis Eqs. 3.1-3.4 and section 3.3"
+from edesign.calibration.form import Form, Values, size
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True)
 class Reading:
-    """A form of an effect that changes what is read from the loops.
+    """Force amplitudes read otherwise than the loops have them, in proportion to the one parameter of a form.
 
     Attributes:
-        name: of the effect.
-        form: how it acts.
-        title: for people.
-        signature: what it leaves in the residual of a model without it, for people.
-        source: paper, book.
         factors: of the force in phase, the largest force and that of the energy, (3,) per unit of the parameter.
         added: forces (3,) per unit of the parameter.
-        parameters: with priors that suit a table; the first is its size.
-        starts: values, SI, to start from.
-        meanings: of its parameter by name, for people.
     """
 
-    name: str
-    form: str
-    title: str
-    signature: str
-    factors: tuple[float, float, float]
-    added: tuple[float, float, float]
-    parameters: Callable[[Sizes], tuple[Parameter, ...]]
-    starts: Callable[[Sizes], Rows]
-    meanings: Mapping[str, str]
-    source: str = _SOURCE
-
-    @property
-    def constants(self) -> Values:
-        """No number is fixed by the table."""
-        return {}
+    factors: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    added: tuple[float, float, float] = (0.0, 0.0, 0.0)
 
     def read(self, p: Values, amplitudes: np.ndarray) -> np.ndarray:
         """Return force amplitudes (3, rows), N, as they were read.
@@ -60,38 +34,42 @@ class Reading:
         return np.asarray((1.0 + value * factors)[:, np.newaxis] * amplitudes + value * added[:, np.newaxis])
 
 
+class ReadingForm(Form[Reading, Sizes]):
+    """A form of an effect of how a table was read from loops."""
+
+
+_PEAK = ReadingForm(
+    "peak_reading",
+    "share",
+    "instrument",
+    "the largest stress read too large by a share, as in cycles before the material has softened",
+    "G_eq off by one factor beside G' and loss factor, whatever strain, frequency and temperature",
+    "thesis Eqs. 3.1-3.4 and section 3.3",
+    (Reading(factors=(0.0, 1.0, 0.0)),),
+    lambda _: (size("share", "", 0.1, -0.5, 1.0),),
+    lambda _: ((0.05,),),
+    meanings={"share": "by which the largest stress is read too large"},
+)
+
 FORMS = (
-    Reading(
-        "peak_reading",
-        "share",
-        "the largest stress read too large by a share, as in cycles before the material has softened",
-        "G_eq off by one factor beside G' and loss factor, whatever strain, frequency and temperature",
-        (0.0, 1.0, 0.0),
-        (0.0, 0.0, 0.0),
-        lambda _: (size("share", "", 0.1, -0.5, 1.0),),
-        lambda _: ((0.05,),),
-        {"share": "by which the largest stress is read too large"},
+    _PEAK,
+    replace(
+        _PEAK,
+        form="force",
+        title="the largest stress read from noisy samples",
+        signature="G_eq too large by one force at all amplitudes, most in small tests",
+        acts=(Reading(added=(0.0, 1.0, 0.0)),),
+        parameters=lambda s: (size("force", "N", 0.05 * s.force, 0.0, 0.5 * s.force),),
+        starts=lambda s: ((0.02 * s.force,),),
+        meanings={"force": "by which the largest force is read too large"},
     ),
-    Reading(
-        "peak_reading",
-        "force",
-        "the largest stress read from noisy samples",
-        "G_eq too large by one force at all amplitudes, most in small tests",
-        (0.0, 0.0, 0.0),
-        (0.0, 1.0, 0.0),
-        lambda s: (size("force", "N", 0.05 * s.force, 0.0, 0.5 * s.force),),
-        lambda s: ((0.02 * s.force,),),
-        {"force": "by which the largest force is read too large"},
-    ),
-    Reading(
-        "storage_reading",
-        "share",
-        "the stress at the largest strain read too small by a share",
-        "G' too small and the loss factor too large by one factor, G_eq right",
-        (-1.0, 0.0, 0.0),
-        (0.0, 0.0, 0.0),
-        lambda _: (size("share", "", 0.1, -1.0, 0.5),),
-        lambda _: ((0.05,),),
-        {"share": "by which the stress at the largest strain is read too small"},
+    replace(
+        _PEAK,
+        name="storage_reading",
+        title="the stress at the largest strain read too small by a share",
+        signature="G' too small and the loss factor too large by one factor, G_eq right",
+        acts=(Reading(factors=(-1.0, 0.0, 0.0)),),
+        parameters=lambda _: (size("share", "", 0.1, -1.0, 0.5),),
+        meanings={"share": "by which the stress at the largest strain is read too small"},
     ),
 )

@@ -16,9 +16,10 @@ import yaml
 
 from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
-from edesign.calibration.dampers.effect import EffectForm, FormInCampaign
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
 from edesign.calibration.dampers.problem import DamperProblem
+from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.predictions import validation_error
 from edesign.calibration.results.result import Calibration, LawFile

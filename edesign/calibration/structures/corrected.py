@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import yaml
 
+from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
 from edesign.calibration.results.result import Calibration, LawFile
 from edesign.calibration.results.result import Effect as FoundEffect
@@ -15,7 +16,7 @@ from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.campaign import StructureCampaign
-from edesign.calibration.structures.effect import ChangedBuilding, FormInStructure, StructureForm
+from edesign.calibration.structures.effect import ChangedBuilding, StructureForm
 from edesign.calibration.structures.from_campaign import blank_problem
 from edesign.calibration.structures.problem import StructureProblem
 from edesign.damper.amendments import Amendment
@@ -78,7 +79,7 @@ def law_file(campaign: StructureCampaign, problem: StructureProblem, final: Fitt
         parameters = {name: fitted.get(name, value) for name, value in campaign.isolation.values.items()}
     amendments, measured, lacking = [], [], []
     for index, effect in enumerate(final.effects):
-        of: FormInStructure = effect.data
+        of: FormInCampaign = effect.data
         if effect.kind != "structure":
             measured.append(f"{effect.label} ({effect.kind}): {of.title}")
         elif effect.label in _AMENDMENTS:
@@ -112,9 +113,11 @@ def _structure_text(found: Calibration, campaign: StructureCampaign, head: list[
     building = problem.building({name: one.value for name, one in found.parameters["corrected"].items()})[0]
     comments = []
     for effect in found.effects:
-        of: FormInStructure = forms[effect.label]
-        if where_carried(effect) == STRUCTURE and isinstance(of.form.act, ChangedBuilding):
-            building = of.form.act.change(of.values(one.value for one in effect.parameters.values()), building)
+        of: FormInCampaign = forms[effect.label]
+        acts = [act for act in of.form.acts if isinstance(act, ChangedBuilding)]
+        if where_carried(effect) == STRUCTURE and acts:
+            for act in acts:
+                building = act.change(of.values(one.value for one in effect.parameters.values()), building)
         else:
             where = where_carried(effect)
             comments.append(f"{f'in {where}' if where else 'in no file'}: {_told(effect)}")

@@ -10,19 +10,13 @@ from functools import cached_property
 
 import numpy as np
 
+from edesign.calibration.form import Values
+from edesign.calibration.problems import EffectModel, Predicted, TestedProblem, changed
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.signals.noise import white_noise
 from edesign.calibration.structures.building import Building
 from edesign.calibration.structures.campaign import Isolation
-from edesign.calibration.structures.effect import (
-    Act,
-    ChangedBuilding,
-    ChangedChannels,
-    FormInStructure,
-    Links,
-    StructureForm,
-    Values,
-)
+from edesign.calibration.structures.effect import Act, ChangedBuilding, ChangedChannels, Links
 from edesign.calibration.structures.effects import forms
 from edesign.calibration.structures.isolation import IsolationLaw
 from edesign.calibration.structures.record import Channel, Measure, StructureTest
@@ -50,7 +44,7 @@ _INSIDE = 1e-6  # of a size, from a bound that is not allowed
 
 
 @dataclass(frozen=True, eq=False)
-class StructureProblem:
+class StructureProblem(TestedProblem):
     """Tests of one structure in the order in which they were made.
 
     Values of a test are its channels one after the other, each over the root mean square of its measure.
@@ -71,13 +65,10 @@ class StructureProblem:
     threads: int | None = None
     every: int = 1
 
-    def used_for(self, *uses: Use) -> tuple[int, ...]:
-        """Return the indices of tests of some uses.
-
-        Args:
-            uses: fit, validate.
-        """
-        return tuple(i for i, test in enumerate(self.tests) if test.use in uses)
+    @property
+    def uses(self) -> tuple[Use, ...]:
+        """Use of each test."""
+        return tuple(test.use for test in self.tests)
 
     @cached_property
     def base(self) -> tuple[Parameter, ...]:
@@ -132,20 +123,10 @@ class StructureProblem:
             self.declared, self.isolation, [self.tests[i] for i in self.used_for("fit")], self.refit
         )
 
-    @property
-    def input_noise(self) -> float:
-        """Share of the power that noise of measured inputs makes: the ground moves as it was measured."""
-        return 0.0
-
-    @property
-    def start(self) -> tuple[float, ...]:
-        """Values, SI, from which the base is fitted."""
-        return tuple(one.centre for one in self.model(()).parameters)
-
     @cached_property
     def effects(self) -> tuple[Effect, ...]:
         """Effects that the structure and its channels can show."""
-        return tuple(_effect(form, self.typical) for form in forms(self.typical))
+        return tuple(form.effect(self.typical) for form in forms(self.typical))
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> StructureModel:
         """Return the building with effects; its parameters are those of the base, and of the effects in their order."""
@@ -196,36 +177,19 @@ class StructureProblem:
 
 
 @dataclass(frozen=True, eq=False)
-class StructureModel:
-    """A building with effects, in some tests.
-
-    Attributes:
-        problem: of the tests.
-        effects: of the structure and its instruments.
-        tests: indices of the tests.
-    """
-
-    problem: StructureProblem
-    effects: tuple[Effect, ...]
-    tests: tuple[int, ...]
-
-    @cached_property
-    def parameters(self) -> tuple[Parameter, ...]:
-        """Those of the base, and of the effects in their order."""
-        return (*self.problem.base, *(one for effect in self.effects for one in effect.parameters))
+class StructureModel(EffectModel[StructureProblem]):
+    """A building with effects, in some tests."""
 
     @cached_property
     def measured(self) -> tuple[np.ndarray, ...]:
         """Scaled channels (n_i,) of each test."""
         return tuple(self.problem.flat(i, self.problem.tests[i].values[:: self.problem.every]) for i in self.tests)
 
-    def predict(self, values: np.ndarray) -> list[list[np.ndarray] | PredictionError]:
+    def predict(self, values: np.ndarray) -> list[Predicted]:
         """Return the scaled channels (n_i,) of each test for each set of parameters, or why there are none."""
         return self._each(np.atleast_2d(values), False)
 
-    def near(
-        self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]
-    ) -> list[list[np.ndarray] | PredictionError]:
+    def near(self, values: np.ndarray, around: np.ndarray, predicted: Sequence[np.ndarray]) -> list[Predicted]:
         """Return predictions as `predict` does, with changes from a set near by found by longer steps of links."""
         linked = any(isinstance(act, Links) for act, _ in self._acts(around))
         if self.problem.every == 1 or len(values) < _WORTHWHILE or not linked:
@@ -233,14 +197,9 @@ class StructureModel:
         here, *there = self._each(np.vstack((around, values)), True)
         if isinstance(here, PredictionError):
             return self.predict(values)
-        return [
-            one
-            if isinstance(one, PredictionError)
-            else [y + (f - g) for y, f, g in zip(predicted, one, here, strict=True)]
-            for one in there
-        ]
+        return changed(predicted, here, there)
 
-    def _each(self, values: np.ndarray, rough: bool) -> list[list[np.ndarray] | PredictionError]:
+    def _each(self, values: np.ndarray, rough: bool) -> list[Predicted]:
         rows = list(values)
         workers = min(len(rows), self.problem.threads or os.cpu_count() or 1)
         if workers <= 1:
@@ -248,11 +207,7 @@ class StructureModel:
         with ThreadPoolExecutor(workers) as pool:
             return list(pool.map(self._predicted, rows, [rough] * len(rows)))
 
-    def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """Return None of each test: nothing is a test's own."""
-        return [None] * len(self.tests)
-
-    def _predicted(self, values: np.ndarray, rough: bool) -> list[np.ndarray] | PredictionError:
+    def _predicted(self, values: np.ndarray, rough: bool) -> Predicted:
         try:
             with np.errstate(all="ignore"):  # a search may ask for anything; what is not finite is refused
                 histories = self.histories(values, rough)
@@ -298,8 +253,7 @@ class StructureModel:
         return self._responses(values, self.problem.every, False)
 
     def _responses(self, values: np.ndarray, every: int, rough: bool) -> list[Response]:
-        base = self.problem.base
-        building, links = self.problem.building(dict(zip((one.name for one in base), map(float, values), strict=False)))
+        building, links = self.problem.building(self.base_values(values))
         acts = self._acts(values)
         for act, p in acts:
             if isinstance(act, ChangedBuilding):
@@ -318,19 +272,7 @@ class StructureModel:
 
     def _acts(self, values: np.ndarray) -> list[tuple[Act, Values]]:
         """Return where each effect acts, with its values."""
-        at = len(self.problem.base)
-        found: list[tuple[Act, Values]] = []
-        for effect in self.effects:
-            of: FormInStructure = effect.data
-            found.append((of.form.act, of.values(values[at : at + len(effect.parameters)])))
-            at += len(effect.parameters)
-        return found
-
-
-def _effect(form: StructureForm, sizes: StructureSizes) -> Effect:
-    parameters = form.parameters(sizes)
-    data = FormInStructure(form, form.constants(sizes), tuple(one.name for one in parameters))
-    return Effect(form.name, form.form, form.kind, parameters, form.starts(sizes), True, data=data)
+        return [(act, p) for of, p in self.effect_values(values) for act in of.form.acts]
 
 
 def _about_declared(one: LawParameter, value: float) -> Parameter:

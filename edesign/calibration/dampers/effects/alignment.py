@@ -6,10 +6,11 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Amendment, ForceChannel, MotionChannel, Placement, Values
-from edesign.calibration.dampers.effect import EffectForm, size
+from edesign.calibration.dampers.acts import Amendment, ForceChannel, MotionChannel, Placement
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.form import Values, size
 
 
 def _sheared(p: Values, test: Experiment, motion: Motion) -> Motion:

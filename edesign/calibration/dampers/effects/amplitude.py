@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from edesign.calibration.dampers.acts import Amendment, LastingExtremes, Placement
-from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Rows, shape, size
 from edesign.damper.testing.start import SOFTENED
 from edesign.estimation.parameters import Parameter
 

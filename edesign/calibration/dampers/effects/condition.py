@@ -8,12 +8,13 @@ from functools import partial
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Act, Amendment, ForceChannel, LawParameters, Placement, Values
-from edesign.calibration.dampers.effect import EffectForm, placed, size
+from edesign.calibration.dampers.acts import Act, Amendment, ForceChannel, LawParameters, Placement
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.effects import gas_spring
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Condition, Sizes
+from edesign.calibration.form import Values, size
 from edesign.damper.law import Law
 
 CONDITION = "condition"

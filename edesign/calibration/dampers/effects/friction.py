@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import Amendment, ForceChannel, Values
-from edesign.calibration.dampers.effect import EffectForm, shape, share, size
+from edesign.calibration.dampers.acts import Amendment, ForceChannel
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Values, shape, share, size
 from edesign.estimation.parameters import Parameter
 
 _JUMPS = "a force of one size against the motion: jumps at every reversal, the same at all amplitudes and frequencies"

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 
-from edesign.calibration.dampers.acts import Amendment, Placement, Values
-from edesign.calibration.dampers.effect import EffectForm, placed, shape, size
+from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Values, shape, size
 from edesign.estimation.parameters import Parameter
 
 _SIGNATURE = "too little force at the tips of large loops alone, odd in the deformation, the same at all frequencies"

@@ -6,7 +6,8 @@ A part that yields at another deformation is `friction.presliding`: the equation
 from __future__ import annotations
 
 from edesign.calibration.dampers.acts import Amendment
-from edesign.calibration.dampers.effect import EffectForm, shape, size
+from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.form import shape, size
 
 _STRETCH = EffectForm(
     "hysteresis",

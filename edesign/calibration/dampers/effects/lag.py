@@ -6,12 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, Values
-from edesign.calibration.dampers.effect import REFINED, EffectForm, shape, size
+from edesign.calibration.dampers.acts import ForceChannel, MotionChannel
+from edesign.calibration.dampers.effect import REFINED, EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.filters import relaxed, swung
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Values, shape, size
 from edesign.estimation.parameters import Parameter
 
 _CLASS = 0.01  # s: lag of a logger's channels

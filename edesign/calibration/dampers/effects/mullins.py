@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from edesign.calibration.dampers.acts import Amendment, Placement
-from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, share, size
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Rows, shape, share, size
 from edesign.estimation.parameters import Parameter
 
 _SIGNATURE = (

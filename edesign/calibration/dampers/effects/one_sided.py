@@ -5,8 +5,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from edesign.calibration.dampers.acts import Amendment, Placement
-from edesign.calibration.dampers.effect import REFINED, EffectForm, placed, shape, size
+from edesign.calibration.dampers.effect import REFINED, EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import shape, size
 from edesign.estimation.parameters import Parameter
 
 _TIPS = "too little force at the tips of one side of the loops alone: even multiples of the frequency"

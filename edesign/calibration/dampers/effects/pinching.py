@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from edesign.calibration.dampers.acts import Amendment
-from edesign.calibration.dampers.effect import EffectForm, shape, size
+from edesign.calibration.dampers.effect import EffectForm
+from edesign.calibration.form import shape, size
 
 _SLIP = EffectForm(
     "pinching",

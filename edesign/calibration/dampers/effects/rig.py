@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import MotionChannel, Rig, RigValues, Values
-from edesign.calibration.dampers.effect import EffectForm, shape, size
+from edesign.calibration.dampers.acts import MotionChannel, Rig, RigValues
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Values, shape, size
 from edesign.estimation.parameters import Parameter
 
 _CLOSES = 0.03

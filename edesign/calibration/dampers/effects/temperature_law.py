@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, LawParameters, Placement, Values
-from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
+from edesign.calibration.dampers.acts import Amendment, LawParameters, Placement
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Rows, Values, shape, size
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
 from edesign.damper.temperature import REFERENCE_C, at_one_rate, passed

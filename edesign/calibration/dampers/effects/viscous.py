@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 
-from edesign.calibration.dampers.acts import Amendment, Placement, Values
-from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
+from edesign.calibration.dampers.acts import Amendment, Placement
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Rows, Values, shape, size
 
 _LEAST, _MOST = 0.1, 3.0  # exponents: below is friction; above there is no damper
 _IN_PHASE = (

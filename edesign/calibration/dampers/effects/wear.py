@@ -6,8 +6,9 @@ import math
 from dataclasses import replace
 
 from edesign.calibration.dampers.acts import Amendment, Placement, Rest
-from edesign.calibration.dampers.effect import EffectForm, Rows, placed, shape, size
+from edesign.calibration.dampers.effect import EffectForm, placed
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Rows, shape, size
 from edesign.estimation.parameters import Parameter
 
 _LASTING = 100.0  # tests: heat that stays longer does not change within one

@@ -6,11 +6,12 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, OwnShares, Values
-from edesign.calibration.dampers.effect import EffectForm, size
+from edesign.calibration.dampers.acts import ForceChannel, MotionChannel, OwnShares
+from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.sizes import Sizes
+from edesign.calibration.form import Values, size
 
 _CLASS = 0.05  # of the largest force or displacement: standard deviation of a zero
 _DOEBELIN = "Doebelin, Measurement Systems, chapter 2 (zero drift)"

@@ -6,9 +6,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import size
+from edesign.calibration.form import Values, size
 from edesign.calibration.structures.building import Building
-from edesign.calibration.structures.effect import ChangedBuilding, StructureForm, Values
+from edesign.calibration.structures.effect import ChangedBuilding, StructureForm
 from edesign.calibration.structures.sizes import StructureSizes
 
 
@@ -38,7 +38,7 @@ _SWAY = StructureForm(
     "the first frequency is lower than declared, higher ones hardly; the lowest floor moves more than the frame lets "
     "it (sway), or all floors in proportion to their height (rocking)",
     "Veletsos & Meek (1974), Earthquake Engng Struct. Dyn. 3, 121-138; Wolf (1985), chapter 3",
-    ChangedBuilding(_sways),
+    (ChangedBuilding(_sways),),
     # as flexible as the lowest storey is much; none is negative
     lambda s: (size("f", "m/N", 0.5 * _of_storey(s), 0.0, 50.0 * _of_storey(s)),),
     lambda s: ((0.1 * _of_storey(s),),),
@@ -49,7 +49,7 @@ _ROCKING = replace(
     _SWAY,
     form="rocking",
     title="rotational flexibility of the ground",
-    act=ChangedBuilding(_rocks),
+    acts=(ChangedBuilding(_rocks),),
     parameters=lambda s: (size("f", "rad/(N*m)", 0.5 * _of_frame(s), 0.0, 50.0 * _of_frame(s)),),
     starts=lambda s: ((0.1 * _of_frame(s),),),
     shown=lambda s: not s.building.isolated and s.building.heights is not None,

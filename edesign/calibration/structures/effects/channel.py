@@ -7,8 +7,8 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import size
-from edesign.calibration.structures.effect import ChangedChannels, StructureForm, Values
+from edesign.calibration.form import Values, size
+from edesign.calibration.structures.effect import ChangedChannels, StructureForm
 from edesign.calibration.structures.record import Channel, Measure
 from edesign.calibration.structures.sizes import StructureSizes
 
@@ -48,7 +48,7 @@ _LAG = StructureForm(
     "lag between the channels of floors and base",
     "proportional to the rate of each channel, at all amplitudes, in proportion to frequency",
     "Ljung (1999), System Identification, 14.1",
-    ChangedChannels(_late, over_time=True),
+    (ChangedChannels(_late, over_time=True),),
     lambda s: (size("lag", "s", 0.3 * _longest(s), -_longest(s), _longest(s)),),
     lambda s: ((s.step,),),
     meanings={"lag": "by which the floors are recorded later than the base"},
@@ -64,7 +64,7 @@ def _gain(measure: Measure) -> StructureForm:
         "proportional to the channel itself, from the static share to the highest mode; relative to the base, whose "
         "own gain looks the same",
         "Ljung (1999), System Identification, 14.1",
-        ChangedChannels(_amplified(measure)),
+        (ChangedChannels(_amplified(measure)),),
         lambda _: (size("g", "", _CLASS, -0.5, 1.0),),
         lambda _: ((_CLASS,),),
         shown=lambda s: measure in s.measures,

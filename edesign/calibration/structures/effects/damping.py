@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import share, size
+from edesign.calibration.form import Values, share, size
 from edesign.calibration.structures.building import KINDS, Building, DampingKind
-from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm, Values
+from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm
 from edesign.calibration.structures.response import Link
 from edesign.calibration.structures.sizes import StructureSizes, has_storeys
 
@@ -54,7 +54,7 @@ _LEVEL = StructureForm(
     "damping ratio",
     "the height of resonances is wrong, of all modes alike (level) or of high modes the other way (kind)",
     "Chopra, Dynamics of Structures, 3.8, 11.3-11.4",
-    ChangedBuilding(_more),
+    (ChangedBuilding(_more),),
     lambda s: (size("r", "", 0.7, -0.95, 20.0),),
     lambda s: ((0.3,),),
     shown=lambda s: has_storeys(s) and not s.refit,
@@ -69,7 +69,7 @@ _FRICTION = replace(
     form="friction",
     title="friction in the storeys, in proportion to the mass above; F is that of the lowest",
     signature="small motions are damped more, and stiffer, than large ones; free vibration ends at once",
-    act=Links(_friction),
+    acts=(Links(_friction),),
     parameters=lambda s: (size("F", "N", 0.1 * s.storey_shear, 0.0, 2.0 * s.storey_shear),),
     starts=lambda s: tuple((part * s.storey_shear,) for part in (0.005, 0.05)),
     shown=has_storeys,
@@ -79,7 +79,7 @@ _OTHER = tuple(
         _LEVEL,
         form=kind,
         title=f"{kind} damping in the place of a share of the declared one",
-        act=ChangedBuilding(_of_kind(kind)),
+        acts=(ChangedBuilding(_of_kind(kind)),),
         parameters=lambda _: (replace(share("share", 0.0, 1.0), whole=True),),
         starts=lambda _: ((0.5,),),
         shown=_is_another(kind),

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import size
+from edesign.calibration.form import Values, size
 from edesign.calibration.structures.building import Building
-from edesign.calibration.structures.effect import ChangedBuilding, StructureForm, Values
+from edesign.calibration.structures.effect import ChangedBuilding, StructureForm
 from edesign.calibration.structures.sizes import StructureSizes
 from edesign.estimation.parameters import Parameter
 
@@ -23,13 +23,13 @@ that or none, and a weight of its own that is three standard deviations of 5 % o
 """
 
 
-def _heavier(floors: Sequence[int]) -> ChangedBuilding:
+def _heavier(floors: Sequence[int]) -> tuple[ChangedBuilding]:
     def change(p: Values, building: Building) -> Building:
         factors = np.ones(building.floors)
         factors[list(floors)] += p["m"]
         return replace(building, masses=building.masses * factors)
 
-    return ChangedBuilding(change)
+    return (ChangedBuilding(change),)
 
 
 def _share(_: StructureSizes) -> tuple[Parameter, ...]:

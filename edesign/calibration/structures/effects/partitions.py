@@ -7,20 +7,20 @@ from dataclasses import replace
 
 import numpy as np
 
-from edesign.calibration.dampers.effect import shape, size
+from edesign.calibration.form import Values, shape, size
 from edesign.calibration.structures.building import Building
-from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm, Values
+from edesign.calibration.structures.effect import ChangedBuilding, Links, StructureForm
 from edesign.calibration.structures.response import Link
 from edesign.calibration.structures.sizes import StructureSizes, has_storeys
 
 
-def _stiffer(storeys: Sequence[int]) -> ChangedBuilding:
+def _stiffer(storeys: Sequence[int]) -> tuple[ChangedBuilding]:
     def change(p: Values, building: Building) -> Building:
         factor = np.ones(building.floors)
         factor[list(storeys)] += p["r"]
         return replace(building, stiffness=building.stiffness * factor)
 
-    return ChangedBuilding(change)
+    return (ChangedBuilding(change),)
 
 
 def _breaking(p: Values, building: Building) -> list[Link]:
@@ -45,7 +45,7 @@ _LOST = replace(
     _UNIFORM,
     form="lost",
     title="added stiffness that is lost with the largest drift",
-    act=Links(_breaking),
+    acts=(Links(_breaking),),
     parameters=lambda s: (
         size("r", "", 0.5, 0.0, 10.0),
         shape("d", "m", s.storey_drift, 0.02 * s.storey_drift, 20.0 * s.storey_drift),
@@ -61,6 +61,6 @@ def of(sizes: StructureSizes) -> tuple[StructureForm, ...]:
 
     def single(i: int) -> StructureForm:
         title = f"added stiffness in storey {i + 1}"
-        return replace(_UNIFORM, form=f"storey_{i + 1}", title=title, act=_stiffer((i,)), shown=has_storeys)
+        return replace(_UNIFORM, form=f"storey_{i + 1}", title=title, acts=_stiffer((i,)), shown=has_storeys)
 
-    return replace(_UNIFORM, act=_stiffer(storeys)), _LOST, *(single(i) for i in storeys if len(storeys) > 1)
+    return replace(_UNIFORM, acts=_stiffer(storeys)), _LOST, *(single(i) for i in storeys if len(storeys) > 1)
