@@ -6,9 +6,9 @@ import time as clock
 from dataclasses import replace
 
 from edesign.calibration.dampers.from_campaign import damper_problem
-from edesign.calibration.results.evidence import Progress, Steps, searched
 from edesign.calibration.results.outcome import Outcome
 from edesign.calibration.results.result import Calibration
+from edesign.calibration.results.steps import Progress, Steps, searched
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.damper.fitting import fit_forces
 from edesign.damper.laws import law as law_of

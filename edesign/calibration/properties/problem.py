@@ -97,8 +97,8 @@ class PropertyProblem(TestedProblem):
     def effects(self) -> tuple[Effect, ...]:
         """Effects that steady cycles, or what was read from them, can show."""
         steady = [one for one in self.inner.effects if one.name in _SHOWN and _in_every_row(one)]
-        forms = (*(form for form in arrangement.FORMS if self.inner.law.name in form.laws), *reading.FORMS)
-        return (*steady, *(form.effect(self.inner.typical) for form in forms))
+        arranged = [form.effect(self.inner.typical) for form in arrangement.FORMS if self.inner.law.name in form.laws]
+        return (*steady, *arranged, *(form.effect(self.inner.typical) for form in reading.FORMS))
 
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> PropertyModel:
         """Return the law with effects; its parameters are those of the law, and of the effects in their order."""

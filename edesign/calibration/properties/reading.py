@@ -34,6 +34,7 @@ class Reading:
         return np.asarray((1.0 + value * factors)[:, np.newaxis] * amplitudes + value * added[:, np.newaxis])
 
 
+@dataclass(frozen=True, eq=False)
 class ReadingForm(Form[Reading, Sizes]):
     """A form of an effect of how a table was read from loops."""
 

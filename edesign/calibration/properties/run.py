@@ -6,7 +6,7 @@ import math
 import time as clock
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import partial
+from functools import cached_property, partial
 
 import numpy as np
 
@@ -17,20 +17,12 @@ from edesign.calibration.properties.next_test import next_test
 from edesign.calibration.properties.problem import PropertyProblem
 from edesign.calibration.properties.residual_words import describe_residual, relative_errors
 from edesign.calibration.residual.series import STAGES, Errors, Stage
-from edesign.calibration.results.evidence import (
-    Evidence,
-    Progress,
-    Steps,
-    depths_of,
-    searched,
-    unexplained_share,
-    verdict_of,
-    why_withheld,
-)
+from edesign.calibration.results.evidence import Evidence
 from edesign.calibration.results.fit import Kept, kept, law_estimates, unbounded
-from edesign.calibration.results.floor import MOST, Part, worst_of
+from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.law_file import why_not_carried
 from edesign.calibration.results.result import Calibration
+from edesign.calibration.results.steps import Progress, Steps, searched
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -132,57 +124,39 @@ class _Outcome:
 
     def calibration(self, steps: Steps, begin: float) -> PropertyCalibration:
         """Return all of it for people and files; `begin`: when it began, s."""
-        quick, found, campaign = self.quick, self.found, self.campaign
-        errors = {stage: self._errors(self.rows[stage]) for stage in STAGES}
-        rows, withheld = dict(self.rows), why_withheld(self.kept.model, errors)
-        with_effects = errors["corrected"].validate
-        final = found.base if withheld else self.kept.model
-        if withheld:
-            errors["corrected"], rows["corrected"] = errors["refit"], rows["refit"]
-        evidence = Evidence(
-            unbounded(quick, self.settings), found, self.kept, self._validate, partial(why_not_carried, quick.inner)
-        )
-        effects, hypotheses = evidence.effects(steps, withheld, with_effects)
-        floor = quick.repeats**2
-        corrected = errors["corrected"]
-        worst = worst_of([Part(g.name, corrected.tests[g.name], floor, 3 * g.rows.size) for g in campaign.groups])
-        reached = worst is None and max(corrected.fit, corrected.validate) <= MOST * floor
-        further = steps.take(
-            "asking which further test would tell more", lambda: next_test(quick, evidence.posterior), None
-        )
-        inner = quick.inner
-        calibration = Calibration(
+        quick, campaign, evidence = self.quick, self.campaign, self.evidence
+        inner, final, corrected = quick.inner, evidence.final, evidence.errors["corrected"]
+        rows, floor = evidence.staged(self.rows), quick.repeats**2
+        parts = [Part(g.name, corrected.tests[g.name], floor, 3 * g.rows.size) for g in campaign.groups]
+        calibration = evidence.calibration(
+            steps,
+            dict.fromkeys(USES, floor),
+            worst_of(parts),
+            lambda: describe_residual(rows["corrected"], campaign.table),
+            lambda: next_test(quick, evidence.posterior),
             title=campaign.title or campaign.specimen.name,
             law=inner.law.name,
-            verdict=verdict_of(reached, bool(effects), steps.ending),
-            ending=steps.ending,
-            errors=errors,
-            noise_floor=floor,
-            noise_floor_fit=floor,
-            effects=effects,
-            hypotheses=hypotheses,
             parameters={
                 "declared": law_estimates(inner, None),
-                "refit": law_estimates(inner, found.base),
+                "refit": law_estimates(inner, self.found.base),
                 "corrected": law_estimates(inner, final),
             },
             law_held=not inner.base,
             series=(),
-            unexplained_share=0.0 if reached else unexplained_share(errors, floor),
-            unexplained_shape="" if reached else describe_residual(rows["corrected"], campaign.table),
-            models=evidence.posterior.compared() if steps.ending != "interrupted" else (),
-            depths=depths_of(found),
-            forms=len(quick.effects),
-            effort=found.effort,
-            most_effort=self.settings.effort,
-            next_test=further,
-            law_file=table_law(self.problem, final, found.base, withheld),
-            worst=worst,
+            law_file=table_law(self.problem, final, self.found.base, evidence.withheld),
             held=reasons_held(inner.law, [one.name for one in inner.base]) if inner.refit else {},
             subject="table",
             seconds=clock.perf_counter() - begin,
         )
         return PropertyCalibration(calibration, campaign, rows, quick.repeats)
+
+    @cached_property
+    def evidence(self) -> Evidence:
+        """What the models of the search say of the effects."""
+        errors: dict[Stage, Errors] = {stage: self._errors(self.rows[stage]) for stage in STAGES}
+        not_carried = partial(why_not_carried, self.quick.inner)
+        found = self.found
+        return Evidence(self.settings, found, found.base, self.kept, errors, self._validate, not_carried)
 
     def _errors(self, rows: PropertyRows) -> Errors:
         squares = np.mean([r**2 for r in relative_errors(rows, self.campaign.table).values()], axis=0)

@@ -3,83 +3,31 @@
 from __future__ import annotations
 
 import math
-import signal
-import threading
-from collections.abc import Callable, Iterator, Mapping
-from contextlib import contextmanager
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import Any, TypeVar
 
-from edesign.calibration.residual.series import Errors, Stage
-from edesign.calibration.results.fit import Kept, effect_estimates, estimates
+from edesign.calibration.residual.series import Errors, Stage, Worst
+from edesign.calibration.results.fit import Kept, effect_estimates, estimates, unbounded
+from edesign.calibration.results.floor import only_noise
 from edesign.calibration.results.models import Posterior, without
-from edesign.calibration.results.result import Effect, Hypothesis, SearchDepth, Verdict
-from edesign.calibration.search.models import EffortSpentError, FittedModel, Fitter
-from edesign.calibration.search.problem import Problem
-from edesign.calibration.search.search import Ending, Found, Search
-from edesign.calibration.search.settings import SETTINGS, SearchSettings
-from edesign.errors import InputError
+from edesign.calibration.results.result import (
+    Calibration,
+    Effect,
+    Hypothesis,
+    NextTest,
+    OtherLaw,
+    SearchDepth,
+    Verdict,
+)
+from edesign.calibration.results.steps import Steps
+from edesign.calibration.search.models import FittedModel, Fitter
+from edesign.calibration.search.search import Ending, Found
+from edesign.calibration.search.settings import SearchSettings
+from edesign.damper.testing.measured_histories import Use
 
-Progress = Callable[[str], None]
 T = TypeVar("T")
-
-
-@dataclass
-class Steps:
-    """Steps after a search: after an interrupt among them the rest is left out, after one before all that can be.
-
-    Attributes:
-        progress: told what is done.
-        ending: how the search ended; interrupted if a step was.
-    """
-
-    progress: Progress
-    ending: Ending
-    _left: bool = False
-    _raising: Any = field(default=None, init=False)  # handler of interrupts outside of `held`; None: not in it
-
-    @contextmanager
-    def held(self) -> Iterator[None]:
-        """Hold interrupts back from what no result can do without; steps that are taken meanwhile end by them."""
-        handler = signal.getsignal(signal.SIGINT)
-        if handler is None or threading.current_thread() is not threading.main_thread():  # which alone is interrupted
-            yield
-            return
-
-        def note(*_: object) -> None:
-            self.ending, self._left = "interrupted", True
-            self.progress("interrupted: what was found is written as it stands")
-
-        self._raising = signal.signal(signal.SIGINT, note)
-        try:
-            yield
-        finally:
-            signal.signal(signal.SIGINT, self._raising)
-            self._raising = None
-
-    def take(self, what: str, step: Callable[[], T], instead: T, needed: bool = False) -> T:
-        """Return what a step makes; what stands instead where it is interrupted or left out.
-
-        Args:
-            what: is done, for people.
-            step: makes it.
-            instead: of it.
-            needed: whether it is taken after an interrupt of the search too.
-        """
-        if self._left or (self.ending == "interrupted" and not needed):
-            return instead
-        self.progress(what)
-        holding = None if self._raising is None else signal.signal(signal.SIGINT, self._raising)
-        try:
-            return step()
-        except KeyboardInterrupt:
-            self.ending, self._left = "interrupted", True
-            return instead
-        finally:
-            if holding is not None:
-                signal.signal(signal.SIGINT, holding)
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,18 +35,107 @@ class Evidence:
     """What the models of a search say of the effects that it found.
 
     Attributes:
-        fitter: of the problem at the sampling of a fit, without a limit.
-        found: by the search.
+        settings: of the search.
+        found: by it.
+        refit: the base model fitted again.
         kept: the model that stands, and what was taken off it.
+        every_error: of the tests by stage; corrected: with the effects, even if they are withheld in the end.
         validate: NRMS of the validation tests by a model; nan: it cannot predict them.
         not_carried: why no file carries an effect of a model, by its index, for people; "" if one does.
     """
 
-    fitter: Fitter
+    settings: SearchSettings
     found: Found
+    refit: FittedModel
     kept: Kept
+    every_error: Mapping[Stage, Errors]
     validate: Callable[[FittedModel], float]
     not_carried: Callable[[FittedModel, int], str]
+
+    @cached_property
+    def fitter(self) -> Fitter:
+        """Fits models at the sampling of the search, without a limit."""
+        return unbounded(self.found.base.problem, self.settings)
+
+    @cached_property
+    def withheld(self) -> str:
+        """Why the effects are no part of the corrected model, for people: the validation tests; "" if they are."""
+        corrected, refit = (self.every_error[stage].validate for stage in ("corrected", "refit"))
+        if not self.kept.model.effects or corrected <= refit:
+            return ""
+        return (
+            f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
+            f"({100.0 * refit:.3g} %)"
+        )
+
+    @property
+    def final(self) -> FittedModel:
+        """The corrected model."""
+        return self.refit if self.withheld else self.kept.model
+
+    @property
+    def errors(self) -> dict[Stage, Errors]:
+        """Errors by stage."""
+        return self.staged(self.every_error)
+
+    def staged(self, every: Mapping[Stage, T]) -> dict[Stage, T]:
+        """Return what each stage has: the corrected one that of the refit where the effects are withheld.
+
+        Args:
+            every: by stage; corrected: with the effects.
+        """
+        return {**every, "corrected": every["refit"]} if self.withheld else dict(every)
+
+    def calibration(
+        self,
+        steps: Steps,
+        floor: Mapping[Use, float],
+        worst: Worst | None,
+        shape: Callable[[], str],
+        next_test: Callable[[], NextTest | None] | None = None,
+        other_law: Callable[[], OtherLaw | None] | None = None,
+        **facts: Any,
+    ) -> Calibration:
+        """Return all of it for people and files.
+
+        Args:
+            steps: taken after the search.
+            floor: NRMS of what no model can predict, by the use of tests.
+            worst: test that leaves more than noise.
+            shape: says in words what is left.
+            next_test: asks which further test would tell more.
+            other_law: asks whether another law does better; it is asked where more than noise is left.
+            facts: all else of a calibration, by its names there.
+        """
+        errors = self.errors
+        reached = only_noise(errors["corrected"], floor, worst)
+        effects, hypotheses = self.effects(steps)
+        verdict = verdict_of(reached, bool(effects), steps.ending)
+        further = better = None
+        if next_test is not None:
+            further = steps.take("asking which further test would tell more", next_test, None)
+        if other_law is not None and not reached:
+            better = steps.take("asking whether another law does better", other_law, None)
+        return Calibration(
+            verdict=verdict,
+            ending=steps.ending,
+            errors=errors,
+            noise_floor=floor["validate"],
+            noise_floor_fit=floor["fit"],
+            effects=effects,
+            hypotheses=hypotheses,
+            unexplained_share=0.0 if reached else _unexplained_share(errors, floor["validate"]),
+            unexplained_shape="" if reached else shape(),
+            models=self.posterior.compared() if steps.ending != "interrupted" else (),
+            depths=_depths_of(self.found),
+            forms=len(self.fitter.problem.effects),
+            effort=self.found.effort,
+            most_effort=self.settings.effort,
+            next_test=further,
+            other_law=better,
+            worst=worst,
+            **facts,
+        )
 
     @cached_property
     def posterior(self) -> Posterior:
@@ -108,17 +145,13 @@ class Evidence:
             best = self.fitter.fit(final.effects, final.fit.values, best.noise) or best
         return Posterior.of(self.fitter, self.found, best)
 
-    def effects(
-        self, steps: Steps, withheld: str, corrected: float
-    ) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
+    def effects(self, steps: Steps) -> tuple[tuple[Effect, ...], tuple[Hypothesis, ...]]:
         """Return the effects of the corrected model, and those that were found and are no part of it.
 
         Args:
             steps: taken after the search.
-            withheld: why the effects are no part of it, for people; "" if they are.
-            corrected: NRMS of the validation tests with all effects.
         """
-        model = self.kept.model
+        model, corrected = self.kept.model, self.every_error["corrected"].validate
         every = range(len(model.effects))
         found = steps.take(
             "comparing the models of the search",
@@ -130,8 +163,8 @@ class Evidence:
         dropped = [Hypothesis(self._effect(posterior, m, i, None, corrected), why) for m, i, why in self.kept.dropped]
         if found is None:  # interrupted
             found = tuple(self._effect(None, model, i, i, corrected) for i in every)
-        if withheld:
-            return (), (*(Hypothesis(one, withheld) for one in found), *dropped)
+        if self.withheld:
+            return (), (*(Hypothesis(one, self.withheld) for one in found), *dropped)
         return found, tuple(dropped)
 
     def _effect(
@@ -176,33 +209,6 @@ class Evidence:
         )
 
 
-def searched(problem: Problem, settings: SearchSettings, progress: Progress, campaign: Path, model: str) -> Found:
-    """Return what a search finds.
-
-    Args:
-        problem: of the tests.
-        settings: of the search.
-        progress: told what is done.
-        campaign: the campaign file.
-        model: what is declared in it, for people.
-
-    Raises:
-        InputError: the declared model cannot predict the tests, or the effort is too little to fit it.
-        KeyboardInterrupt: before it was fitted.
-    """
-    try:
-        found = Search(problem, settings, progress).run()
-    except ValueError as error:
-        raise InputError(f"{campaign}: {model}: {error}") from error
-    except EffortSpentError:
-        raise InputError(
-            f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
-        ) from None
-    if found.ending == "interrupted":
-        progress("interrupted: going on with what was found so far; interrupting again writes it as it stands")
-    return found
-
-
 def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:
     """Return the verdict.
 
@@ -218,34 +224,13 @@ def verdict_of(reached: bool, effects: bool, ending: Ending) -> Verdict:
     return "nothing_found" if ending == "complete" else "not_searched"
 
 
-def why_withheld(model: FittedModel, errors: Mapping[Stage, Errors]) -> str:
-    """Return why effects are no part of the corrected model, for people: the validation tests; "" if they are.
-
-    Args:
-        model: with its effects.
-        errors: by stage; corrected: with the effects.
-    """
-    corrected, refit = (errors[stage].validate for stage in ("corrected", "refit"))
-    if not model.effects or corrected <= refit:
-        return ""
-    return (
-        f"with the effects the validation tests are predicted worse ({100.0 * corrected:.3g} %) than without them "
-        f"({100.0 * refit:.3g} %)"
-    )
-
-
-def unexplained_share(errors: Mapping[Stage, Errors], noise: float) -> float:
-    """Return the share of the excess over noise of the refitted model that is left in the validation tests.
-
-    Args:
-        errors: by stage.
-        noise: NRMS of noise in these tests.
-    """
+def _unexplained_share(errors: Mapping[Stage, Errors], noise: float) -> float:
+    """Return the share of the excess over noise of the refitted model that is left in the validation tests."""
     over = max(errors["refit"].validate - noise, 1e-300)
     return min(max((errors["corrected"].validate - noise) / over, 0.0), 1.0)
 
 
-def depths_of(found: Found) -> tuple[SearchDepth, ...]:
+def _depths_of(found: Found) -> tuple[SearchDepth, ...]:
     """Return the rounds of a search for people."""
     return tuple(
         SearchDepth(

@@ -85,10 +85,17 @@ class Floor:
             parts.append(Part(one.name, errors.tests[one.name], noise**2 / power, force.size, thermal / power))
         return worst_of(parts)
 
-    def reached(self, errors: Errors) -> bool:
-        """Say whether only noise is left, in all tests together and in every single one."""
-        every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
-        return self.worst(errors) is None and all(error <= MOST * self.nrms(use) for use, error in every.items())
+
+def only_noise(errors: Errors, floor: Mapping[Use, float], worst: Worst | None) -> bool:
+    """Say whether only noise is left, in all tests of a use together and in every single one.
+
+    Args:
+        errors: NRMS of a model.
+        floor: NRMS of what no model can predict, by the use of tests.
+        worst: test that leaves more than noise.
+    """
+    every: Mapping[Use, float] = {"fit": errors.fit, "validate": errors.validate}
+    return worst is None and all(error <= MOST * floor[use] for use, error in every.items())
 
 
 def _through(problem: DamperProblem, model: FittedModel, predicted: Sequence[np.ndarray]) -> Sequence[Experiment]:

@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import FEWEST, Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
-from edesign.calibration.results.evidence import Evidence, Steps, depths_of, unexplained_share, verdict_of, why_withheld
+from edesign.calibration.results.evidence import Evidence
 from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded, validated
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
@@ -20,12 +20,14 @@ from edesign.calibration.results.next_test import next_test
 from edesign.calibration.results.other_law import other_law
 from edesign.calibration.results.predictions import errors_of, predicted, validation_error
 from edesign.calibration.results.result import Calibration
+from edesign.calibration.results.steps import Steps
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SearchSettings
 from edesign.calibration.signals.noise import least_noise
 from edesign.damper.fitting.identifiable import reasons_held
 from edesign.damper.testing.campaign import Campaign
+from edesign.damper.testing.measured_histories import USES
 from edesign.estimation.model import PredictionError
 
 
@@ -88,68 +90,33 @@ class Outcome:
         errors = {stage: errors_of(whole, of_stage) for stage, of_stage in forces.items()}
         return Outcome(campaign, problem, found, settings, whole, refit, final, forces, errors)
 
-    @property
-    def withheld(self) -> str:
-        """Why the effects are no part of the corrected law, for people: the validation tests; "" if they are."""
-        return why_withheld(self.kept.model, self.errors)
-
     def calibration(self, steps: Steps) -> Calibration:
         """Return all of it for people and files."""
-        withheld, found, whole = self.withheld, self.found, self.whole
-        final = self.refit if withheld else self.kept.model
-        errors, forces = dict(self.errors), dict(self.forces)
-        if withheld:
-            errors["corrected"], forces["corrected"] = errors["refit"], forces["refit"]
-        floor = Floor.under(whole, final, forces["corrected"])
-        evidence = self.evidence
-        posterior = evidence.posterior
-        effects, hypotheses = evidence.effects(steps, withheld, self.errors["corrected"].validate)
-        reached = floor.reached(errors["corrected"])
-        verdict = verdict_of(reached, bool(effects), steps.ending)
-        series = self._series(forces, floor)
-        further = steps.take(
-            "asking which further test would tell more", lambda: next_test(self.problem, posterior), None
-        )
-        better = None
-        if not reached:
-            better = steps.take(
-                "asking whether another law does better",
-                lambda: other_law(self.campaign, found.base, found.best, self.settings),
-                None,
-            )
-        law = self.campaign.law
+        found, whole, evidence, law = self.found, self.whole, self.evidence, self.campaign.law
         assert law is not None
-        return Calibration(
+        forces, final = evidence.staged(self.forces), evidence.final
+        floor = Floor.under(whole, final, forces["corrected"])
+        series = self._series(forces, floor)
+        return evidence.calibration(
+            steps,
+            {use: floor.nrms(use) for use in USES},
+            floor.worst(evidence.errors["corrected"]),
+            lambda: _shape(series),
+            lambda: next_test(self.problem, evidence.posterior),
+            lambda: other_law(self.campaign, found.base, found.best, self.settings),
             title=self.campaign.label,
-            law=self.problem.law.name,
-            verdict=verdict,
-            ending=steps.ending,
-            errors=errors,
-            noise_floor=floor.nrms("validate"),
-            noise_floor_fit=floor.nrms("fit"),
-            effects=effects,
-            hypotheses=hypotheses,
+            law=whole.law.name,
             parameters={
                 "declared": law_estimates(whole, None),
                 "refit": law_estimates(whole, self.refit),
                 "corrected": law_estimates(whole, final),
             },
-            law_held=not self.problem.refit,
+            law_held=not whole.refit,
             series=series,
-            unexplained_share=0.0 if reached else unexplained_share(errors, floor.nrms("validate")),
-            unexplained_shape="" if reached else _shape(series),
-            models=posterior.compared() if steps.ending != "interrupted" else (),
-            depths=depths_of(found),
-            forms=len(self.problem.effects),
-            effort=found.effort,
-            most_effort=self.settings.effort,
-            next_test=further,
-            law_file=law_file(whole, final, self.refit, withheld),
-            other_law=better,
-            worst=floor.worst(errors["corrected"]),
+            law_file=law_file(whole, final, self.refit, evidence.withheld),
             held=reasons_held(whole.law, [one.name for one in whole.base]) if whole.refit else {},
-            lasting=self.problem.lasting,
-            gamma_of=self.problem.gamma_of,
+            lasting=whole.lasting,
+            gamma_of=whole.gamma_of,
             fitted_first=law.fitted,
         )
 
@@ -157,7 +124,7 @@ class Outcome:
     def evidence(self) -> Evidence:
         """What the models of the search say of the effects."""
         not_carried = partial(why_not_carried, self.whole)
-        return Evidence(unbounded(self.problem, self.settings), self.found, self.kept, self._validate, not_carried)
+        return Evidence(self.settings, self.found, self.refit, self.kept, self.errors, self._validate, not_carried)
 
     def _validate(self, model: FittedModel) -> float:
         error = validation_error(self.whole, model.effects, model.fit.values)

@@ -52,5 +52,6 @@ class ChangedChannels:
 Act = ChangedBuilding | Links | ChangedChannels
 
 
+@dataclass(frozen=True, eq=False)
 class StructureForm(Form[Act, StructureSizes]):
     """A form of an effect of a structure or of its instruments."""

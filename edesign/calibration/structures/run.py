@@ -6,23 +6,16 @@ import math
 import time as clock
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from edesign.calibration.residual.series import STAGES, Errors, Series, Stage
-from edesign.calibration.results.evidence import (
-    Evidence,
-    Progress,
-    Steps,
-    depths_of,
-    searched,
-    unexplained_share,
-    verdict_of,
-    why_withheld,
-)
+from edesign.calibration.results.evidence import Evidence
 from edesign.calibration.results.fit import Kept, base_estimates, kept, unbounded
-from edesign.calibration.results.floor import MOST, Part, worst_of
+from edesign.calibration.results.floor import Part, worst_of
 from edesign.calibration.results.result import Calibration, Estimate
+from edesign.calibration.results.steps import Progress, Steps, searched
 from edesign.calibration.search.models import FittedModel
 from edesign.calibration.search.search import Found
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
@@ -114,59 +107,39 @@ class _Outcome:
 
     def calibration(self, steps: Steps, begin: float) -> Calibration:
         """Return all of it for people and files; `begin`: when it began, s."""
-        problem, campaign, found = self.problem, self.campaign, self.found
-        errors: dict[Stage, Errors] = {stage: self._errors(self.histories[stage]) for stage in STAGES}
-        histories, withheld = dict(self.histories), why_withheld(self.kept.model, errors)
-        with_effects = errors["corrected"].validate
-        final = found.base if withheld else self.kept.model
-        if withheld:
-            errors["corrected"], histories["corrected"] = errors["refit"], histories["refit"]
-        evidence = Evidence(
-            unbounded(found.base.problem, self.settings), found, self.kept, self._validate, self._why_not_carried
-        )
-        effects, hypotheses = evidence.effects(steps, withheld, with_effects)
-        floor = {use: self._floor(use) for use in USES}
-        series = self._series(final, histories)
-        corrected = errors["corrected"]
-        worst = worst_of(
-            [
-                Part(one.name, corrected.of(one), one.noise**2 / float(np.mean(one.measured**2)), one.measured.size)
-                for one in series
-            ]
-        )
-        reached = worst is None and all(getattr(corrected, use) <= MOST * floor[use] for use in USES)
-        mode = self._first_mode(final)
-        return Calibration(
+        problem, campaign, evidence = self.problem, self.campaign, self.evidence
+        final, corrected = evidence.final, evidence.errors["corrected"]
+        series = self._series(final, evidence.staged(self.histories))
+        parts = [
+            Part(one.name, corrected.of(one), one.noise**2 / float(np.mean(one.measured**2)), one.measured.size)
+            for one in series
+        ]
+        return evidence.calibration(
+            steps,
+            {use: self._floor(use) for use in USES},
+            worst_of(parts),
+            lambda: describe_residual(series, self._first_mode(final)),
             title=campaign.title or campaign.name,
             law=campaign.isolation.law if campaign.isolation else "",
-            verdict=verdict_of(reached, bool(effects), steps.ending),
-            ending=steps.ending,
-            errors=errors,
-            noise_floor=floor["validate"],
-            noise_floor_fit=floor["fit"],
-            effects=effects,
-            hypotheses=hypotheses,
             parameters={
                 "declared": {one.name: Estimate.held(one.centre, one.unit) for one in problem.base},
-                "refit": base_estimates(found.base),
+                "refit": base_estimates(self.found.base),
                 "corrected": base_estimates(final),
             },
             law_held=not problem.base,
             series=series,
-            unexplained_share=0.0 if reached else unexplained_share(errors, floor["validate"]),
-            unexplained_shape="" if reached else describe_residual(series, mode),
-            models=evidence.posterior.compared() if steps.ending != "interrupted" else (),
-            depths=depths_of(found),
-            forms=len(problem.effects),
-            effort=found.effort,
-            most_effort=self.settings.effort,
-            next_test=None,
-            law_file=law_file(campaign, problem, final, errors["corrected"].validate),
-            worst=worst,
+            law_file=law_file(campaign, problem, final, corrected.validate),
             held=_held(campaign, problem),
             subject="structure",
             seconds=clock.perf_counter() - begin,
         )
+
+    @cached_property
+    def evidence(self) -> Evidence:
+        """What the models of the search say of the effects."""
+        errors: dict[Stage, Errors] = {stage: self._errors(self.histories[stage]) for stage in STAGES}
+        found = self.found
+        return Evidence(self.settings, found, found.base, self.kept, errors, self._validate, self._why_not_carried)
 
     def _errors(self, histories: Sequence[np.ndarray]) -> Errors:
         """Return NRMS over all scaled channels of the tests of each use, of each test, and of each channel."""

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 from damper_problems import problem
 
-from edesign.calibration.results.floor import Floor
+from edesign.calibration.results.floor import Floor, only_noise
 from edesign.calibration.results.predictions import errors_of
+from edesign.damper.testing.measured_histories import USES
 
 NOISE = 100.0  # N
 TESTS = 12
@@ -34,7 +35,8 @@ def floor_and_errors(louder: dict[int, float], seed: int = 1):
 def test_noise_alone_reaches_the_floor():
     for seed in range(5):
         floor, errors = floor_and_errors({}, seed)
-        assert floor.reached(errors) and floor.worst(errors) is None
+        assert floor.worst(errors) is None
+        assert only_noise(errors, {use: floor.nrms(use) for use in USES}, None)
 
 
 @pytest.mark.parametrize("loud", [3, TESTS - 1])
@@ -45,7 +47,7 @@ def test_one_test_among_many_is_found_though_all_together_are_at_the_floor(loud:
     worst = floor.worst(errors)
     assert worst is not None and worst.name == f"test {loud + 1}"
     assert worst.times == pytest.approx(5.0, rel=0.21)  # 750 samples: four standard errors of sqrt(2 / n)
-    assert not floor.reached(errors)
+    assert not only_noise(errors, {use: floor.nrms(use) for use in USES}, worst)
 
 
 def test_the_worst_of_two_is_told():

@@ -1,0 +1,102 @@
+"""The steps of a calibration, that an interrupt (Ctrl-C) may end: the search, and what follows it."""
+
+from __future__ import annotations
+
+import signal
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, TypeVar
+
+from edesign.calibration.search.models import EffortSpentError
+from edesign.calibration.search.problem import Problem
+from edesign.calibration.search.search import Ending, Found, Progress, Search
+from edesign.calibration.search.settings import SETTINGS, SearchSettings
+from edesign.errors import InputError
+
+T = TypeVar("T")
+
+
+@dataclass
+class Steps:
+    """Steps after a search: after an interrupt among them the rest is left out, after one before all that can be.
+
+    Attributes:
+        progress: told what is done.
+        ending: how the search ended; interrupted if a step was.
+    """
+
+    progress: Progress
+    ending: Ending
+    _left: bool = False
+    _raising: Any = field(default=None, init=False)  # handler of interrupts outside of `held`; None: not in it
+
+    @contextmanager
+    def held(self) -> Iterator[None]:
+        """Hold interrupts back from what no result can do without; steps that are taken meanwhile end by them."""
+        handler = signal.getsignal(signal.SIGINT)
+        if handler is None or threading.current_thread() is not threading.main_thread():  # which alone is interrupted
+            yield
+            return
+
+        def note(*_: object) -> None:
+            self.ending, self._left = "interrupted", True
+            self.progress("interrupted: what was found is written as it stands")
+
+        self._raising = signal.signal(signal.SIGINT, note)
+        try:
+            yield
+        finally:
+            signal.signal(signal.SIGINT, self._raising)
+            self._raising = None
+
+    def take(self, what: str, step: Callable[[], T], instead: T, needed: bool = False) -> T:
+        """Return what a step makes; what stands instead where it is interrupted or left out.
+
+        Args:
+            what: is done, for people.
+            step: makes it.
+            instead: of it.
+            needed: whether it is taken after an interrupt of the search too.
+        """
+        if self._left or (self.ending == "interrupted" and not needed):
+            return instead
+        self.progress(what)
+        holding = None if self._raising is None else signal.signal(signal.SIGINT, self._raising)
+        try:
+            return step()
+        except KeyboardInterrupt:
+            self.ending, self._left = "interrupted", True
+            return instead
+        finally:
+            if holding is not None:
+                signal.signal(signal.SIGINT, holding)
+
+
+def searched(problem: Problem, settings: SearchSettings, progress: Progress, campaign: Path, model: str) -> Found:
+    """Return what a search finds.
+
+    Args:
+        problem: of the tests.
+        settings: of the search.
+        progress: told what is done.
+        campaign: the campaign file.
+        model: what is declared in it, for people.
+
+    Raises:
+        InputError: the declared model cannot predict the tests, or the effort is too little to fit it.
+        KeyboardInterrupt: before it was fitted.
+    """
+    try:
+        found = Search(problem, settings, progress).run()
+    except ValueError as error:
+        raise InputError(f"{campaign}: {model}: {error}") from error
+    except EffortSpentError:
+        raise InputError(
+            f"--effort {settings.effort:g}: too little to fit the {model} alone; {SETTINGS.effort:g} are usual"
+        ) from None
+    if found.ending == "interrupted":
+        progress("interrupted: going on with what was found so far; interrupting again writes it as it stands")
+    return found
