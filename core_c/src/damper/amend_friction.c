@@ -47,11 +47,13 @@ typedef struct {
   double z, by_before, by_way;
 } ed_gone;
 
-/* The state at the end of a step, from the one before it, over the ways between the turning points of the path. by: its derivatives to the
- * two unknowns of the path. */
-static double along(const double *p, ed_gone (*go)(const double *p, double z, double way), double before, const ed_ends *ends, double by[2])
+/* A force times a state z, from the state before the step over the ways between the turning points of the path. The derivatives to the
+ * two unknowns of the path are those of the state; the force is the caller's. */
+static void times_state(
+    double force, const double *p, ed_gone (*go)(const double *p, double z, double way), double z, const ed_ends *ends, double *after,
+    ed_amended *out)
 {
-  double at[3], z = before, from = 0.0, from_by[2] = {0.0};
+  double at[3], by[2] = {0.0}, from = 0.0, from_by[2] = {0.0};
   int n = 0;
   if (ends->path) {
     n = ed_path_reversals(ends->path, at);
@@ -71,7 +73,10 @@ static double along(const double *p, ed_gone (*go)(const double *p, double z, do
     }
     from = to;
   }
-  return z;
+  *after = z;
+  out->value = force * z;
+  for (int j = 0; j < 2; j++)
+    out->by_path[j] = force * by[j];
 }
 
 /* State z/x0: on a way it comes near to 1 or -1 by exp(-way/x0), however fast. */
@@ -90,11 +95,7 @@ static ed_gone presliding_way(const double *p, double z, double way)
 static void presliding(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_FRICTION_PRESLIDING_PARAMETERS };
-  double by[2] = {0.0};
-  *after = along(p, presliding_way, before, ends, by);
-  out->value = p[F_C] * *after;
-  for (int j = 0; j < 2; j++)
-    out->by_path[j] = p[F_C] * by[j];
+  times_state(p[F_C], p, presliding_way, before, ends, after, out);
 }
 
 /* Who lets go of the damper takes the strain out of it. */
@@ -116,13 +117,9 @@ static ed_gone stretch_way(const double *p, double z, double way)
 static void stretch(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_HYSTERESIS_STRETCH_PARAMETERS };
-  double by[2] = {0.0};
-  const double u = fabs(ends->u1), most = p[F_Y] * pow(u / p[R], p[N]);
-  *after = along(p, stretch_way, before, ends, by);
-  out->value = most * *after;
+  const double u = fabs(ends->u1);
+  times_state(p[F_Y] * pow(u / p[R], p[N]), p, stretch_way, before, ends, after, out);
   out->by_u1 = u > 0.0 ? p[N] * out->value / ends->u1 : 0.0;
-  for (int j = 0; j < 2; j++)
-    out->by_path[j] = most * by[j];
 }
 
 const ed_amendment_kind ed_amend_hysteresis_stretch = {
@@ -152,11 +149,7 @@ static ed_gone bouc_wen_way(const double *p, double z, double way)
 static void bouc_wen(const double *p, double before, const ed_ends *ends, double *after, ed_amended *out)
 {
   enum { ED_AMEND_HYSTERESIS_BOUC_WEN_PARAMETERS };
-  double by[2] = {0.0};
-  *after = along(p, bouc_wen_way, before, ends, by);
-  out->value = p[K] * *after;
-  for (int j = 0; j < 2; j++)
-    out->by_path[j] = p[K] * by[j];
+  times_state(p[K], p, bouc_wen_way, before, ends, after, out);
 }
 
 const ed_amendment_kind ed_amend_hysteresis_bouc_wen = {
