@@ -26,10 +26,11 @@ from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import read_parameters
 from edesign.damper.temperature import GammaT, at
 from edesign.damper.testing.campaign import Campaign
-from edesign.damper.testing.clipping import clipped, noise_within
+from edesign.damper.testing.clipping import clipped
 from edesign.damper.testing.measured_histories import DamperTest, Use, lost_motion
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
+from edesign.estimation.differences import difference_noise
 from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
@@ -241,7 +242,7 @@ def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray) -> Experi
     if test.clipped is None:
         channel = min(white_noise(force, time), white_noise(force - predicted, time))
     else:  # there is no noise at the end of a range
-        channel = noise_within(force, ~test.clipped)
+        channel = difference_noise(force, ~test.clipped)
     channel = max(channel, least_noise(force))
     if not np.any(power):
         return replace(test, channel_noise=channel)

@@ -10,6 +10,7 @@ from scipy.interpolate import CubicSpline
 from edesign.calibration.signals.noise_level import noise_level
 from edesign.calibration.signals.sampling import even, evenly, rounding, step
 from edesign.calibration.signals.smoothing import smoothed
+from edesign.estimation.differences import divided_difference_noise
 
 _FEWEST = 64  # samples, for a spectrum
 _LEAST = 1e-3  # of a test's rms force: reproducibility of a force transducer of class 0.5 (ISO 376:2011, table 2)
@@ -54,22 +55,13 @@ def _noise(values: np.ndarray, time: np.ndarray) -> tuple[float, float]:
         return 0.0, 0.0
     level = noise_level(values, step(time)) if values.size >= _FEWEST and evenly(time) else None
     both = (
-        (_from_differences(values, time),) * 2 if level is None else (math.sqrt(level.power), math.sqrt(level.density))
+        (divided_difference_noise(values, time),) * 2
+        if level is None
+        else (math.sqrt(level.power), math.sqrt(level.density))
     )
     least, none = rounding(values), _NONE * float(np.ptp(values))
     all_of_it, near = (max(one, least) if max(one, least) > none else 0.0 for one in both)
     return all_of_it, near
-
-
-def _from_differences(values: np.ndarray, time: np.ndarray, order: int = 4) -> float:
-    """Median of divided differences, each over its own gain for white noise."""
-    windows = np.lib.stride_tricks.sliding_window_view(time, order + 1)
-    gaps = windows[:, :, None] - windows[:, None, :]
-    gaps[:, np.arange(order + 1), np.arange(order + 1)] = np.mean(np.diff(time))
-    weights = 1.0 / np.prod(gaps, axis=2)
-    weights /= np.linalg.norm(weights, axis=1, keepdims=True)
-    differences = np.sum(weights * np.lib.stride_tricks.sliding_window_view(values, order + 1), axis=1)
-    return float(np.median(np.abs(differences))) / 0.67449
 
 
 def smooth(

@@ -9,6 +9,7 @@ import numpy as np
 from scipy.ndimage import median_filter, uniform_filter1d
 
 from edesign.calibration.signals.sampling import rounding
+from edesign.estimation.differences import difference_gain, robust_deviation
 
 MOTION = 20.0
 """Hz: motions of dampers and their loops live below."""
@@ -24,7 +25,7 @@ _HIGH = 0.12  # of the Nyquist frequency, above which a motion has no share in w
 _ALIKE = 0.2  # mean difference of logarithms of spectra that are the same
 _TONE = 3.0  # times the level about it
 _MOTION_SHARE = 0.4  # of the Nyquist frequency, that the motion takes at most if the sampling is slow
-_CORNER, _GAIN = 3.5, np.sqrt(70.0)  # standard deviations of a fourth difference; that of unit white noise
+_CORNER = 3.5  # standard deviations of a fourth difference
 _LAST = 0.9  # of the Nyquist frequency: filters of a logger fall beyond it
 
 
@@ -120,9 +121,9 @@ def _segments(values: np.ndarray) -> np.ndarray:
     as few large fourth differences. Segments in which nothing changes at all, as of a digitiser at rest, are left out.
     """
     differences = np.diff(values, 2)
-    fourth = np.abs(np.diff(differences, 2))
-    least = max(_GAIN * rounding(values), 1e-12 * float(np.ptp(values)))
-    large = fourth > _CORNER * max(float(np.median(fourth)) / 0.67449, least)
+    fourth = np.diff(differences, 2)
+    least = max(difference_gain(4) * rounding(values), 1e-12 * float(np.ptp(values)))
+    large = np.abs(fourth) > _CORNER * max(robust_deviation(fourth), least)
     corner = np.convolve(large, np.ones(3))[: differences.size] > 0.0
     length = _LONGEST
     while True:

@@ -7,12 +7,12 @@ from collections.abc import Sequence
 import numpy as np
 
 from edesign.damper.testing.measured_histories import DamperTest
+from edesign.estimation.differences import difference_noise
 
 _SHORTEST = 3  # samples in a row that are equal to the last digit
 _BEYOND = 5.0  # standard deviations of the noise, by which the force would have gone beyond
 _SLOPE = 3  # samples before and after a row, by which it comes and goes
 _MEASURED = 1e-5  # of the largest force: no measured channel has less noise, of 16 bits at least
-_GAIN = 0.67449 * np.sqrt(70.0)  # median size of a fourth difference of unit white noise
 
 
 def clipped(force: np.ndarray) -> np.ndarray:
@@ -34,24 +34,13 @@ def clipped(force: np.ndarray) -> np.ndarray:
     rows = [_rows(end) for end in ends]
     if not any(rows):
         return found
-    noise = noise_within(force, ~(ends[0] | ends[1]))
+    noise = difference_noise(force, ~(ends[0] | ends[1]))
     if noise < _MEASURED * float(np.max(np.abs(force))):
         return found
     for side, end, of_side in zip((1.0, -1.0), ends, rows, strict=True):
         if any(_gone(side * force, first, last) > _BEYOND * noise for first, last in of_side):
             found |= end
     return found
-
-
-def noise_within(force: np.ndarray, within: np.ndarray) -> float:
-    """Return the standard deviation of the noise within the range, by fourth differences, to which motions add little.
-
-    Args:
-        force: (n,).
-        within: (n,) which samples are within the range.
-    """
-    fourth = np.diff(force, 4)[np.convolve(within, np.ones(5), "valid") > 4.5] if force.size > 4 else np.zeros(0)
-    return float(np.median(np.abs(fourth))) / float(_GAIN) if fourth.size else 0.0
 
 
 def clipping_doubt(test: DamperTest) -> str:
