@@ -9,7 +9,7 @@ import pytest
 from scipy.interpolate import CubicSpline
 from scipy.signal import butter, lfilter, sosfilt
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.repeatability import repeatability
 from edesign.calibration.residual.tones import without_tones
 from edesign.calibration.signals.noise import smooth, white_noise
@@ -174,7 +174,7 @@ def test_what_does_not_repeat_from_cycle_to_cycle() -> None:
     rng = np.random.default_rng(8)
     rate, s = 200.0, 400.0
     t = np.arange(0.0, 40.0, 1.0 / rate)
-    motion = Motion(t, A * np.sin(2.0 * np.pi * 0.5 * t))
+    motion = Cycles(t, A * np.sin(2.0 * np.pi * 0.5 * t))
     signal = 8e6 * motion.displacement + 1e10 * motion.displacement**3
     white = s * rng.standard_normal(t.size)
     assert white_noise(signal + white, t) == pytest.approx(s, rel=0.08)
@@ -193,7 +193,7 @@ def test_what_a_model_can_have_repeats() -> None:
     """Hum, a change with each cycle, a constant: none of it is noise."""
     rng = np.random.default_rng(9)
     t = np.arange(0.0, 30.0, 1.0 / 200.0)
-    motion = Motion(t, A * np.sin(2.0 * np.pi * 0.5 * t))
+    motion = Cycles(t, A * np.sin(2.0 * np.pi * 0.5 * t))
     hum = 900.0 * np.sin(2.0 * np.pi * 50.2 * t)
     left = 8e6 * motion.displacement * (1.0 - 0.01 * t) + 2e3 + hum + 400.0 * rng.standard_normal(t.size)
     assert repeatability(motion, without_tones(motion, left)) == pytest.approx(400.0, rel=0.08)
@@ -201,7 +201,7 @@ def test_what_a_model_can_have_repeats() -> None:
 
 def test_a_test_without_cycles_does_not_tell_what_repeats() -> None:
     t = np.arange(0.0, 15.0, 1.0 / 500.0)
-    assert repeatability(Motion(t, earthquake(t)[0]), np.random.default_rng(10).standard_normal(t.size)) is None
+    assert repeatability(Cycles(t, earthquake(t)[0]), np.random.default_rng(10).standard_normal(t.size)) is None
 
 
 def _rms(values: np.ndarray) -> float:

@@ -9,26 +9,26 @@ from typing import Literal
 import numpy as np
 from scipy.special import fdtrc
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.series import Residual
 
-Driver = Callable[[Residual, Motion], np.ndarray]
-Way = Literal["force", "factor"]
+Driver = Callable[[Residual, Cycles], np.ndarray]
+Action = Literal["force", "factor"]
 _STILL = 0.01  # of the largest speed: no sign of the velocity below it
 _FEWEST_BINS, _MOST_BINS, _PER_BIN = 6, 16, 8.0  # the last: effective samples
 
 
-def _sign(test: Residual, motion: Motion) -> np.ndarray:
+def _sign(test: Residual, motion: Cycles) -> np.ndarray:
     speed = np.abs(test.velocity)
     return np.where(speed > _STILL * np.max(speed), np.sign(test.velocity), 0.0)
 
 
-def _energy(test: Residual, motion: Motion) -> np.ndarray:
+def _energy(test: Residual, motion: Cycles) -> np.ndarray:
     work = 0.5 * (test.measured[1:] + test.measured[:-1]) * np.diff(test.displacement)
     return np.concatenate(([0.0], np.cumsum(work)))
 
 
-def _path(test: Residual, motion: Motion) -> np.ndarray:
+def _path(test: Residual, motion: Cycles) -> np.ndarray:
     return np.concatenate(([0.0], np.cumsum(np.abs(np.diff(test.displacement)))))
 
 
@@ -76,7 +76,7 @@ class Pool:
     """
 
     def __init__(
-        self, tests: Sequence[Residual], motions: Sequence[Motion], effective_samples: Sequence[float], lag: float = 0.0
+        self, tests: Sequence[Residual], motions: Sequence[Cycles], effective_samples: Sequence[float], lag: float = 0.0
     ) -> None:
         self.error = np.concatenate([test.residual / test.rms_force for test in tests])
         self.predicted = np.concatenate([test.predicted / test.rms_force for test in tests])
@@ -141,7 +141,7 @@ class Dependence:
     Attributes:
         driver: name in `drivers.DRIVERS`.
         unit: of the driver.
-        way: `force`: the mean of the residual over the rms force of its test, as a force beside the law leaves it.
+        action: `force`: the mean of the residual over the rms force of its test, as a force beside the law leaves it.
             `factor`: the residual as a share of the predicted force (least squares), as a factor on the law leaves it.
         centre: (b,) mean of the driver in each bin.
         mean: (b,) residual in each bin, of the rms force or of the predicted force.
@@ -152,7 +152,7 @@ class Dependence:
 
     driver: str
     unit: str
-    way: Way
+    action: Action
     centre: np.ndarray
     mean: np.ndarray
     share: float
@@ -160,17 +160,17 @@ class Dependence:
 
 
 def against(pool: Pool) -> tuple[Dependence, ...]:
-    """Dependences on all drivers that change, in both ways."""
+    """Dependences on all drivers that change, as a force and as a factor."""
     found = []
     for driver, number in pool.number.items():
         count = np.bincount(number).astype(float)
         centre = np.bincount(number, pool.values[driver]) / count
-        ways: tuple[tuple[Way, np.ndarray], ...] = (
+        actions: tuple[tuple[Action, np.ndarray], ...] = (
             ("force", np.ones_like(pool.error)),
             ("factor", pool.predicted),
         )
-        for way, regressor in ways:
+        for action, regressor in actions:
             part = pool.explained(pool.error, regressor, number)
             chance = pool.chance(count.size)
-            found.append(Dependence(driver, DRIVERS[driver][0], way, centre, part.coefficient, part.share, chance))
+            found.append(Dependence(driver, DRIVERS[driver][0], action, centre, part.coefficient, part.share, chance))
     return tuple(found)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibration.residual.motion import Motion, Steady
+from edesign.calibration.residual.cycles import Cycles, Steady
 from edesign.calibration.signals.sampling import evenly, step
 
 _FEWEST = 16  # samples a cycle
 _MEDIAN = 0.454936  # of the square of a standard normal variable
 
 
-def repeatability(motion: Motion, values: np.ndarray) -> float | None:
+def repeatability(motion: Cycles, values: np.ndarray) -> float | None:
     """Standard deviation of what does not repeat from cycle to cycle, in the unit of the values.
 
     Second differences x(t-P) - 2 x(t) + x(t+P) over three cycles, which also end a change in proportion to the number

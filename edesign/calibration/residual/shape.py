@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from scipy.interpolate import CubicSpline
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.pool import DRIVERS, Pool
 from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.tones import Tone, find_tones
@@ -39,7 +39,7 @@ class _Thing:
     driver: str = ""
 
 
-def describe_residual(tests: Sequence[Residual], motions: Sequence[Motion] | None = None) -> str:
+def describe_residual(tests: Sequence[Residual], motions: Sequence[Cycles] | None = None) -> str:
     """Return what is left, how much of it is structure, and what that goes with.
 
     Things are taken one after another, each the one that explains most of what those before have left; at most three,
@@ -49,7 +49,7 @@ def describe_residual(tests: Sequence[Residual], motions: Sequence[Motion] | Non
         tests: residuals, one at least.
         motions: of each, where they are known.
     """
-    motions = motions or [Motion(test.time, test.displacement) for test in tests]
+    motions = motions or [Cycles(test.time, test.displacement) for test in tests]
     pool = Pool(tests, motions, [effective_samples(test.residual) for test in tests], find_lag(tests))
     total = float(pool.error @ pool.error)
     if total == 0.0:
@@ -110,14 +110,16 @@ def _binned(error: np.ndarray, pool: Pool) -> Iterator[_Thing]:
     for driver, number in pool.number.items():
         count = np.bincount(number)
         centre = np.bincount(number, pool.values[driver]) / count
-        for way, regressor in (("force", np.ones_like(error)), ("factor", pool.predicted)):
-            if way != ("force" if driver in _STATES else "factor") and driver not in _BOTH:
+        for action, regressor in (("force", np.ones_like(error)), ("factor", pool.predicted)):
+            if action != ("force" if driver in _STATES else "factor") and driver not in _BOTH:
                 continue
             part = pool.explained(error, regressor, number)
             if pool.p_value(part.share, count.size) < _RARE:
                 state = driver in _STATES
                 text = (
-                    _state(driver, centre, part.coefficient) if state else _slow(driver, way, centre, part.coefficient)
+                    _state(driver, centre, part.coefficient)
+                    if state
+                    else _slow(driver, action, centre, part.coefficient)
                 )
                 yield _Thing(part.whole - pool.chance(count.size + 1), part.fitted, text, driver)
 
@@ -137,7 +139,7 @@ def _state(driver: str, centre: np.ndarray, mean: np.ndarray) -> str:
     return f"a force odd in the {driver}" if odd > _PARITY * (even + odd) else f"a force that goes with the {driver}"
 
 
-def _slow(driver: str, way: str, centre: np.ndarray, mean: np.ndarray) -> str:
+def _slow(driver: str, action: str, centre: np.ndarray, mean: np.ndarray) -> str:
     """Words for a force or factor that changes slowly: up, down, or where it is largest."""
     from scipy.stats import spearmanr  # takes a second; most calibrations have no need of it
 
@@ -145,11 +147,11 @@ def _slow(driver: str, way: str, centre: np.ndarray, mean: np.ndarray) -> str:
     rank = float(spearmanr(centre, mean).statistic) if centre.size > 2 else float(np.sign(high - low))
     if abs(rank) >= _MONOTONE:
         verb = "rises" if rank > 0.0 else "falls"
-        return f"a {way} that {verb} with the {driver} from {_signed(low)} to {_signed(high)}"
+        return f"a {action} that {verb} with the {driver} from {_signed(low)} to {_signed(high)}"
     at = int(np.argmax(np.abs(mean)))
     scale, unit = _SCALES.get(DRIVERS[driver][0], (1.0, DRIVERS[driver][0]))
     place = f"{scale * centre[at]:.3g} {unit}".strip()
-    return f"a {way} that depends on the {driver}, {_signed(mean[at])} at {place}"
+    return f"a {action} that depends on the {driver}, {_signed(mean[at])} at {place}"
 
 
 def _signed(share: float) -> str:

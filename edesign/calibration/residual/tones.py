@@ -8,7 +8,7 @@ import numpy as np
 from scipy.ndimage import maximum_filter1d, median_filter
 from scipy.optimize import minimize_scalar
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.signals.sampling import even, step
 from edesign.calibration.signals.windows import blackman_harris
 
@@ -37,7 +37,7 @@ class Tone:
     amplitude: float
 
 
-def find_tones(motion: Motion, values: np.ndarray) -> tuple[Tone, ...]:
+def find_tones(motion: Cycles, values: np.ndarray) -> tuple[Tone, ...]:
     """Tones in a channel, strongest first.
 
     Only above the band of the motion (three times the band if it has no base frequency). In a test of one frequency
@@ -50,12 +50,12 @@ def find_tones(motion: Motion, values: np.ndarray) -> tuple[Tone, ...]:
     return _search(motion, values)[0]
 
 
-def without_tones(motion: Motion, values: np.ndarray) -> np.ndarray:
+def without_tones(motion: Cycles, values: np.ndarray) -> np.ndarray:
     """The channel (n,) less its tones."""
     return _search(motion, values)[1]
 
 
-def _search(motion: Motion, values: np.ndarray) -> tuple[tuple[Tone, ...], np.ndarray]:
+def _search(motion: Cycles, values: np.ndarray) -> tuple[tuple[Tone, ...], np.ndarray]:
     grid, rest = even(motion.time, values)
     if rest.size < _FEWEST:
         return (), np.asarray(values, dtype=float)
@@ -88,7 +88,7 @@ def _least(samples: int) -> float:
     return float(np.log(0.5 * samples / CHANCE))
 
 
-def _allowed(frequency: np.ndarray, power: np.ndarray, motion: Motion) -> np.ndarray:
+def _allowed(frequency: np.ndarray, power: np.ndarray, motion: Cycles) -> np.ndarray:
     """Bins (m,) in which a peak does not come from the motion.
 
     Harmonics of a periodic motion, and their images at sampling, come in combs: as far from a peak as the base

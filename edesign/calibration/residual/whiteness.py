@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.signals.noise import white_noise
 from edesign.calibration.signals.sampling import even, step
 
 _HARMONICS = 7.0  # of the upper frequency of the motion, in the band in which models act
 
 
-def structured_share(motion: Motion, values: np.ndarray) -> float:
+def structured_share(motion: Cycles, values: np.ndarray) -> float:
     """Return the share of the mean square of a residual that lies in the band of the motion above what noise has there.
 
     The band goes up to 7 times the upper frequency of the motion, at most half the Nyquist frequency.

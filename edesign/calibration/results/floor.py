@@ -14,7 +14,7 @@ from edesign.calibration.dampers.experiment import Experiment
 from edesign.calibration.dampers.from_campaign import with_noise
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.repeatability import repeatability
 from edesign.calibration.residual.series import Errors, Worst
 from edesign.calibration.residual.tones import without_tones
@@ -145,7 +145,7 @@ def worst_of(parts: Sequence[Part]) -> Worst | None:
 
 def _from_cycle_to_cycle(one: Experiment, left: np.ndarray) -> float:
     """Return what of a residual (n,) N does not repeat from cycle to cycle; nan: the test has no steady cycles."""
-    motion = Motion(judged(one, one.motion.time), judged(one, one.motion.displacement))
+    motion = Cycles(judged(one, one.motion.time), judged(one, one.motion.displacement))
     found = repeatability(motion, without_tones(motion, left))
     return math.nan if found is None else found
 

@@ -22,8 +22,11 @@ _GAP = 3.5
 """Steps on either side: a longer one lacks three samples or more. Where two are dropped the spline through the others
 follows to 1e-4 of the amplitude at 50 samples a cycle."""
 _STILL = 0.02
-"""Of the range of the displacement: what moves by less around a gap rests in it, noise and drift left aside."""
-_SWUNG = 0.1  # of the range on either side of the middle: a half cycle ends on the other side
+"""Of the range of the displacement: a specimen that moves by less around a gap rests in it. This is a judgement: noise
+and drift of displacement transducers stay below, and the force of a spring is off by 2 % of its range at most."""
+_SWUNG = 0.1
+"""Of the range on either side of the middle: the dead band in which no half cycle ends. This is a judgement too: noise
+must not count as half cycles. Those of a sine are counted alike with any band below half of the range."""
 
 
 def gaps(time: np.ndarray) -> np.ndarray:

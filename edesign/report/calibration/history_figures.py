@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.series import Residual
 from edesign.report.calibration.error_tables import STAGES, noise_of
 from edesign.report.calibration.units import percent
@@ -174,7 +174,7 @@ class Loop:
     residual: np.ndarray
 
 
-def residual_loop(test: Residual, motion: Motion, points: int = _POINTS) -> Loop | None:
+def residual_loop(test: Residual, motion: Cycles, points: int = _POINTS) -> Loop | None:
     """Mean cycle of the longest steady part of a test; None if it is not periodic or sampled too coarsely."""
     part = motion.longest()
     if part is None:

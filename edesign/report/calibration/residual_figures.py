@@ -41,7 +41,7 @@ def dependence_figures(view: View) -> Iterator[tuple[str, str, Figure]]:
 
 
 def telling_dependences(view: View) -> list[dict[Stage, Dependence]]:
-    """The same dependence at each stage, most telling first; of each driver the way that explains more."""
+    """The same dependence at each stage, most telling first; of each driver the action that explains more."""
     every = view.dependences
     by_driver: dict[str, int] = {}
     for i, one in enumerate(every["declared"]):
@@ -69,7 +69,7 @@ def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Fig
         first = stages["declared"]
         axis.axhline(0.0, color="#111111", lw=0.5, zorder=0.9)
         axis.set_xlabel(f"{first.driver}{f' ({unit})' if unit else ''}")
-        axis.set_ylabel("as a force (%)" if first.way == "force" else "as a factor (%)")
+        axis.set_ylabel("as a force (%)" if first.action == "force" else "as a factor (%)")
         axis.set_title("explains " + " → ".join(_share(one) for one in stages.values()), fontsize=7.5, loc="left")
     handles, labels = cells[0].get_legend_handles_labels()
     figure.legend(handles, labels, loc="outside lower center", ncols=2)

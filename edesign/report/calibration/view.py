@@ -8,7 +8,7 @@ from functools import cached_property
 
 import numpy as np
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.pool import Dependence, Pool, against
 from edesign.calibration.residual.series import FEWEST, Residual, Series, Stage
 from edesign.calibration.residual.whiteness import effective_samples
@@ -56,9 +56,9 @@ class View:
         return tuple(sorted((first + rest)[:MOST_TESTS], key=lambda one: one.order))
 
     @cached_property
-    def motions(self) -> dict[str, Motion]:
+    def motions(self) -> dict[str, Cycles]:
         """Of each test by name."""
-        return {one.name: Motion(one.time, one.displacement) for one in self.calibration.series}
+        return {one.name: Cycles(one.time, one.displacement) for one in self.calibration.series}
 
     def residuals(self, stage: Stage) -> tuple[Residual, ...]:
         """Of all tests that are long enough."""
@@ -68,12 +68,12 @@ class View:
     def dependences(self) -> dict[Stage, tuple[Dependence, ...]]:
         """Residuals against what may explain them, in every stage shown, from every so many samples of a test."""
         found: dict[Stage, tuple[Dependence, ...]] = {}
-        motions: list[Motion] = []
+        motions: list[Cycles] = []
         for stage in self.stages:
             tests = self.residuals(stage)
             samples = [effective_samples(test.residual) for test in tests]
             light = [_lighter(test) for test in tests]
-            motions = motions or [Motion(test.time, test.displacement) for test in light]
+            motions = motions or [Cycles(test.time, test.displacement) for test in light]
             found[stage] = against(Pool(light, motions, samples, 0.0))
         return found
 

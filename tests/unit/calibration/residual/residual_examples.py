@@ -7,7 +7,7 @@ from functools import cache
 
 import numpy as np
 
-from edesign.calibration.residual.motion import Motion
+from edesign.calibration.residual.cycles import Cycles
 from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.shape import describe_residual
 
@@ -62,9 +62,9 @@ def examples() -> tuple[Example, ...]:
 
 
 @cache
-def cycles() -> tuple[Motion, ...]:
+def cycles() -> tuple[Cycles, ...]:
     """Cycles of each test, found once."""
-    return tuple(Motion(example.time, example.displacement) for example in examples())
+    return tuple(Cycles(example.time, example.displacement) for example in examples())
 
 
 def described(extra: Extra = lambda example: 0.0, noise: float = NOISE) -> str:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from residual_examples import RATE, Example, campaign, cycles, described, force
 
-from edesign.calibration.residual.motion import Motion, reversals
+from edesign.calibration.residual.cycles import Cycles, reversals
 from edesign.calibration.residual.pool import Dependence, Pool, against, bins
 from edesign.calibration.residual.series import Residual
 from edesign.calibration.residual.shape import find_lag
@@ -70,10 +70,10 @@ def test_nothing_left_is_told() -> None:
 def test_binned_means_are_those_of_the_known_function() -> None:
     """e = 3000 N sgn v over the rms force; and a factor of 5 % a kelvin."""
     tests = campaign(lambda e: 3e3 * np.sign(e.velocity), noise=0.0)[:1]
-    sign = next(d for d in dependences(tests) if d.driver == "sign of velocity" and d.way == "force")
+    sign = next(d for d in dependences(tests) if d.driver == "sign of velocity" and d.action == "force")
     assert sign.mean[[0, -1]] * tests[0].rms_force == pytest.approx([-3e3, 3e3], rel=1e-9)
     tests = campaign(lambda e: 0.01 * (e.order % 3) * e.predicted, noise=0.0)
-    warm = next(d for d in dependences(tests) if d.driver == "temperature" and d.way == "factor")
+    warm = next(d for d in dependences(tests) if d.driver == "temperature" and d.action == "factor")
     assert warm.centre == pytest.approx([20.0, 25.0, 30.0])
     assert warm.mean == pytest.approx([0.0, 0.01, 0.02], abs=1e-12)
     assert warm.share + _common(tests) == pytest.approx(1.0, abs=1e-9)
@@ -154,7 +154,7 @@ def test_half_cycles_of_a_growing_triangle() -> None:
     time = np.array([0.0, 1.0, 3.0, 6.0])
     fine = np.linspace(0.0, 6.0, 601)
     u = np.interp(fine, time, [0.0, 1.0, -2.0, 3.0])
-    half = Motion(fine, u).half_cycles
+    half = Cycles(fine, u).half_cycles
     assert half.number[[50, 200, 500]].tolist() == [0, 1, 2]
     assert half.amplitude[[50, 200, 500]] == pytest.approx([0.5, 1.5, 2.5])
     assert half.frequency[[50, 200, 500]] == pytest.approx([0.5, 0.25, 1.0 / 6.0])

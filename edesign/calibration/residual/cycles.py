@@ -1,4 +1,4 @@
-"""The motion of a test: its steady cycles, its band of frequencies, and the half cycle each sample is in."""
+"""Cycles in the motion of a test: steady ones, the band of frequencies, and the half cycle each sample is in."""
 
 from __future__ import annotations
 
@@ -60,7 +60,7 @@ class HalfCycles:
     frequency: np.ndarray
 
 
-class Motion:
+class Cycles:
     """What a displacement history says of the cycles in it; each thing is worked out when it is first asked for.
 
     Args:
