@@ -14,6 +14,13 @@ from edesign.report.tables.table import Table, formatted
 STAGES: dict[Stage, str] = {"declared": "as declared", "refit": "refitted", "corrected": "corrected"}
 """Of a law, in words."""
 
+LAW_FILES: dict[Stage, str] = {
+    "declared": "the declared law",
+    "refit": "the refitted law",
+    "corrected": "the corrected law",
+}
+"""What law.yaml has, by whose parameters it has."""
+
 MODELS: dict[Subject, str] = {"damper": "law", "structure": "building", "table": "law"}
 """What is calibrated, in a word."""
 

@@ -22,10 +22,9 @@ from edesign.report.calibration.view import (
     residual,
     series_label,
 )
-from edesign.report.drawing.style import grid_figure, new_figure, styled
+from edesign.report.drawing.style import grid_figure, legend_below, new_figure, styled
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _MARKS = {"declared": ("o", 7.0), "refit": ("^", 6.0), "corrected": ("D", 4.0)}
@@ -108,7 +107,7 @@ def _loops_figure(view: View) -> Figure:
         axis.set_title(_short(series_label(series)), fontsize=8.0, loc="left")
         axis.set_xlabel("displacement (mm)")
         axis.set_ylabel("force (kN)")
-    _legend(figure, cells[0])
+    legend_below(figure, *cells[0].get_legend_handles_labels(), 3)
     return figure
 
 
@@ -157,7 +156,7 @@ def _residuals_figure(view: View) -> Figure:
         history.set_ylabel("residual (kN)")
     rows[-1][0].set_xlabel("time (s)")
     rows[-1][1].set_xlabel("displacement (mm)")
-    _legend(figure, rows[0][0])
+    legend_below(figure, *rows[0][0].get_legend_handles_labels(), 3)
     return figure
 
 
@@ -191,8 +190,3 @@ def residual_loop(test: Residual, motion: Cycles, points: int = _POINTS) -> Loop
         return np.asarray(np.bincount(number, values[inside], points) / count)
 
     return Loop(mean(test.displacement), mean(test.residual))
-
-
-def _legend(figure: Figure, axis: Axes) -> None:
-    handles, labels = axis.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)

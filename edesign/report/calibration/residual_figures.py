@@ -11,7 +11,7 @@ import numpy as np
 from edesign.calibration.residual.pool import Dependence
 from edesign.calibration.residual.series import Residual, Stage
 from edesign.report.calibration.view import COLOURS, View, excess
-from edesign.report.drawing.style import grid_figure, new_figure, styled
+from edesign.report.drawing.style import grid_figure, legend_below, new_figure, styled
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -71,8 +71,7 @@ def _dependences_figure(view: View, shown: list[dict[Stage, Dependence]]) -> Fig
         axis.set_xlabel(f"{first.driver}{f' ({unit})' if unit else ''}")
         axis.set_ylabel("as a force (%)" if first.action == "force" else "as a factor (%)")
         axis.set_title("explains " + " → ".join(_share(one) for one in stages.values()), fontsize=7.5, loc="left")
-    handles, labels = cells[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=2)
+    legend_below(figure, *cells[0].get_legend_handles_labels(), 2)
     return figure
 
 

@@ -11,10 +11,9 @@ from edesign.calibration.residual.series import Series
 from edesign.report.calibration.units import scale_of
 from edesign.report.calibration.view import COLOURS, MEASURED, View, outline
 from edesign.report.drawing.captions import file_name
-from edesign.report.drawing.style import grid_figure, logarithmic, new_figure, styled
+from edesign.report.drawing.style import grid_figure, legend_below, logarithmic, new_figure, styled
 
 if TYPE_CHECKING:
-    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 _CYCLES = 12.0  # of the channel's strongest frequency, shown of a history
@@ -52,7 +51,7 @@ def _peaks_figure(view: View, tests: list[tuple[Series, list[Series]]]) -> Figur
         axis.set_xlabel("acceleration (m/s²)")
         weight = "bold" if test.use == "validate" else "normal"
         axis.set_title(_title(test), fontsize=8.0, loc="left", fontweight=weight)
-    _legend(figure, cells[0])
+    legend_below(figure, *cells[0].get_legend_handles_labels(), 3)
     return figure
 
 
@@ -82,7 +81,7 @@ def _histories_figure(view: View, channels: list[Series]) -> Figure:
     for (axis,) in rows[:-1]:
         axis.tick_params(labelbottom=False)
     rows[-1][0].set_xlabel("time (s)")
-    _legend(figure, rows[0][0])
+    legend_below(figure, *rows[0][0].get_legend_handles_labels(), 3)
     return figure
 
 
@@ -117,7 +116,7 @@ def _spectra_figure(view: View, channels: list[Series]) -> Figure:
         axis.set_xlabel("frequency (Hz)")
         axis.set_ylabel(f"{unit} s")
         axis.set_title(one.channel, fontsize=7.5, loc="left")
-    _legend(figure, cells[0])
+    legend_below(figure, *cells[0].get_legend_handles_labels(), 3)
     return figure
 
 
@@ -150,8 +149,3 @@ def _window(channels: list[Series]) -> slice:
 def _title(test: Series) -> str:
     name = f"{test.of_test}: {test.title}" if test.title and test.title != test.of_test else test.of_test
     return f"{name} ({'validation' if test.use == 'validate' else 'fitted'})"
-
-
-def _legend(figure: Figure, axis: Axes) -> None:
-    handles, labels = axis.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=3)

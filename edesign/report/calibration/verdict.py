@@ -10,7 +10,7 @@ from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES
 from edesign.calibration.results.result import Calibration, Effect, Subject
 from edesign.damper.testing.measured_histories import gaps
-from edesign.report.calibration.error_tables import MODELS
+from edesign.report.calibration.error_tables import LAW_FILES, MODELS
 from edesign.report.calibration.units import percent
 from edesign.report.calibration.words import effect_text, name_of, probability_text, searched
 
@@ -192,7 +192,7 @@ def _file(calibration: Calibration) -> str:
         return _structure_file(calibration)
     file = calibration.law_file
     carried = " and ".join(one.label for one in file.amendments)
-    what = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}[file.stage]
+    what = LAW_FILES[file.stage]
     if calibration.law_held and file.stage == "refit":
         what = "the law as declared"
     text = f"law.yaml has {what}"

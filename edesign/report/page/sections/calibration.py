@@ -10,6 +10,7 @@ from edesign._version import __version__
 from edesign.calibration.results.result import Calibration, Subject
 from edesign.report.calibration.effect_figures import effect_figures
 from edesign.report.calibration.error_tables import (
+    LAW_FILES,
     MODELS,
     NRMS_NOTES,
     each_test_table,
@@ -53,7 +54,6 @@ _NOISE: dict[Subject, str] = {
     "structure": "of each channel its broadband noise, at least 0.2 % of its rms: steps of records and of the "
     "integration leave so much",
 }
-_FILES = {"corrected": "the corrected law", "refit": "the refitted law", "declared": "the declared law"}
 
 
 def verdict(view: View) -> Section:
@@ -74,7 +74,7 @@ def verdict(view: View) -> Section:
             effects or "-",
             "Effects found",
             (f"kind: {kinds}" if kinds else "none was adopted")
-            + (f"; law.yaml has {_FILES[file.stage]}" if found.subject == "damper" else ""),
+            + (f"; law.yaml has {LAW_FILES[file.stage]}" if found.subject == "damper" else ""),
             "bad" if file.lacking else "",
         ),
     )
