@@ -217,7 +217,7 @@ def _power(symbol: str, power: int) -> str:
 
 def _placed(form: EffectForm | StructureForm | ReadingForm) -> tuple[str, tuple[str, ...]]:
     """Return the name of a form without its placement, side and number, and where it acts."""
-    base = re.sub(r"_from_test_\d+$", "_from_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
+    base = re.sub(r"_from_test_\d+(_to_\d+)?$", "_from_test_k", re.sub(r"(storey|floor)_\d+$", r"\1_N", form.form))
     if isinstance(form, ReadingForm):
         return base, ("what was read",)
     if isinstance(form, StructureForm):

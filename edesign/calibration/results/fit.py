@@ -75,6 +75,25 @@ def kept(fitter: Fitter, model: FittedModel) -> Kept:
         model = _without(fitter, model, index)
 
 
+def told_by_validation(model: FittedModel, validate: Callable[[FittedModel], float]) -> FittedModel:
+    """Return a model with each effect in the place where validation tests are predicted best.
+
+    That is asked only of effects that do the same in all tests that are fitted wherever they stand.
+
+    Args:
+        model: of damper tests, fitted.
+        validate: error of the validation tests by a model.
+    """
+    problem: DamperProblem = model.problem  # type: ignore[assignment]
+    for index, effect in enumerate(model.effects):
+        found = []
+        for one in problem.alike(effect):
+            effects = (*model.effects[:index], one, *model.effects[index + 1 :])
+            found.append(FittedModel(problem, effects, replace(model.fit, model=problem.model(effects))))
+        model = min(found, key=validate, default=model)
+    return model
+
+
 def validated(fitter: Fitter, found: Kept, refit: float, validate: Callable[[FittedModel], float]) -> Kept:
     """Return a model without the effects by which validation tests are predicted worse than by the refit.
 

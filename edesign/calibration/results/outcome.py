@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
 
 import numpy as np
@@ -13,7 +13,15 @@ from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.residual.series import FEWEST, Errors, Series, Stage
 from edesign.calibration.residual.shape import describe_residual
 from edesign.calibration.results.evidence import Evidence
-from edesign.calibration.results.fit import Kept, at_full_rate, kept, law_estimates, unbounded, validated
+from edesign.calibration.results.fit import (
+    Kept,
+    at_full_rate,
+    kept,
+    law_estimates,
+    told_by_validation,
+    unbounded,
+    validated,
+)
 from edesign.calibration.results.floor import Floor
 from edesign.calibration.results.law_file import law_file, why_not_carried
 from edesign.calibration.results.next_test import next_test
@@ -72,7 +80,8 @@ class Outcome:
                 return validation_error(whole, model.effects, model.fit.values)
 
             sure = kept(fitter, at_full_rate(fitter, found.best))
-            return refit, validated(fitter, sure, error(refit), error)
+            placed = replace(sure, model=told_by_validation(sure.model, error))
+            return refit, validated(fitter, placed, error(refit), error)
 
         try:
             refit, final = steps.take("fitting all samples", fitted, (found.base, kept(thin, found.best)), True)

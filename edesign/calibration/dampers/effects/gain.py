@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
@@ -51,23 +52,37 @@ _DISPLACEMENT = replace(
 def from_test(s: Sizes) -> tuple[EffectForm, ...]:
     """Return gains that changed between two tests, one form for each place, which no search could move.
 
-    Tests that are not fitted to may stand between those two.
+    Where other tests stand between two that are fitted to, these two leave open before which test it was.
 
     Args:
         s: sizes of the campaign.
     """
-    places = [order + 1 for order, fitted in enumerate(s.fitted) if fitted][1:] if s.between else []
+    fitted = [order + 1 for order, of in enumerate(s.fitted) if of] if s.once else []
+    return tuple(
+        _changed(form, before + 1, after) for form in (_FORCE, _DISPLACEMENT) for before, after in pairwise(fitted)
+    )
 
-    def changed(form: EffectForm, first: int) -> EffectForm:
+
+def _changed(form: EffectForm, earliest: int, latest: int) -> EffectForm:
+    """Return a gain that changed before one of some tests, of which the last one alone is fitted to."""
+
+    def at(first: int, place: str, title: str) -> EffectForm:
         return replace(
             form,
-            form=f"{form.form}_from_test_{first}",
-            title=f"{form.title} that changed before test {first}",
+            form=f"{form.form}_from_test_{place}",
+            title=f"{form.title} that changed before {title}",
             signature="proportional to the force itself, by one share in all tests from one on",
             constants=lambda _: {"first_test": float(first)},
         )
 
-    return tuple(changed(form, first) for form in (_FORCE, _DISPLACEMENT) for first in places)
+    if earliest == latest:
+        return at(latest, f"{latest}", f"test {latest}")
+    tests = f"one of tests {earliest} to {latest}"
+    told = [
+        at(k, f"{k}", f"test {k}, as validation tests tell; the fitted ones say before {tests}")
+        for k in range(earliest, latest + 1)
+    ]
+    return replace(at(latest, f"{earliest}_to_{latest}", tests), alike=tuple(told))
 
 
 def _mass(s: Sizes) -> Parameter:
