@@ -1,4 +1,4 @@
-"""Narrow peaks that the spectra of tests have in common above their motion, such as hum of the mains."""
+"""Narrow peaks that the spectra of tests have in common and that are not of their motion, such as hum of the mains."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ _NEIGHBOURS = 20  # of the background, in 1 / duration to each side
 _ONE_TEST = 30.0  # most that one test counts, so that a peak of its own is none of all
 _STANDS_OUT = 12.0  # times the background, on average over the tests: of noise alone one in 1e5
 _OF_THE_LAW = 10.0  # times its background: a peak of the predicted force is none of the channel
+_OF_THE_MOTION = 20.0  # times its background: the motion has a tone; of noise alone one in 1e8
 _WIDTH = 4.0  # of the main lobe of the window, in 1 / duration
 
 
@@ -26,9 +27,10 @@ def common_tones(
 ) -> tuple[float, ...]:
     """Return the frequencies of narrow peaks above the noise, Hz, the strongest first.
 
-    Of each test only frequencies above the seventh harmonic of its motion count, up to half the rate of the slowest
-    sampling. A peak must stand out in the mean of power over background, over those tests, half of all or more, whose
-    law has no peak there.
+    Of each test the frequencies above the seventh harmonic of its motion count, up to half the rate of the slowest
+    sampling, and below it those that are no harmonic of its motion. A motion of several tones makes all their sums and
+    differences in a law that is not linear, so of such a test no lower ones count. A peak must stand out in the mean of
+    power over background, over those tests, half of all or more, whose law has no peak there.
 
     Args:
         motions: of the tests, at full rate.
@@ -39,16 +41,14 @@ def common_tones(
         return ()
     longest = max(float(one.since[-1]) for one in motions)
     shortest = min(float(one.since[-1]) for one in motions)
-    above = np.array([max(_LOWEST, _ABOVE_MOTION * one.frequency) for one in motions])
-    lowest = float(np.median(above))
     highest = 0.45 / max(float(np.median(one.steps)) for one in motions)
-    if highest <= lowest:
+    if highest <= _LOWEST:
         return ()
-    grid = np.arange(lowest, highest, 1.0 / (_FINENESS * longest))
+    grid = np.arange(_LOWEST, highest, 1.0 / (_FINENESS * longest))
     residuals = [force - of_law for force, of_law in zip(forces, predicted, strict=True)]
     heights = np.array([_over_background(m, r, grid) for m, r in zip(motions, residuals, strict=True)])
     of_law = np.array([_over_background(m, f, grid) for m, f in zip(motions, predicted, strict=True)])
-    counts = (of_law < _OF_THE_LAW) & (grid >= above[:, np.newaxis])
+    counts = (of_law < _OF_THE_LAW) & np.array([_not_of_motion(one, grid) for one in motions])
     number = np.maximum(counts.sum(axis=0), 1)
     common = np.sum(np.where(counts, np.minimum(heights, _ONE_TEST), 0.0), axis=0) / number
     common[counts.sum(axis=0) < 0.5 * len(motions)] = 0.0
@@ -59,6 +59,28 @@ def common_tones(
         found.append(_finer(motions, residuals, float(grid[top]), 1.0 / longest))
         common[np.abs(grid - grid[top]) < _WIDTH / shortest] = 0.0
     return tuple(found)
+
+
+def _not_of_motion(motion: Motion, grid: np.ndarray) -> np.ndarray:
+    """Return whether frequencies (m,) Hz are above the seventh harmonic of a motion, or no harmonic of it."""
+    highest = _ABOVE_MOTION * motion.frequency
+    lobe = _WIDTH / float(motion.since[-1])
+    below = np.arange(lobe, highest, lobe / (_WIDTH * _FINENESS))
+    if not below.size:
+        return np.asarray(grid >= highest)
+    heights = _over_background(motion, motion.displacement, below)
+    lines = below[heights > _OF_THE_MOTION]
+    if not lines.size:
+        return np.ones(grid.size, dtype=bool)
+    base = float(below[np.argmax(heights)])
+    about = lines[np.abs(lines - base) < 0.5 * base] - base
+    low, high = float(about[0]) - lobe, float(about[-1]) + lobe
+
+    def harmonic(frequencies: np.ndarray) -> np.ndarray:
+        beside = frequencies - base * np.maximum(np.round(frequencies / base), 1.0)
+        return np.asarray((beside >= low) & (beside <= high))
+
+    return np.asarray((grid >= highest) | (~harmonic(grid) & np.all(harmonic(lines))))
 
 
 def _windowed(residual: np.ndarray) -> np.ndarray:

@@ -163,7 +163,7 @@ FORMS = (
     _hum(
         "tone",
         "hum of one frequency in the force channel",
-        "a narrow peak of the spectrum at one frequency in all tests, far above the motion",
+        "a narrow peak of the spectrum at one frequency in all tests, at no harmonic of the motion",
         1,
     ),
     _hum(

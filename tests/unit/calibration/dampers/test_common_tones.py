@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.signal import butter, lfilter
 
 from edesign.calibration.dampers.motion import Motion
 from edesign.calibration.dampers.tones import common_tones
@@ -24,6 +25,11 @@ def tones(motions: list[Motion], left: list[np.ndarray]) -> tuple[float, ...]:
     """Tones of tests of a spring of 1 kN/mm, of which a law leaves something."""
     of_law = [1e6 * one.displacement for one in motions]
     return common_tones(motions, [a + b for a, b in zip(of_law, left, strict=True)], of_law)
+
+
+def butterworth(values: np.ndarray, cut: float, rate: float) -> np.ndarray:
+    b, a = butter(4, cut, fs=rate)
+    return np.asarray(lfilter(b, a, values))
 
 
 def noise(motions: list[Motion], seed: int) -> list[np.ndarray]:
@@ -77,3 +83,36 @@ def test_tones_are_told_in_the_order_of_their_size() -> None:
     for one, residual in zip(motions, left, strict=True):
         residual += sum(a * np.sin(W * f * one.time) for a, f in ((8.0, 16.7), (24.0, 34.79), (14.0, 51.1)))
     assert tones(motions, left) == pytest.approx((34.79, 51.1, 16.7), abs=0.25 / DURATION)
+
+
+def test_a_tone_between_harmonics_of_all_motions_is_found() -> None:
+    """Its frequency is 5.55, 4.27 and 3.26 times those of the sines, and amid those of a random motion."""
+    frequencies = (1.1, 1.43, 1.87)
+    motions = [sine(200.0, f, i) for i, f in enumerate(frequencies)]
+    shaken = np.random.default_rng(3).standard_normal(motions[0].time.size)
+    motions.append(motions[0].each(lambda _: 2e-3 * butterworth(shaken, 8.0, 200.0)))
+    left = noise(motions, 9)
+    for residual, one, f in zip(left, motions, frequencies, strict=False):
+        residual += sum(300.0 / n * np.sin(W * f * n * one.time) for n in range(2, 8))
+    assert tones(motions, left) == ()
+    for one, residual in zip(motions, left, strict=True):
+        residual += 60.0 * np.sin(W * 6.1 * one.time)
+    assert tones(motions, left) == pytest.approx((6.1,), abs=0.25 / DURATION)
+
+
+def test_what_a_motion_of_two_tones_makes_of_a_wrong_law_is_no_tone() -> None:
+    """The cube of 2 and 2.9 Hz has 6 and 8.7 Hz, and 6.8 and 7.8 Hz that are harmonics of neither."""
+    both = [(sine(200.0, 2.0, i), sine(200.0, 2.9, i)) for i in range(3)]
+    motions = [Motion(one.time, *np.add(one.samples[1:], other.samples[1:])) for one, other in both]
+    left = [n + 4e9 * one.displacement**3 for n, one in zip(noise(motions, 5), motions, strict=True)]
+    assert tones(motions, left) == ()
+
+
+def test_bursts_of_one_frequency_with_a_rest_between_leave_no_tone_but_their_harmonics() -> None:
+    motions = []
+    for i in range(3):
+        one = sine(200.0, 1.6, i)
+        on = (one.since < 6.0) | (one.since > 12.0 + i)
+        motions.append(one.each(lambda u, on=on: u * on))
+    left = [n + 4e9 * one.displacement**3 for n, one in zip(noise(motions, 5), motions, strict=True)]
+    assert tones(motions, left) == ()
