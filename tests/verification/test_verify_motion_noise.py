@@ -25,11 +25,6 @@ REST = 4.0  # s
 FORCE_NOISE, DISPLACEMENT_NOISE = 20.0, 7e-7  # N, m: above what is taken for the least noise of a load cell
 
 
-@pytest.mark.xfail(
-    strict=True,
-    reason="the filter rings by some 50 nm before the motion begins; noise that is added again does not show that, and "
-    "wavelets have taken off the noise that hid it: the power at rest is twice what the weights say",
-)
 def test_noise_is_as_strong_at_rest_as_in_motion_once_weighted(tmp_path: Path) -> None:
     """The MGMM's dashpot |v|^0.37 is steep at rest, where a micrometre of noise makes hundreds of newtons."""
     mgmm = law("mgmm")

@@ -2,23 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
-from scipy.ndimage import uniform_filter1d
 
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.dampers.noise_of_tests import smoothed_motion, with_noise
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.dampers.tones import common_tones
-from edesign.calibration.signals.corners import cornered
-from edesign.calibration.signals.noise import least_noise, smooth, white_noise
 from edesign.core import CoreError
 from edesign.core.damper import CoreDamper
 from edesign.damper.history import Extremes
@@ -30,16 +26,12 @@ from edesign.damper.testing.clipping import clipped
 from edesign.damper.testing.measured_histories import DamperTest, Use, lost_motion
 from edesign.damper.testing.start import SOFTENED, Recorded, Start, extremes_before, find_start
 from edesign.errors import InputError
-from edesign.estimation.differences import difference_noise
 from edesign.estimation.least_squares import Fit, fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 
 _UNKNOWN = 2.0  # standard deviation of the logarithm of a parameter of which only the order of magnitude is known
 _STARTS, _WIDE = 4, 0.7  # of the law alone; standard deviation of the logarithm of their parameters
-_AGAIN = 6  # times that noise is added
-_EVENED = 0.1  # s, over which its effect is evened out
-_MOST_TIMES = 4.0  # its power over that by a model
 _ABSURD = 30.0  # ratio of measured to predicted force beyond which a unit is wrong, not a law
 _OPPOSITE = -0.3
 """Correlation of measured and predicted force below which the sign is wrong, if the damper did work too: a mass that
@@ -152,7 +144,7 @@ def _check_motion(test: DamperTest) -> None:
 def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
     found, elapsed = [], 0.0
     for order, test in enumerate(tests):
-        motion, noise = _motion(test.time, test.displacement)
+        motion, noise = smoothed_motion(test.time, test.displacement)
         history = test.temperature_history
         degrees = test.temperature_C if history is None else float(np.mean(history))
         force = test.measured_force()
@@ -166,16 +158,6 @@ def _experiments(tests: Sequence[DamperTest]) -> tuple[Experiment, ...]:
         )
         elapsed += float(motion.since[-1])
     return tuple(found)
-
-
-def _motion(time: np.ndarray, displacement: np.ndarray) -> tuple[Motion, float]:
-    """Return a motion freed of noise, and the standard deviation of this noise, m."""
-    found, velocity, acceleration, noise = smooth(time, displacement)
-    if not cornered(time, displacement, noise):
-        return Motion(time, found, velocity, acceleration), noise
-    cubics = PchipInterpolator(time, displacement)
-    velocity = cubics(time, 1)
-    return Motion(time, displacement, velocity, np.gradient(velocity, time), cornered=True), noise
 
 
 def _forces(problem: DamperProblem) -> list[np.ndarray]:
@@ -199,60 +181,6 @@ def _declared_forces(problem: DamperProblem, campaign: Campaign) -> list[np.ndar
             raise InputError(f"{campaign.path}: {test.name}: the declared law cannot predict it: {one}") from one
         found += one
     return found
-
-
-def with_noise(
-    problem: DamperProblem, predicted: Sequence[np.ndarray], forces_of: Callable[[DamperProblem], Sequence[np.ndarray]]
-) -> list[Experiment]:
-    """Return tests with their noise.
-
-    The force channel's is estimated above the motion, in what a model leaves of the force too. Noise of the
-    displacement makes force through the model: such noise is added and taken off again. That is most where the damper
-    is slow and its force steep over the velocity. The same noise is added whatever the model.
-
-    Args:
-        problem: with all tests, at full rate.
-        predicted: (n_i,) N of every test, with what is each test's own.
-        forces_of: forces (n_i,) N of the model in all tests of such a problem.
-
-    Raises:
-        PredictionError: the model cannot predict the tests with noise.
-    """
-    random = np.random.default_rng(len(problem.experiments))
-    power, plain = [np.zeros_like(force) for force in predicted], forces_of(problem)
-    for _ in range(_AGAIN if any(one.displacement_noise for one in problem.experiments) else 0):
-        again = []
-        for one in problem.experiments:
-            motion = one.motion
-            if one.displacement_noise > 0.0:
-                noisy = motion.displacement + one.displacement_noise * random.standard_normal(motion.time.size)
-                motion, _ = _motion(motion.time, noisy)
-                if problem.law.rate_dependent and not motion.cornered:
-                    # of what wavelets take off the velocity all may have been motion; a law of a power of it sees it
-                    motion = replace(motion, velocity=smooth(motion.time, noisy, rests=False)[1])
-            again.append(replace(one, motion=motion))
-        for own, force, moved in zip(power, plain, forces_of(problem.with_experiments(again)), strict=True):
-            own += (moved - force) ** 2 / _AGAIN
-    return [_noisy(*each) for each in zip(problem.experiments, predicted, power, strict=True)]
-
-
-def _noisy(test: Experiment, predicted: np.ndarray, power: np.ndarray) -> Experiment:
-    """Return a test with its noise; that of the motion makes power (n,) N^2 of the predicted force (n,) N."""
-    time, force = test.motion.time, test.force
-    if test.clipped is None:
-        channel = min(white_noise(force, time), white_noise(force - predicted, time))
-    else:  # there is no noise at the end of a range
-        channel = difference_noise(force, ~test.clipped)
-    channel = max(channel, least_noise(force))
-    if not np.any(power):
-        return replace(test, channel_noise=channel)
-    wide = min(max(int(_EVENED / float(np.median(test.motion.steps))), 1), time.size)
-    # as many times larger as the force is than the law's
-    times = float(force @ force) / max(float(predicted @ predicted), 1e-300)
-    power = min(max(times, 1.0 / _MOST_TIMES), _MOST_TIMES) * uniform_filter1d(power, wide, mode="nearest")
-    all_of_it = power + channel**2
-    weight = np.sqrt(np.mean(all_of_it) / all_of_it)
-    return replace(test, channel_noise=channel, motion_noise=float(np.sqrt(np.mean(power))), weight=weight)
 
 
 def _start(problem: DamperProblem, index: int, test: DamperTest) -> Start | None:

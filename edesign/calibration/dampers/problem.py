@@ -130,7 +130,7 @@ class DamperProblem(TestedProblem):
         Args:
             effect: of the list.
         """
-        return tuple(_effect(form, self.typical) for form in effect.data.form.alike)
+        return tuple(form.effect(self.typical) for form in effect.data.form.alike)
 
     def _suits(self, form: EffectForm) -> bool:
         if form.laws and self.law.name not in form.laws:

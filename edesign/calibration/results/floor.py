@@ -11,7 +11,7 @@ import numpy as np
 from scipy.special import chdtri
 
 from edesign.calibration.dampers.experiment import Experiment
-from edesign.calibration.dampers.from_campaign import with_noise
+from edesign.calibration.dampers.noise_of_tests import with_noise
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.cycles import Cycles
