@@ -75,16 +75,27 @@ def damper_problem(campaign: Campaign, threads: int | None = None) -> DamperProb
     _check_forces(problem, campaign, predicted)
     noisy = problem.with_experiments(with_noise(problem, predicted, _forces))
     thin = noisy.with_experiments([one.thinned() for one in noisy.experiments])
-    starts = [_start(thin, i, test) for i, test in enumerate(campaign.tests)]
-    started = [
-        replace(one, start=start, full=None if one.full is None else replace(one.full, start=start))
-        for one, start in zip(thin.experiments, starts, strict=True)
-    ]
+    started = _started(thin, campaign)
     fitted = [problem.experiments[i] for i in problem.fitted]
     of_law = [predicted[i] for i in problem.fitted]
     tones = common_tones([one.motion for one in fitted], [one.force for one in fitted], of_law)
-    found = replace(thin.with_experiments(started), typical=Sizes.of(problem.experiments, tones, campaign.ordered))
-    return replace(found, alone=_alone(found))
+    found = replace(started, typical=Sizes.of(problem.experiments, tones, campaign.ordered))
+    alone = _alone(found)
+    if alone and any(one.start is not None for one in found.experiments):
+        # how a test starts is read from its force beside a law: the declared one may be far off
+        found = replace(_started(replace(found, declared={**declared, **alone}), campaign), declared=declared)
+    return replace(found, alone=alone)
+
+
+def _started(problem: DamperProblem, campaign: Campaign) -> DamperProblem:
+    """Return the problem with tests that start as their forces show beside its law."""
+    starts = [_start(problem, i, test) for i, test in enumerate(campaign.tests)]
+    return problem.with_experiments(
+        [
+            replace(one, start=start, full=None if one.full is None else replace(one.full, start=start))
+            for one, start in zip(problem.experiments, starts, strict=True)
+        ]
+    )
 
 
 def _alone(problem: DamperProblem) -> dict[str, float]:
