@@ -339,7 +339,7 @@ static void begin(sums *sum, const ed_power_rule *rule, const ed_path *path, con
 static double plain_integral(const sums *sum, int n, const double *point, const double *weight, double slope[2], double chord[2])
 {
   enum { ROOM = (ED_POWER_MANY + ED_POWER_BLOCK - 1) / ED_POWER_BLOCK * ED_POWER_BLOCK };
-  double v[ROOM], base[ROOM], fading[ROOM], share[ROOM], value = 0.0, along[2] = {0.0};
+  double v[ROOM], base[ROOM] = {0.0}, fading[ROOM] = {0.0}, share[ROOM], value = 0.0, along[2] = {0.0}; /* gcc -O1 sees no filling below */
   for (int i = 0; i < n; i++) {
     v[i] = velocity(sum, point[i]);
     base[i] = fabs(v[i]);
