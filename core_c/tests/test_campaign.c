@@ -312,6 +312,48 @@ static void check_dampers_of_tests(void)
   ed_damper_free(viscous);
 }
 
+/* Sets that differ in nothing but amendments, with others between them: as each of them alone, whatever goes on from test to test. */
+static void check_shared_law(const ed_rig *rig)
+{
+  enum { DAMPERS = 6 };
+  static const struct {
+    int kind, placement, n;
+    double p[4], scale; /* of the law */
+  } EACH[DAMPERS] = {{ED_AMEND_MULLINS_PATH, ED_PLACE_WHOLE, 3, {0.3, 0.1, 0.5}, 1.0},
+                     {ED_AMEND_DEGRADATION_PATH, ED_PLACE_WHOLE, 2, {0.3, 0.2}, 1.2},
+                     {ED_AMEND_SELF_HEATING_RATE, ED_PLACE_WHOLE, 2, {1e-5, 50.0}, 1.0},
+                     {ED_AMEND_MULLINS_PATH, ED_PLACE_SPRINGS, 3, {0.2, 0.1, 0.2}, 1.0},
+                     {ED_AMEND_HARDENING_POWER, ED_PLACE_WHOLE, 3, {1e5, 3.0, 5e-3}, 1.2},
+                     {ED_AMEND_PAYNE_NETWORK, ED_PLACE_INSIDE, 3, {0.3, 0.05, 2.0}, 1.0}};
+  static const int carries[] = {ED_CARRY_NOTHING, ED_CARRY_AMENDMENTS, ED_CARRY_ALL};
+  static double every[DAMPERS][ALL], alone[ALL];
+  ed_test test[TESTS];
+  ed_campaign_end end[DAMPERS];
+  ed_damper *damper[DAMPERS];
+  char message[256];
+  tests(test);
+  test[2].rig = rig;
+  for (int i = 0; i < DAMPERS; i++) {
+    damper[i] = make(0, EACH[i].scale);
+    CHECK_STATUS(ed_damper_amend(damper[i], EACH[i].kind, EACH[i].placement, EACH[i].n, EACH[i].p, message, sizeof message), ED_OK);
+  }
+  size_t samples = 0;
+  for (int k = 0; k < TESTS; k++)
+    samples += (size_t)test[k].n;
+  for (int c = 0; c < 3; c++) {
+    CHECK_STATUS(ed_damper_campaign(DAMPERS, (const ed_damper *const *)damper, TESTS, test, ED_DAMPER_FIXED, 1e-3, carries[c], &every[0][0],
+                                    NULL, end), ED_OK);
+    for (int i = 0; i < DAMPERS; i++) {
+      CHECK_STATUS(end[i].status, ED_OK);
+      CHECK_STATUS(ed_damper_campaign(1, (const ed_damper *const *)&damper[i], TESTS, test, ED_DAMPER_FIXED, 1e-3, carries[c], alone, NULL,
+                                      end), ED_OK);
+      CHECK_SAME(&every[0][0] + (size_t)i * samples, alone, (int)samples);
+    }
+  }
+  for (int i = 0; i < DAMPERS; i++)
+    ed_damper_free(damper[i]);
+}
+
 int main(void)
 {
   motions();
@@ -323,5 +365,7 @@ int main(void)
   check_extremes();
   check_failures();
   check_dampers_of_tests();
+  check_shared_law(NULL);
+  check_shared_law(&RIG);
   return checks_end("campaigns of dampers");
 }

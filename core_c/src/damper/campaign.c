@@ -13,6 +13,8 @@ typedef struct {
   int carry;
   size_t samples; /* of all tests */
   double *own;    /* room for the deformations of a test that nobody asks for */
+  double *law;    /* room for what the law alone carries in all tests; NULL: no two sets have that in common */
+  int known;      /* the set whose law is known; -1: none */
   ed_watch watch;
 } campaign;
 
@@ -43,14 +45,40 @@ static int one_test(const campaign *of, ed_test_run *run, const ed_test *test, d
   return status;
 }
 
-/* All tests of one set. */
-static ed_campaign_end one_set(campaign *of, int set, const ed_damper *damper, double *force, double *own)
+/* Steps of a test beside those from sample to sample: to the first deformation, over a rest, and to the first velocity. */
+enum { FIRST_STEPS = 3 };
+
+static const ed_damper *in_test(const ed_test *test, const ed_damper *const *damper, int set)
+{
+  return test->damper ? test->damper[set] : damper[set];
+}
+
+/* Whether two sets differ in nothing but amendments, and their law in no test minds these. */
+static int share_law(const campaign *of, const ed_damper *const *damper, int one, int other)
+{
+  for (int i = 0; i < of->n_tests; i++)
+    if (of->test[i].rig || !ed_test_run_shares_law(in_test(&of->test[i], damper, one), in_test(&of->test[i], damper, other)))
+      return 0;
+  return of->carry != ED_CARRY_ALL;
+}
+
+static int is_shared_later(const campaign *of, const ed_damper *const *damper, int n_sets, int set)
+{
+  for (int i = set + 1; i < n_sets; i++)
+    if (share_law(of, damper, set, i))
+      return 1;
+  return 0;
+}
+
+/* All tests of one set. law: what its law carries alone, known or to be written; or NULL. */
+static ed_campaign_end one_set(campaign *of, int set, const ed_damper *damper, ed_law_forces *law, double *force, double *own)
 {
   ed_campaign_end end = {.status = ED_OK};
   ed_test_run run;
   size_t at = 0;
   end.status = ed_test_run_open(&run, damper, of->method, of->fineness, &of->watch);
   run.keeps_law = of->carry == ED_CARRY_ALL;
+  run.law = run.stepper.fixed || run.stepper.system ? NULL : law;
   for (int i = 0; end.status == ED_OK && i < of->n_tests; i++) {
     if (of->carry && i > 0)
       ed_test_run_carry(&run, of->test[i].rest);
@@ -96,7 +124,7 @@ int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, 
 {
   if (n_sets < 1 || n_tests < 1)
     return ED_E_ARGUMENT;
-  campaign of = {.n_tests = n_tests, .test = test, .method = method, .fineness = fineness, .carry = carry,
+  campaign of = {.n_tests = n_tests, .test = test, .method = method, .fineness = fineness, .carry = carry, .known = -1,
                  .watch = ed_watch_of(&damper[0]->stop)};
   int longest;
   const ed_campaign_end wrong = check(&of, &longest);
@@ -107,14 +135,26 @@ int ed_damper_campaign(int n_sets, const ed_damper *const *damper, int n_tests, 
   of.own = own ? NULL : malloc((size_t)longest * sizeof *of.own);
   if (!own && !of.own)
     return ED_E_MEMORY;
-  for (int i = 0; i < n_sets; i++) {
+  int status = ED_OK;
+  for (int i = 0; i < n_sets && status == ED_OK; i++) {
     const size_t first = (size_t)i * of.samples;
-    end[i] = one_set(&of, i, damper[i], force + first, own ? own + first : NULL);
-    if (end[i].status == ED_E_STOPPED) {
-      free(of.own);
-      return ED_E_STOPPED;
+    ed_law_forces law = {.force = of.law, .known = of.known >= 0 && share_law(&of, damper, of.known, i)};
+    const int written = !law.known && is_shared_later(&of, damper, n_sets, i);
+    if (written && !of.law) {
+      of.law = law.force = malloc((of.samples + FIRST_STEPS * (size_t)n_tests) * sizeof *of.law);
+      if (!of.law) {
+        status = ED_E_MEMORY;
+        break;
+      }
     }
+    const int shared = law.known || written;
+    end[i] = one_set(&of, i, damper[i], shared ? &law : NULL, force + first, own ? own + first : NULL);
+    if (written)
+      of.known = end[i].status == ED_OK ? i : -1;
+    if (end[i].status == ED_E_STOPPED)
+      status = ED_E_STOPPED;
   }
   free(of.own);
-  return ED_OK;
+  free(of.law);
+  return status;
 }

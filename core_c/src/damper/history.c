@@ -87,19 +87,40 @@ int ed_damper_step(const ed_damper *damper, int method, double fineness, const d
   return ED_OK;
 }
 
+/* One step from `state` to `trial`, without derivatives. */
+static int along(ed_test_run *in, const ed_path *path, ed_damper_force *out)
+{
+  static const ed_path none[2] = {{0}};
+  const ed_damper *damper = in->stepper.damper;
+  ed_law_forces *law = in->law;
+  *out = (ed_damper_force){0};
+  if (!law)
+    return ed_stepper_along(&in->stepper, in->state, path, none, in->trial, out);
+  if (law->known) {
+    out->force = law->force[law->at++];
+  } else {
+    if (!isnormal(path->h))
+      return ED_E_ARGUMENT;
+    const int status = damper->law->step(damper, in->state, path, none, in->trial, out);
+    if (status != ED_OK)
+      return status;
+    law->force[law->at++] = out->force;
+  }
+  return ed_amend(damper, in->state, path, none, in->trial, out);
+}
+
 /* Steps from sample to sample. */
 static int step_by_step(ed_test_run *in, int n, const double *time, const double *u, const double *v, double *force, int *done)
 {
   const size_t size = (size_t)ed_damper_state_size(in->stepper.damper) * sizeof *in->state;
   ed_path path;
-  const ed_path none[2] = {{0}}; /* no derivative is asked for */
   ed_damper_force out = {0};
   for (int i = *done; i < n; i++) {
     if (ed_watch_step(in->watch))
       return ED_E_STOPPED;
     ed_path_hermite(&path, time[i] - time[i - 1], u[i - 1], v[i - 1], u[i], v[i]);
     memcpy(in->trial, in->state, size); /* no guess from an older step */
-    const int status = ed_stepper_along(&in->stepper, in->state, &path, none, in->trial, &out);
+    const int status = along(in, &path, &out);
     if (status != ED_OK)
       return status;
     if (!isfinite(out.force))
@@ -184,22 +205,21 @@ int ed_test_run_hold(ed_test_run *in, int n, const double *time, const double *u
   const ed_damper *damper = in->stepper.damper;
   const size_t size = (size_t)ed_damper_state_size(damper) * sizeof *in->state;
   ed_path path;
-  const ed_path none[2] = {{0}};
   ed_damper_force out = {0};
   ed_path_hermite(&path, slowly, 0.0, 0.0, u[0], 0.0);
-  int status = ed_stepper_along(&in->stepper, in->state, &path, none, in->trial, &out);
+  int status = along(in, &path, &out);
   memcpy(in->state, in->trial, size);
   if (status == ED_OK && in->before && damper->n_amendments > 0) {
     ed_path_hermite(&path, in->rest, u[0], 0.0, u[0], 0.0);
     ed_amendments_keep(damper, in->before, in->state);
     memcpy(in->trial, in->state, size);
-    status = ed_stepper_along(&in->stepper, in->state, &path, none, in->trial, &out);
+    status = along(in, &path, &out);
     memcpy(in->state, in->trial, size);
   }
   force[0] = out.force; /* corrected below for a first velocity */
   if (status == ED_OK && v[0] != 0.0) {
     jump_path(&path, n, time, u, v);
-    status = ed_stepper_along(&in->stepper, in->state, &path, none, in->trial, &out);
+    status = along(in, &path, &out);
     force[0] = out.force;
     ed_amendments_jump(damper, in->state, in->trial);
   }

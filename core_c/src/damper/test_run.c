@@ -45,6 +45,15 @@ int ed_test_run_exchange(ed_test_run *run, const ed_damper *damper)
   return ed_stepper_open(&run->stepper, damper, run->method, run->fineness, run->watch);
 }
 
+int ed_test_run_shares_law(const ed_damper *one, const ed_damper *other)
+{
+  return one->n_amendments > 0 && other->n_amendments > 0 && one->law == other->law && ed_damper_has_exact_step(one) &&
+         ed_damper_has_exact_step(other) && one->brace + one->joint + other->brace + other->joint == 0.0 &&
+         one->n_parameters == other->n_parameters &&
+         memcmp(one->parameter, other->parameter, (size_t)one->n_parameters * sizeof *one->parameter) == 0 &&
+         memcmp(one->been, other->been, sizeof one->been) == 0;
+}
+
 void ed_test_run_close(ed_test_run *run)
 {
   ed_stepper_close(&run->stepper);

@@ -6,6 +6,13 @@
 
 #define ED_SERIES_TOLERANCE 1e-8 /* of SUNDIALS, in series with a rig */
 
+/* What the law alone carries in all tests of a campaign, step by step: dampers that differ in their amendments have it in common. */
+typedef struct {
+  double *force;
+  size_t at; /* the next step */
+  int known; /* else it is written */
+} ed_law_forces;
+
 typedef struct {
   ed_stepper stepper;
   int method;
@@ -16,6 +23,7 @@ typedef struct {
   int keeps_law;           /* whether a law keeps extremes of the test before */
   double *before;          /* the state at the end of the test before, or NULL: a new specimen */
   double rest;             /* s between that and the first sample */
+  ed_law_forces *law;      /* of histories without rig, or NULL; for dampers of which ed_test_run_shares_law says that they have such */
 } ed_test_run;
 
 /* Close it in any case. */
@@ -33,6 +41,10 @@ void ed_test_run_begin(ed_test_run *run);
 /* From the state at rest: held at the first deformation, to which it comes in a time `slowly`, then the jump to the first velocity: a step
  * of no deformation. force: one, before the first step. Of dampers with an exact step. */
 int ed_test_run_hold(ed_test_run *run, int n, const double *time, const double *u, const double *v, double slowly, double *force);
+
+/* Whether a damper with amendments, which moves by the exact step of its law, has the same force of the law as another one in every
+ * test that does not begin with what the law kept of the one before. */
+int ed_test_run_shares_law(const ed_damper *one, const ed_damper *other);
 
 /* `trial` becomes the state. */
 static inline void ed_test_run_accept(ed_test_run *run)
