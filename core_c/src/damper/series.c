@@ -25,6 +25,8 @@
 enum { MOST_ITERATIONS = 200, PATIENCE = 8, PARTS = 6 };
 /* Of the largest force so far. Laws that SUNDIALS integrates carry its tolerance, ED_SERIES_TOLERANCE, a tenth of theirs here. */
 static const double TOLERANCE = 1e-8, ODE_TOLERANCE = 1e-7;
+/* Of Newton's first move: what the curvature of the step before may add to it. */
+static const double STRAIGHT = 0.1;
 
 typedef struct {
   ed_test_run *run;
@@ -32,6 +34,9 @@ typedef struct {
   double gap; /* half the play */
   double tolerance, largest;
   double force; /* through rig and damper at the end of the step that was settled */
+  /* Of the last step that Newton's method moved, for the guesses of the next one: */
+  double share; /* of a change of the deformation that the stretch takes */
+  double bend;  /* residual that the first move by the tangent left, over the square of that move */
 } series;
 
 /* Of the stretch e at the end of a step that begins at `from`: still + each (e - from). */
@@ -52,6 +57,7 @@ static int settle(series *in, const ed_path *path, const ed_path direction[2], d
   const ed_stepper *stepper = &in->run->stepper;
   const double *committed = in->run->state, damping = in->rig->damping;
   double low = -INFINITY, high = INFINITY, next = *stretch, before = 0.0, *trial = in->run->trial;
+  double moved = 0.0, more_moved = 0.0, tangent = NAN; /* Newton's first move, and what the curvature adds */
   memcpy(trial, committed, (size_t)ed_damper_state_size(stepper->damper) * sizeof *trial); /* no guess from an older step */
   for (int i = 0; i < MOST_ITERATIONS; i++) {
     const double e = *stretch = next;
@@ -68,6 +74,8 @@ static int settle(series *in, const ed_path *path, const ed_path direction[2], d
     const double damped = damping * (at_end.still + at_end.each * (e - from));
     const double force = here.factor * out.force + more - damped, residual = force - ed_rig_carries(in->rig, e);
     const int swings = residual * before < 0.0 && fabs(residual) > 0.5 * fabs(before);
+    if (i == 1) /* what the tangent alone would have left */
+      in->bend = isfinite(tangent) && moved != 0.0 ? (residual + tangent * more_moved) / (moved * moved) : 0.0;
     const double slope = fmax(here.spring - here.factor * (out.slope[0] + (swings ? out.chord[0] : 0.0)), 0.0);
     if (!isfinite(residual + slope))
       return ED_E_NOT_FINITE;
@@ -80,6 +88,15 @@ static int settle(series *in, const ed_path *path, const ed_path direction[2], d
     *(residual > 0.0 ? &low : &high) = e;
     before = residual;
     next = ed_rig_meets(in->rig, e, force, slope + damping * at_end.each);
+    if (i == 0) { /* on by what the curvature of the step before adds, so that most steps need no third trial */
+      moved = next - e;
+      tangent = residual / moved;
+      in->share = fmin(fmax(slope / tangent, 0.0), 1.0);
+      more_moved = in->bend * moved * moved / tangent;
+      if (!(fabs(more_moved) < STRAIGHT * fabs(moved)))
+        more_moved = 0.0;
+      next += more_moved;
+    }
     if (isfinite(low) && isfinite(high) && ((i > PATIENCE && i % 2) || !(next > low && next < high)))
       next = 0.5 * (low + high);
     if (fabs(next - e) <= 2.0 * DBL_EPSILON * (fabs(e) + in->gap))
@@ -175,13 +192,31 @@ static beside at(const ed_test *test, int i)
   return (beside){test->factor ? test->factor[i] : 1.0, test->added ? test->added[i] : 0.0, test->spring ? test->spring[i] : 0.0};
 }
 
+/* Rate over the last step, and its change over the time of that step. */
+typedef struct {
+  double rate, change;
+} course;
+
+/* What a quantity changes by over the next step if both go on. */
+static double led_to(const course *of, double h)
+{
+  return h * (of->rate + h * of->change);
+}
+
+static void take_course(course *of, double h, double by)
+{
+  of->change = (by / h - of->rate) / h;
+  of->rate = by / h;
+}
+
 int ed_test_run_in_series(ed_test_run *run, const ed_test *test, double *force, double *own, int *done)
 {
   const double *time = test->time, *u = test->u, *v = test->v;
   const int n = test->n;
   series in = {.run = run, .rig = test->rig, .gap = 0.5 * test->rig->play,
                .tolerance = run->stepper.system ? ODE_TOLERANCE : TOLERANCE};
-  double stretch, speed = 0.0, speeding = 0.0;
+  double stretch;
+  course of_u = {0.0, 0.0}, of_stretch = {0.0, 0.0};
   past before = NO_PAST;
   beside ends[2] = {at(test, 0)};
   const double slowly = SLOWLY * (time[n - 1] - time[0] + 1.0); /* a single sample has no length */
@@ -201,14 +236,15 @@ int ed_test_run_in_series(ed_test_run *run, const ed_test *test, double *force, 
     ed_path path;
     ed_path_hermite(&path, h, u[i], v[i], u[i + 1], v[i + 1]);
     path.c[0] -= from;
-    stretch = from + h * (speed + h * speeding);
+    const double strayed = u[i + 1] - u[i] - led_to(&of_u, h); /* as noise of the motion does, which no course tells */
+    stretch = from + led_to(&of_stretch, h) + in.share * strayed;
     status = advance(&in, &path, from, before, ends[1], &stretch);
     const int corner = status == ED_OK && turns_corner(&in, from, stretch);
     if (corner)
       status = in_parts(&in, &path, from, ends, &stretch);
-    speeding = ((stretch - from) / h - speed) / h;
-    speed = (stretch - from) / h;
-    before = corner || (i + 2 < n && time[i + 2] - time[i + 1] > 2.0 * h) ? NO_PAST : (past){speed, h};
+    take_course(&of_u, h, u[i + 1] - u[i]);
+    take_course(&of_stretch, h, stretch - from);
+    before = corner || (i + 2 < n && time[i + 2] - time[i + 1] > 2.0 * h) ? NO_PAST : (past){of_stretch.rate, h};
     ends[0] = ends[1];
   }
   return status;
