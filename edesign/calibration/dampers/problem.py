@@ -31,6 +31,7 @@ from edesign.estimation.model import PredictionError
 from edesign.estimation.parameters import Parameter
 
 _CHANGES = 64  # sets of parameters of which changes by uncertain inputs are kept
+_COLUMNS = 64  # sets of columns of all tests that are kept
 _FARTHEST = 1e3  # times a declared value, or a part of it: laws without a scale are none that anybody declares
 _INSIDE = 1e-9  # share of a size that is kept from a bound which is not allowed itself
 
@@ -166,6 +167,11 @@ class DamperProblem(TestedProblem):
         """What uncertain inputs change (n_i,) N, by tests and effects through which they act."""
         return Kept(_CHANGES)
 
+    @cached_property
+    def columns(self) -> Kept[tuple[np.ndarray | None, ...]]:
+        """Weighted columns (n_i, k) N of each test's own, by tests and effects that make them."""
+        return Kept(_COLUMNS)
+
     def model(self, effects: Sequence[Effect], uses: Sequence[Use] = ("fit",)) -> DamperModel:
         """Return the law with effects; its parameters are those of the law, and of the effects in their order."""
         return DamperModel(self, tuple(effects), self.used_for(*uses))
@@ -244,12 +250,22 @@ class DamperModel(EffectModel[DamperProblem]):
         Args:
             values: (p,) SI.
         """
+        inputs = {name for uncertain, _ in self.problem.uncertain_inputs for name in uncertain.effects}
+        makers = [
+            (of.form.label, *p.values())
+            for of, p in self._of(values)[1]
+            if of.form.name in inputs or any(isinstance(act, OwnShares) for act in of.form.acts)
+        ]
+        # a fit asks for them at each step, and mostly moves other parameters
+        return list(self.problem.columns.of((self.tests, *makers), lambda: self._own(values)))
+
+    def _own(self, values: np.ndarray) -> tuple[np.ndarray | None, ...]:
         uncertain, shares = self.input_uncertainty(values), self.shares(values)
         found: list[np.ndarray | None] = []
         for k, weight in enumerate(self.weights):
             columns = [each for each in (shares[k], uncertain[k]) if each is not None]
             found.append(weight[:, np.newaxis] * np.hstack(columns) if columns else None)
-        return found
+        return tuple(found)
 
     def shares(self, values: np.ndarray) -> list[np.ndarray | None]:
         """Return columns (n_i, k) N of each test by which effects add shares of its own, as hum; None: there are none.
