@@ -167,6 +167,7 @@ bench: test-setup
 	@$(PY) -m benchmarks.damper_designs
 	@$(PY) -m benchmarks.incremental
 	@$(PY) -m benchmarks.calibration
+	@$(PY) -m benchmarks.calibration --number 4 --every 1 --effects play series_flexibility
 
 test: test-setup lint types layers ctest pytest
 

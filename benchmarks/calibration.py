@@ -2,7 +2,10 @@
 
 The effort is the number of weighted predictions, the same on every machine; beside it stands the CPU time of one.
 
-Usage: python -m benchmarks.calibration [--number 23] [--every 2] [--seed 1] [--folder build/blind_bench]
+What stands in series with the damper costs most: `--effects play series_flexibility` asks for such campaigns alone.
+
+Usage: python -m benchmarks.calibration [--number 23] [--every 2] [--seed 1] [--effects play series_flexibility]
+       [--folder build/blind_bench]
 """
 
 from __future__ import annotations
@@ -13,8 +16,9 @@ import statistics
 import tempfile
 from pathlib import Path
 
+from blind.effects import EFFECTS
 from blind.generate import generate
-from blind.plan import plan
+from blind.plan import KINDS, plan
 from blind.run import calibrate, result
 
 BAR = 60.0  # s
@@ -26,6 +30,7 @@ def main() -> None:
     parser.add_argument("--number", type=int, default=23, help="campaigns planned (23: one round of all kinds)")
     parser.add_argument("--every", type=int, default=2, help="so manieth of them is run, from the first one on")
     parser.add_argument("--seed", type=int, default=1, help="of everything")
+    parser.add_argument("--effects", nargs="+", choices=tuple(EFFECTS), help="one of these is hidden in each; any")
     parser.add_argument("--folder", type=Path, help="for campaigns and results; not kept unless given")
     chosen = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
@@ -33,7 +38,8 @@ def main() -> None:
         folder.mkdir(parents=True, exist_ok=True)
         print("campaign  tests  wall, s  CPU, s  effort  ms each  hidden -> found (verdict)")
         walls = []
-        for planned in plan(chosen.number, chosen.seed)[:: chosen.every]:
+        kinds = ("one",) if chosen.effects else KINDS
+        for planned in plan(chosen.number, chosen.seed, kinds, chosen.effects or tuple(EFFECTS))[:: chosen.every]:
             place = generate(planned, chosen.seed, folder)
             before = _cpu()
             outcome = calibrate(place, again=True)
