@@ -21,7 +21,7 @@ from edesign.calibration.dampers.uncertain_inputs import UncertainInput, uncerta
 from edesign.calibration.form import FormInCampaign, Values
 from edesign.calibration.problems import EffectModel, Predicted, TestedProblem, changed
 from edesign.calibration.search.problem import Effect
-from edesign.damper.fitting.identifiable import HELD, LIMITED_BY
+from edesign.damper.fitting.identifiable import HELD, LIMITED_BY, beside
 from edesign.damper.fitting.scales import Scales
 from edesign.damper.law import Law
 from edesign.damper.law import Parameter as LawParameter
@@ -102,7 +102,9 @@ class DamperProblem(TestedProblem):
             return ()
         scales = Scales(self.typical.force, self.typical.displacement, self.typical.velocity)
         return tuple(
-            _about_declared(one, self.declared, scales, self.within, self.alone.get(one.name))
+            _about_declared(
+                *(beside(self.law, one, self.declared), self.declared, scales, self.within, self.alone.get(one.name))
+            )
             for one in self.law.all_parameters(self.declared)
             if one.fitted and one.name not in self._held
         )

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from edesign.damper.fitting.scales import Scales
-from edesign.damper.law import Law
+from edesign.damper.law import Law, Parameter
 from edesign.errors import InputError
 
 
@@ -56,6 +56,27 @@ HELD: dict[str, dict[str, Held]] = {
 
 LIMITED_BY = {"mgmm": {"c1": "c_b", "k_b": "k0"}}
 """Parameters that shrink to nothing where data want less than what another one, held above zero, gives already."""
+
+
+_NOT_BELOW_MINUS = {"bouc_wen": {"beta": "gamma"}, "modified_bouc_wen": {"beta": "gamma"}}
+"""Parameters that are at least minus another one, which is held: z of Bouc-Wen laws has a bound then."""
+
+
+def beside(law: Law, parameter: Parameter, held: Mapping[str, float]) -> Parameter:
+    """Return a parameter with the bounds that it has beside others which are held.
+
+    A search then stops there as at any bound. Where nothing but refused predictions tells of it, all steps that lead
+    beyond it are refused as a whole, and the search stands still in all its parameters.
+
+    Args:
+        law: the law.
+        parameter: of the law, or beside it.
+        held: values of parameters, SI; where those that it depends on are not among them, nothing is known of it.
+    """
+    other = _NOT_BELOW_MINUS.get(law.name, {}).get(parameter.name)
+    if other is None or other not in held:
+        return parameter
+    return replace(parameter, lower=-held[other], lower_allowed=True)
 
 
 def default_holds(law: Law, start: Mapping[str, float] | None, scales: Scales, force: float) -> dict[str, float]:

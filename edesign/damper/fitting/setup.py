@@ -10,7 +10,7 @@ from typing import get_args
 import numpy as np
 
 from edesign.damper.fitting.coordinates import ABOVE, Bounds, Coordinates
-from edesign.damper.fitting.identifiable import HELD, default_holds, why_held
+from edesign.damper.fitting.identifiable import HELD, beside, default_holds, why_held
 from edesign.damper.fitting.observed import Observed
 from edesign.damper.fitting.solve import Loss
 from edesign.damper.fitting.start import branches_of, start_values
@@ -130,6 +130,7 @@ def set_up(
     free = [name for name in values if name not in reasons]
     if not free:
         raise InputError(f"all parameters of law {law.name} are held; nothing is left to fit")
+    parameters = tuple(beside(law, one, holds) for one in parameters)
     coordinates = Coordinates(parameters, free, values, observed.scales, bounds, ABOVE.get(law.name))
     return Setup(law, parameters, coordinates, reasons, heat)
 

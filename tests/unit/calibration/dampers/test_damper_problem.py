@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from damper_problems import LAW_VALUES, problem
 
 from edesign.calibration.dampers.effect import REFINED
+from edesign.estimation.least_squares import fit
 from edesign.estimation.model import PredictionError, predict_near
+from edesign.estimation.noise import Noise
 
 
 @pytest.mark.parametrize(
@@ -28,6 +31,30 @@ def test_the_law_has_priors_about_what_is_declared_but_for_what_others_make_need
         # beta of Bouc-Wen may be negative: its value is normal, not its logarithm
         expected = (0.3 * 0.5, False) if one.name == "beta" else (0.3, True)
         assert (one.spread, one.logarithmic) == expected
+
+
+def hardening_loops(displacement: np.ndarray, force: float, length: float) -> np.ndarray:
+    """Return Bouc-Wen loops (n,) N with beta = -1.1 and gamma = 0.8, as in the benchmark of Noel & Schoukens (2016)."""
+    z, found = 0.0, []
+    for du in np.diff(displacement, prepend=0.0):
+        z += (1.0 - (0.8 * np.sign(du) * np.sign(z) - 1.1) * abs(z)) * du / length
+        found.append(force * z)
+    return np.array(found)
+
+
+def test_a_fit_goes_along_the_bound_that_a_held_parameter_sets():
+    """beta is at least -gamma. Loops that harden ask for less: the other parameters are fitted at that bound."""
+    tests = problem("bouc_wen", values={"n": 1.0})
+    hard = [replace(one, force=hardening_loops(one.motion.displacement, 2e4, 3e-3)) for one in tests.experiments]
+    model = tests.with_experiments(hard).model(())
+    beta = [one.name for one in model.parameters].index("beta")
+    assert model.parameters[beta].lower == -LAW_VALUES["bouc_wen"]["gamma"]
+    noise = Noise.of_first_fit((10.0,) * 3, tests.sizes)
+    found = [fit(model, noise, np.array(start), 60) for start in ([0.0] * 5, [1.0, 1.0, -1.0, -3.0, 1.0])]
+    assert all(one.values[beta] == -0.5 for one in found)
+    # a search ends where a step promises 0.05 of the objective
+    one, other = (sum(float(r @ r) for r in one.weighted().residuals) + float(one.z @ one.z) for one in found)
+    assert abs(one - other) < 1.0
 
 
 def test_zeros_that_an_mgmm_declares_are_held_where_others_make_them_needless():
