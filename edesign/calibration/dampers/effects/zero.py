@@ -14,6 +14,9 @@ from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, size
 
 _CLASS = 0.05  # of the largest force or displacement: standard deviation of a zero
+_WARM = (
+    0.25  # of a test: time constant of an amplifier that warms up; with a line it stands for longer and shorter ones
+)
 _DOEBELIN = "Doebelin, Measurement Systems, chapter 2 (zero drift)"
 
 
@@ -39,8 +42,15 @@ def _own_zero(p: Values, test: Experiment) -> np.ndarray:
 
 
 def _own_line(p: Values, test: Experiment) -> np.ndarray:
+    """Return a line from nothing at the first sample: what the channel shows there is its zero, another fault."""
     since = test.motion.since
-    return p["size"] * np.column_stack((np.ones_like(since), since / since[-1]))
+    return p["size"] * (since / since[-1])[:, np.newaxis]
+
+
+def _own_warming(p: Values, test: Experiment) -> np.ndarray:
+    """Return that line, and what comes to an end within the test."""
+    gone = test.motion.since / test.motion.since[-1]
+    return p["size"] * np.column_stack((gone, -np.expm1(-gone / _WARM)))
 
 
 def _waves(p: Values, test: Experiment) -> np.ndarray:
@@ -121,9 +131,16 @@ _EACH_OWN = replace(
     name="drift",
     form="each_own",
     title="drift of the force channel, another in each test",
-    signature="a straight line over time in each test, another from test to test",
+    signature="a straight line over time in each test, from nothing at its first sample, another from test to test",
     source=_DOEBELIN,
     acts=(OwnShares(_own_line),),
+)
+_WARMING = replace(
+    _EACH_OWN,
+    form="warming",
+    title="drift of the force channel that slows down, another in each test",
+    signature="a line over time in each test, steeper in its beginning, another from test to test",
+    acts=(OwnShares(_own_warming),),
 )
 
 
@@ -160,6 +177,7 @@ FORMS = (
     _CAMPAIGN,
     _DISPLACEMENT,
     _EACH_OWN,
+    _WARMING,
     _hum(
         "tone",
         "hum of one frequency in the force channel",

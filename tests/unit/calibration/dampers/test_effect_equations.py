@@ -476,7 +476,8 @@ def test_gas_is_compressed_by_the_rod_of_a_fluid_damper():
     ("label", "columns"),
     [
         ("offset.per_test", [lambda t: np.ones_like(t)]),
-        ("drift.each_own", [lambda t: np.ones_like(t), lambda t: t / t[-1]]),
+        ("drift.each_own", [lambda t: t / t[-1]]),
+        ("drift.warming", [lambda t: t / t[-1], lambda t: 1.0 - np.exp(-4.0 * t / t[-1])]),
         ("hum.tone", [lambda t: np.sin(100.0 * np.pi * t), lambda t: np.cos(100.0 * np.pi * t)]),
         ("hum.two_tones", [lambda t: np.sin(100.0 * np.pi * t), lambda t: np.sin(62.0 * np.pi * t)]),
         ("hum.harmonics", [lambda t: np.sin(62.0 * np.pi * t), lambda t: np.cos(186.0 * np.pi * t)]),
@@ -496,7 +497,7 @@ def test_own_shares_are_five_per_cent_of_the_force(label, columns):
 def test_every_form_is_checked_here_or_by_the_core():
     """Placements are those of the core's amendments, which have tests of their own; the MGMM has its gamma_T alone."""
     known = {*EQUATIONS, *RIGS, "lag.delay", "lag.filter", "lag.second_order", "lag.growing", "inertia.sprung"}
-    known |= {"offset.per_test", "drift.each_own", "hum.tone", "hum.two_tones", "hum.harmonics"}
+    known |= {"offset.per_test", "drift.each_own", "drift.warming", "hum.tone", "hum.two_tones", "hum.harmonics"}
     known |= {"self_heating.carried", "friction.presliding", "play.backlash"}
     known |= {"gas_spring.polytropic", "condition.parameter_of_V", "condition.gas_of_V"}
     known |= {"hysteresis.stretch"}
