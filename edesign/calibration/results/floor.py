@@ -29,6 +29,7 @@ from spectra, and of what does not repeat from a few cycles, are no better."""
 
 _CHANCE = 0.01  # with which noise alone makes one of all tests seem to be above its floor
 _SAME = 0.02  # of the rms displacement: motions that differ by less are one motion made twice
+_LONG, _MUCH = 0.25, 0.5  # of a test and of the range of its motion: beginnings that stand for all of it
 _FARTHEST = 2.0  # standard deviations of a thermometer's error, up to which it is one
 
 
@@ -151,24 +152,37 @@ def _from_cycle_to_cycle(one: Experiment, left: np.ndarray) -> float:
 
 
 def _from_test_to_test(tests: Sequence[Experiment], left: Sequence[np.ndarray]) -> list[float]:
-    """Return what of the residuals (n_i,) N does not repeat in the nearest test with the same motion; nan: none has."""
+    """Return what of the residuals (n_i,) N does not repeat in the nearest test that begins with the same motion.
+
+    A force has its cause in what went before: two tests of one motion have one force until their motions part.
+
+    Returns:
+        (tests,) standard deviation, N; nan: no other test begins so.
+    """
     found = [math.nan] * len(tests)
     for i, one in enumerate(tests):
-        alike = [k for k, other in enumerate(tests) if k != i and _same(one, other)]
-        if alike:
-            k = min(alike, key=lambda k: abs(k - i))
+        together = [(abs(k - i), k, n) for k, other in enumerate(tests) if k != i and (n := _together(one, other))]
+        if together:
+            _, k, n = min(together)
             time, other = judged(one, one.motion.since), judged(tests[k], tests[k].motion.since)
-            both = (time >= other[0]) & (time <= other[-1])
-            change = left[i][both] - np.interp(time[both], other, left[k])
-            found[i] = float(np.sqrt(0.5 * np.mean(change**2)))
+            both = (time >= other[0]) & (time <= min(other[-1], one.motion.since[n - 1]))
+            if np.any(both):
+                change = left[i][both] - np.interp(time[both], other, left[k])
+                found[i] = float(np.sqrt(0.5 * np.mean(change**2)))
     return found
 
 
-def _same(one: Experiment, other: Experiment) -> bool:
-    """Say whether two tests have the same motion at the same temperature."""
-    durations = one.motion.since[-1], other.motion.since[-1]
-    if abs(one.temperature - other.temperature) > APART or min(durations) < (1.0 - _SAME) * max(durations):
-        return False
-    own = one.motion.displacement
-    difference = own - np.interp(one.motion.since, other.motion.since, other.motion.displacement)
-    return bool(np.mean(difference**2) <= _SAME**2 * np.mean(own**2))
+def _together(one: Experiment, other: Experiment) -> int:
+    """Return the number of samples of a test for which another one has the same motion at the same temperature.
+
+    0: not for as long, or not in motions so large, as to stand for the test.
+    """
+    if abs(one.temperature - other.temperature) > APART:
+        return 0
+    since, own = one.motion.since, one.motion.displacement
+    longest = int(np.searchsorted(since, other.motion.since[-1], side="right"))
+    apart = own - np.interp(since, other.motion.since, other.motion.displacement)
+    alike = np.flatnonzero(np.cumsum(apart**2)[:longest] <= _SAME**2 * np.cumsum(own**2)[:longest])
+    n = int(alike[-1]) + 1 if alike.size else 0
+    large = n > 0 and float(np.ptp(own[:n])) >= _MUCH * float(np.ptp(own))
+    return n if large and n >= _LONG * since.size else 0

@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 from damper_problems import problem
 
-from edesign.calibration.results.floor import Floor, only_noise
+from edesign.calibration.dampers.motion import Motion
+from edesign.calibration.results.floor import Floor, _from_test_to_test, only_noise
 from edesign.calibration.results.predictions import errors_of
 from edesign.damper.testing.measured_histories import USES
 
@@ -61,3 +62,23 @@ def test_an_error_of_the_thermometer_is_allowed_for():
     thermal = [0.0] * TESTS
     thermal[3] = NOISE**2  # twice its standard deviation: four times its power, beside the noise
     assert replace(floor, thermal=tuple(thermal)).worst(errors) is None
+
+
+def test_tests_that_begin_alike_tell_what_does_not_repeat():
+    """Ramps at one rate to several amplitudes and back: specimens of their own, whose stiffness scatters."""
+    tests = problem(tests=3)
+    tops = (4e-3, 6e-3, 8e-3)
+    ramps = []
+    for top in tops:
+        t = np.arange(0.0, 2.0 * top / 1e-3, 0.01)
+        u = np.minimum(1e-3 * t, 2.0 * top - 1e-3 * t)
+        ramps.append(Motion(t, u, np.gradient(u, t), np.zeros_like(t)))
+    experiments = [
+        replace(one, motion=m, force=1e6 * m.displacement) for one, m in zip(tests.experiments, ramps, strict=True)
+    ]
+    left = [share * one.force for share, one in zip((0.0, 0.02, 0.0), experiments, strict=True)]
+    found = _from_test_to_test(experiments, left)
+    # 2 % of a ramp to 4 mm, shared by two; the motions are alike for little longer
+    assert found[0] == pytest.approx(0.02 * 1e6 * 4e-3 / np.sqrt(3.0) / np.sqrt(2.0), rel=0.1)
+    slower = replace(experiments[0], motion=ramps[0].scaled(0.5))
+    assert np.isnan(_from_test_to_test([slower, *experiments[1:]], left)[0])
