@@ -166,14 +166,14 @@ def find_start(test: Recorded, kind: StartKind, ramp: float, force_of: ForceOf) 
     left = test.force - force_of(test.time, test.displacement, test.velocity, NONE)
     if not (displaced or kind == "in_motion" or _moved(test, left, moving)):
         return None
-    most = _as_much_as_is_left(np.maximum(np.abs(stepped), np.abs(moving)), left, test.noise)
+    known, most = kind == "at_rest", np.maximum(np.abs(stepped), np.abs(moving))
+    if not known:  # what is said to have been at rest has come from nowhere else, whatever the law leaves
+        most = _as_much_as_is_left(most, left, test.noise)
     late = np.flatnonzero(most > test.noise)
     first = min(int(late[-1]) + 1 if late.size else 0, int(_LONGEST * test.time.size))
     dies_away = not late.size or first == int(late[-1]) + 1
     u, v = float(test.displacement[0]), float(test.velocity[0])
-    prior, known = NONE, kind == "at_rest"
-    if known:
-        prior = one_way(u, u / ramp)
+    prior = one_way(u, u / ramp) if known else NONE
     return Start(u, v, float(test.time[first] - test.time[0]), dies_away, prior, known)
 
 

@@ -176,3 +176,16 @@ def test_hysteresis_is_judged_once_it_has_forgotten(name: str) -> None:
     assert judged < 1.0 / STEP  # a cycle, in which all of it yields both ways
     assert np.mean(left[judged:] ** 2) < 1.2 * NOISE**2
     assert np.mean(left[: judged or 1] ** 2) > 10.0 * NOISE**2
+
+
+def test_what_was_at_rest_came_from_nowhere_else_however_wrong_the_law_is() -> None:
+    """A ramp that began at rest: the law that is held against it is half as stiff, so that much is left."""
+    slow = {**SOLID, "c1": 6e6}  # relaxes in 1 s
+    test = recorded(ZENER, slow, 2e-3 * (T + 10.0 * STEP), (np.array([-STEP]), np.zeros(1), np.full(1, 2e-3)))
+    poor = {name: 0.5 * value for name, value in slow.items()}
+    start, good = start_of(ZENER, poor, test, "at_rest"), start_of(ZENER, slow, test, "at_rest")
+    assert start is not None and good is not None
+    assert start.known and start.judged_from <= good.judged_from < 1.0
+    # where it is not said, the specimen may have come from farther away
+    moving = start_of(ZENER, poor, test, "in_motion")
+    assert moving is not None and moving.judged_from > 3.0
