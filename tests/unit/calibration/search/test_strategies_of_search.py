@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import replace
 
 import numpy as np
@@ -12,7 +13,7 @@ from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.problem import Effect
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
-from edesign.estimation.left_out import score
+from edesign.estimation.left_out import Difference, score
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import Parameter
 
@@ -317,3 +318,65 @@ def test_a_delay_is_no_mass_that_comes_near_to_it() -> None:
     search = found(CurveProblem(effects=(mass, *others, delay), truth=((delay, (0.5, 0.05)),)))
     told = {search.best.label, *(one.model.label for rivals in search.rivals for one in rivals)}
     assert "lag.delay" in told
+
+
+def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whatever is compared is better than the other."""
+    asked = itertools.count()
+
+    def better(*_: object) -> Difference:
+        assert next(asked) < 1000
+        return Difference(100.0, 0.0)
+
+    monkeypatch.setattr(Search, "_difference", better)
+    monkeypatch.setattr(Search, "_predicts_better", lambda *_: True)
+    monkeypatch.setattr(Search, "_insignificant", lambda *_: False)
+    first, second = columns(1), columns(2)
+    both = [a + 0.8 * b for a, b in zip(first, second, strict=True)]
+    problem = CurveProblem(effects=(linear("one", first), linear("other", both)), truth=((linear("x", first), (0.3,)),))
+    assert found(problem, depth=1, pairs=0).ending == "complete"
+
+
+def test_an_effect_that_takes_the_place_of_another_has_its_best_equation() -> None:
+    first, second, proxy = proxy_of_two()
+    near = linear("second", [a + 0.5 * b for a, b in zip(columns(2), columns(8), strict=True)], "near")
+    free = effect("second", "free", lambda p, i, u, v: p[0] * (columns(2)[i] + p[1] * columns(8)[i]), [(0.3, (3.0,))])
+    truth = ((first, (0.3,)), (free, (0.3, 0.1)))
+    problem = CurveProblem(effects=(first, near, free, proxy), truth=truth)
+    result = found(problem, pairs=0, depth=2)
+    assert result.best.names == {"first", "second"}
+    assert "second.free" in result.best.label
+
+
+def test_forms_with_shares_of_each_test_are_tried_beside_all_others() -> None:
+    """Two forms of one size are screened before the one that is another in each test."""
+    own = effect("zero", "own", lambda p, i, u, v: np.ones((u.size, 1)), own=True)
+    others = [effect("zero", f"form_{k}", lambda p, i, u, v, k=k: p[0] * (1.0 + k * u)) for k in (0.0, 0.2)]
+    problem = CurveProblem(effects=(*others, own), zeros=2.0, seed=4)
+    result = found(problem)
+    assert result.best.label == "zero.own"
+
+
+def test_no_model_of_the_beam_has_an_effect_that_it_does_not_need() -> None:
+    true, idle = linear("true", columns(1)), [linear(f"idle_{k}", columns(20 + k)) for k in range(3)]
+    result = found(CurveProblem(effects=(true, *idle), truth=((true, (0.3,)),)))
+    assert [one.model.label for one in result.depths[0].tried][0] == "true.x"
+    assert all(len(one.model.effects) == 1 for one in result.depths[0].tried)
+
+
+def test_an_effect_is_needed_beside_the_best_equations_of_the_others() -> None:
+    """A cubic and a bend make what one power does, whose equation is screened far from where it fits."""
+    cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    truth = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (14.0,))])
+    bend = effect("bend", "x", lambda p, i, u, v: p[0] * (np.abs(u) ** 4.4 * np.sign(u) - 0.8 * u**3))
+    problem = CurveProblem(effects=(cubic, truth, bend), truth=((truth, (0.5, 4.4)),), noise=0.002)
+    assert found(problem, beam=1, others=1).best.label == "hardening.power"
+
+
+def test_of_equations_that_predict_alike_the_plainest_is_taken() -> None:
+    cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
+    power = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (3.0,))])
+    labels = [
+        found(CurveProblem(effects=(cubic, power), truth=((cubic, (0.3,)),), seed=seed)).best.label for seed in range(6)
+    ]
+    assert labels == ["hardening.cubic"] * 6
