@@ -9,6 +9,10 @@ FLOORS = 2.0  # times the noise floor, as a ratio of powers: for an error that i
 NOT_HIDDEN = ("extremes",)
 """Readings of a law that a result may name among its effects. No laboratory hides them."""
 
+NOT_COMPARED = ("temperature_law", "one_sided", "velocity_exponent")
+"""Effects beside which the parameters of a law are a convention: the temperature at which they hold, the direction that
+is the law's own, the velocity at which its viscous force is the law's."""
+
 
 def judge(
     name: str,
@@ -64,9 +68,9 @@ def judge(
 def _inside(truth: Mapping[str, Any], result: Mapping[str, Any]) -> list[int] | None:
     """How many parameters of the law have an interval that holds the true value, and how many were fitted.
 
-    None where they are told at another temperature: of the MGMM at 20 degC, and beside a law of the temperature.
+    None where they are told otherwise: of the MGMM at 20 degC, and beside effects that share what the law does.
     """
-    if truth["law"] == "mgmm" or any(e["name"] == "temperature_law" for e in truth["effects"]):
+    if truth["law"] == "mgmm" or any(e["name"] in NOT_COMPARED for e in truth["effects"]):
         return None
     fitted = result["parameters"].get("corrected") or result["parameters"]["refit"]
     true, declared = (dict(truth[key].get("parameters", truth[key])) for key in ("law_true", "law_declared"))
