@@ -144,6 +144,12 @@ class CurveModel:
         return [self.problem.forces(self.effects, one) for one in values]
 
     def own(self, values: np.ndarray) -> list[np.ndarray | None]:
-        """A zero of each test's own."""
-        columns = [one.data(values, 0, *self.problem.motions[0]) for one in self.effects if one.own]
-        return [np.hstack(columns) if columns else None] * self.problem.tests
+        """Columns (n, k) whose shares are each test's own; None: there are none."""
+        at, own = 2, list[tuple[Effect, np.ndarray]]()
+        for one in self.effects:
+            if one.own:
+                own.append((one, values[at : at + len(one.parameters)]))
+            at += len(one.parameters)
+        if not own:
+            return [None] * self.problem.tests
+        return [np.hstack([one.data(p, i, *both) for one, p in own]) for i, both in enumerate(self.problem.motions)]

@@ -114,7 +114,7 @@ def test_models_are_put_in_order_after_a_rough_fit() -> None:
     others = [
         linear(f"like_{k}", [m + 0.7 * c for m, c in zip(motion, columns(10 + k), strict=True)]) for k in range(5)
     ]
-    assert found(replace(problem, effects=(truth, *others))).best.names == {"saw"}
+    assert found(replace(problem, effects=(truth, *others)), pairs=0).best.names == {"saw"}
 
 
 def test_two_forms_of_an_effect_are_tried_before_another_effect_is_taken() -> None:
@@ -320,40 +320,54 @@ def test_a_delay_is_no_mass_that_comes_near_to_it() -> None:
     assert "lag.delay" in told
 
 
-def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Whatever is compared is better than the other."""
+def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
+    """Whatever is compared is better than the other, by the rule. Of two effects the first is the true one."""
     asked = itertools.count()
 
-    def better(*_: object) -> Difference:
+    def difference(*_: object) -> Difference:
         assert next(asked) < 1000
         return Difference(100.0, 0.0)
 
-    monkeypatch.setattr(Search, "_difference", better)
-    monkeypatch.setattr(Search, "_predicts_better", lambda *_: True)
-    monkeypatch.setattr(Search, "_insignificant", lambda *_: False)
+    monkeypatch.setattr(Search, "_difference", difference)
     first, second = columns(1), columns(2)
     both = [a + 0.8 * b for a, b in zip(first, second, strict=True)]
-    problem = CurveProblem(effects=(linear("one", first), linear("other", both)), truth=((linear("x", first), (0.3,)),))
+    return CurveProblem(effects=(linear("one", first), linear("other", both)), truth=((linear("x", first), (0.3,)),))
+
+
+def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    problem = better_than_all(monkeypatch)
+    monkeypatch.setattr(Search, "_predicts_better", lambda *_: True)
+    monkeypatch.setattr(Search, "_insignificant", lambda *_: False)
     assert found(problem, depth=1, pairs=0).ending == "complete"
 
 
+def test_what_takes_the_place_of_an_effect_predicts_better_under_its_own_noise(monkeypatch: pytest.MonkeyPatch) -> None:
+    assert found(better_than_all(monkeypatch), depth=1, pairs=0).best.names == {"one"}
+
+
 def test_an_effect_that_takes_the_place_of_another_has_its_best_equation() -> None:
-    first, second, proxy = proxy_of_two()
-    near = linear("second", [a + 0.5 * b for a, b in zip(columns(2), columns(8), strict=True)], "near")
-    free = effect("second", "free", lambda p, i, u, v: p[0] * (columns(2)[i] + p[1] * columns(8)[i]), [(0.3, (3.0,))])
-    truth = ((first, (0.3,)), (free, (0.3, 0.1)))
-    problem = CurveProblem(effects=(first, near, free, proxy), truth=truth)
+    """Depth two is reached with the third effect, so that no further round of the search chooses equations."""
+    first, _, proxy = proxy_of_two()
+    base, beside = columns(2), columns(8)
+    near = linear("second", [a + 0.3 * b for a, b in zip(base, beside, strict=True)], "near")
+    free = effect("second", "free", lambda p, i, u, v: p[0] * (base[i] + p[1] * beside[i]), [(0.3, (30.0,))])
+    problem = CurveProblem(effects=(first, near, free, proxy), truth=((first, (0.3,)), (free, (0.25, 0.1))))
     result = found(problem, pairs=0, depth=2)
-    assert result.best.names == {"first", "second"}
-    assert "second.free" in result.best.label
+    assert result.depths[-1].adopted is not None and result.depths[-1].adopted.names == {"proxy", "first"}
+    assert {effect.label for effect in result.best.effects} == {"first.x", "second.free"}
 
 
 def test_forms_with_shares_of_each_test_are_tried_beside_all_others() -> None:
-    """Two forms of one size are screened before the one that is another in each test."""
-    own = effect("zero", "own", lambda p, i, u, v: np.ones((u.size, 1)), own=True)
+    """Two forms of one size are screened before the one whose shape shows only where it is fitted."""
+    shape = Parameter("s", "", 1e-3, 1e3, 1.0, 1.5, True)
+
+    def waves(p: np.ndarray, i: int, u: np.ndarray, v: np.ndarray) -> np.ndarray:
+        return (1.0 + 20.0 * (p[0] - 0.3) * u)[:, np.newaxis]
+
+    own = Effect("zero", "own", "instrument", (shape,), ((3.0,),), False, True, waves)
     others = [effect("zero", f"form_{k}", lambda p, i, u, v, k=k: p[0] * (1.0 + k * u)) for k in (0.0, 0.2)]
-    problem = CurveProblem(effects=(*others, own), zeros=2.0, seed=4)
-    result = found(problem)
+    result = found(CurveProblem(effects=(*others, own), zeros=2.0, seed=4))
+    assert [start.effect.label for start, _ in result.depths[0].screening.singles][-1] == "zero.own"
     assert result.best.label == "zero.own"
 
 
@@ -367,10 +381,10 @@ def test_no_model_of_the_beam_has_an_effect_that_it_does_not_need() -> None:
 def test_an_effect_is_needed_beside_the_best_equations_of_the_others() -> None:
     """A cubic and a bend make what one power does, whose equation is screened far from where it fits."""
     cubic = effect("hardening", "cubic", lambda p, i, u, v: p[0] * u**3)
-    truth = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (14.0,))])
+    truth = effect("hardening", "power", lambda p, i, u, v: p[0] * np.abs(u) ** p[1] * np.sign(u), [(3.0, (20.0,))])
     bend = effect("bend", "x", lambda p, i, u, v: p[0] * (np.abs(u) ** 4.4 * np.sign(u) - 0.8 * u**3))
     problem = CurveProblem(effects=(cubic, truth, bend), truth=((truth, (0.5, 4.4)),), noise=0.002)
-    assert found(problem, beam=1, others=1).best.label == "hardening.power"
+    assert found(problem, beam=1, others=0).best.label == "hardening.power"
 
 
 def test_of_equations_that_predict_alike_the_plainest_is_taken() -> None:
