@@ -8,12 +8,7 @@ from edesign.calibration.form import size
 
 _BETWEEN = 1.2  # exponent between that of slow motions, 1, and of fast ones, 1.4: their forces differ by a tenth
 
-_FLUID = (
-    *("viscous", "viscous_power", "asymmetric_viscous", "bilinear_oil", "maxwell", "maxwell_power"),
-    # of magnetorheological dampers, which have an accumulator too: Spencer, Dyke, Sain & Carlson (1997), J. Eng. Mech.
-    # 123, 230-238
-    *("bouc_wen", "modified_bouc_wen"),
-)
+_FLUID = ("viscous", "viscous_power", "asymmetric_viscous", "bilinear_oil", "maxwell", "maxwell_power")
 
 _POLYTROPIC = EffectForm(
     "gas_spring",
