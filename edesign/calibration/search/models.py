@@ -12,7 +12,7 @@ import numpy as np
 from edesign.calibration.search.problem import Columns, Effect, Problem
 from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.least_squares import SETTINGS, Fit, Settings, fit
-from edesign.estimation.left_out import PRIOR_FREEDOM, Score, score
+from edesign.estimation.left_out import PRIOR_FREEDOM, Difference, Score, difference, score
 from edesign.estimation.model import Model, PredictionError, predict_near
 from edesign.estimation.noise import Noise, correlation_length
 from edesign.estimation.parameters import coordinates_of, ranges_of, values_of
@@ -258,6 +258,17 @@ class Fitter:
             self.effort.spend(found.evaluations, model.effects)
             self._scores[key] = model, wrong, found
         return self._scores[key][2]
+
+    def difference(self, better: FittedModel, worse: FittedModel, noise: Noise, known: FittedModel) -> Difference:
+        """Return by how much one model predicts tests better than another.
+
+        Args:
+            better: the one.
+            worse: the other.
+            noise: by which they are compared.
+            known: model whose equations may be wrong, which is allowed for.
+        """
+        return difference(self.score(better, noise, known), self.score(worse, noise, known))
 
     def noise(self, leader: FittedModel, known: FittedModel) -> Noise:
         """Return the noise by which models are compared: what the leader leaves.

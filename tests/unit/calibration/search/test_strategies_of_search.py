@@ -11,6 +11,7 @@ from curve_problem import DRAG, OWN, Change, CurveProblem, effect
 
 from edesign.calibration.search.models import Fitter
 from edesign.calibration.search.problem import Effect
+from edesign.calibration.search.pruning import Pruning
 from edesign.calibration.search.search import Found, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.estimation.left_out import Difference, score
@@ -328,7 +329,7 @@ def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
         assert next(asked) < 1000
         return Difference(100.0, 0.0)
 
-    monkeypatch.setattr(Search, "_difference", difference)
+    monkeypatch.setattr(Fitter, "difference", difference)
     first, second = columns(1), columns(2)
     both = [a + 0.8 * b for a, b in zip(first, second, strict=True)]
     return CurveProblem(effects=(linear("one", first), linear("other", both)), truth=((linear("x", first), (0.3,)),))
@@ -337,7 +338,7 @@ def better_than_all(monkeypatch: pytest.MonkeyPatch) -> CurveProblem:
 def test_a_set_of_effects_is_taken_once(monkeypatch: pytest.MonkeyPatch) -> None:
     problem = better_than_all(monkeypatch)
     monkeypatch.setattr(Search, "_predicts_better", lambda *_: True)
-    monkeypatch.setattr(Search, "_insignificant", lambda *_: False)
+    monkeypatch.setattr(Pruning, "insignificant", lambda *_: False)
     assert found(problem, depth=1, pairs=0).ending == "complete"
 
 

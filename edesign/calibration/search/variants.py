@@ -1,0 +1,113 @@
+"""Variants of a fitted model: without one of its effects, with another in its place, with the best equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from edesign.calibration.search.models import FittedModel, Fitter, Start
+from edesign.calibration.search.problem import Effect
+from edesign.calibration.search.screening import screen
+from edesign.estimation.left_out import LEAST
+from edesign.estimation.noise import Noise
+
+
+class Variants:
+    """Fits variants of models; what was fitted in the place of an effect is kept.
+
+    Args:
+        fitter: of the search.
+        base: the base model, fitted.
+    """
+
+    def __init__(self, fitter: Fitter, base: FittedModel) -> None:
+        self._fitter, self._base = fitter, base
+        self._beside = dict[frozenset[str], dict[str, FittedModel]]()
+
+    def omitting(self, model: FittedModel, index: int) -> FittedModel | None:
+        """Return a model without one of its effects, fitted; None: it cannot predict then.
+
+        Args:
+            model: fitted.
+            index: of the effect.
+        """
+        others, values = model.without(index)
+        if not others:
+            return self._base
+        slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+        rough = self._fitter.linearised(others, [values], slopes, model.noise)
+        return None if rough is None else self._fitter.reweighted(rough)
+
+    def in_place(self, effect: Effect, rest: FittedModel) -> list[FittedModel]:
+        """Return models with another effect in the place of one, fitted: those that the screening puts first.
+
+        Args:
+            effect: that is replaced.
+            rest: model without it.
+        """
+        key = frozenset(one.label for one in rest.effects)
+        if key not in self._beside:
+            found: dict[str, FittedModel] = {}
+            screening = screen(self._fitter, rest, rest)
+            for start, gain in screening.singles:
+                if gain <= 0.0 or len(found) > self._fitter.settings.others:
+                    break
+                if start.effect.name in found:
+                    continue
+                grown = self._fitter.extended(rest, [start], screening.noise)
+                if grown is not None:
+                    rough = self._fitter.rough(grown, screening.noise)
+                    found[start.effect.name] = self._fitter.reweighted(rough)
+            self._beside[key] = found
+        others = [one for name, one in self._beside[key].items() if name != effect.name]
+        return others[: self._fitter.settings.others]
+
+    def with_best_forms(self, model: FittedModel, noise: Noise, roughly: bool = False) -> FittedModel:
+        """Return the model with that equation of each effect that predicts best.
+
+        Args:
+            model: fitted.
+            noise: by which predictions are compared.
+            roughly: whether fewer equations are tried, and none is fitted to the end.
+        """
+        fitter, settings = self._fitter, self._fitter.settings
+        weights = [noise.weight(i) for i in range(len(model.fit.predicted))]
+        for index in range(len(model.effects)):
+            # what the effect does and should do
+            both = zip(weights, model.contribution(index), model.left, strict=True)
+            target = np.concatenate([w * (c + r) for w, c, r in both])
+            like: dict[str, tuple[float, Start]] = {}
+            for form, values, change in fitter.alternatives(model, index, weights):
+                share = float(change @ target) / float(change @ change)
+                near = share * float(change @ target)
+                if near > like.get(form.label, (-1.0,))[0]:
+                    like[form.label] = near, Start(form, _scaled(values, form.linear, share))
+            others, kept = model.without(index)
+            slopes = [np.delete(j, model.places(index), axis=1) for j in model.fit.slopes]
+            order = [*range(index), len(others), *range(index, len(others))]
+            rough: list[FittedModel] = []
+            number = settings.forms if roughly else settings.others
+            for _, start in sorted(like.values(), key=lambda one: -one[0])[:number]:
+                placed = fitter.linearised((*others, start.effect), [kept, start.values], slopes, noise)
+                if placed is not None:
+                    rough.append(fitter.rough(placed, noise))
+            totals = [fitter.score(one, noise, sure=False).total for one in rough]
+            likely = [one for one, total in zip(rough, totals, strict=True) if total > max(totals) - LEAST]
+            if not roughly:
+                likely = [fitter.reweighted(one) for one in likely]
+            model = self._simplest([model, *(fitter.in_order(one, order) for one in likely)], noise, not roughly)
+        return model
+
+    def _simplest(self, models: Sequence[FittedModel], noise: Noise, sure: bool) -> FittedModel:
+        """Return that of models as good as the best which has fewest parameters, none at a bound if possible.
+
+        A form at a bound of a parameter is another form; that bound is no price of a parameter.
+        """
+        totals = [self._fitter.score(one, noise, sure=sure).total for one in models]
+        alike = [(one, total) for one, total in zip(models, totals, strict=True) if total > max(totals) - LEAST]
+        return min(alike, key=lambda one: (np.sum(~one[0].fit.free), one[0].fit.z.size, -one[1]))[0]
+
+
+def _scaled(start: np.ndarray, linear: bool, share: float) -> np.ndarray:
+    return np.array([start[0] * share, *start[1:]]) if linear else start
