@@ -51,15 +51,16 @@ class Pruning:
                 seen = one.nrms - model.nrms > max(self._fitter.settings.least**2, fitter.problem.input_noise)
                 if (
                     not seen
-                    or not self._fitter.difference(model, one, noise, one).sure
+                    or not fitter.difference(model, one, noise, one).sure
                     or self.insignificant(model, index)
                     or not self._identified_in(model, index, one, noise)
                 ):
                     simpler.append(one)
             if not simpler:
                 break
+            # of two effects that do the same, the one stays that is something
             noise = fitter.noise(model, known)
-            model = max(simpler, key=lambda one: fitter.score(one, noise).total)
+            model = min(simpler, key=lambda one: (self.insignificant_effects(one), -fitter.score(one, noise).total))
         # less than is known already is no step: the next depth would take it back
         return None if model.names <= known.names else model
 
@@ -110,7 +111,13 @@ class Pruning:
         bound = at_bounds(model.fit)[size[0]]
         if bound:
             return not (bound == "upper" and model.effects[index].parameters[0].whole)
-        if not model.effects[index].linear:
-            return False
         low, high = uncertainty(model.fit, model.noise).interval(size[0])
         return low <= 0.0 <= high
+
+    def insignificant_effects(self, model: FittedModel) -> int:
+        """Return how many effects of a model are insignificant.
+
+        Args:
+            model: fitted.
+        """
+        return sum(self.insignificant(model, i) for i in range(len(model.effects)))

@@ -147,7 +147,7 @@ class Search:
                 if one.difference.sure
                 and one.model.names not in self._visited
                 and self._predicts_better(one.model, best)
-                if not any(self._pruning.insignificant(one.model, i) for i in range(len(one.model.effects)))
+                and not self._pruning.insignificant_effects(one.model)
             ]
             if better:
                 leader = max(better, key=lambda one: one.difference.total).model

@@ -395,3 +395,20 @@ def test_of_equations_that_predict_alike_the_plainest_is_taken() -> None:
         found(CurveProblem(effects=(cubic, power), truth=((cubic, (0.3,)),), seed=seed)).best.label for seed in range(6)
     ]
     assert labels == ["hardening.cubic"] * 6
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_an_effect_of_no_size_does_not_take_the_place_of_another(seed: int) -> None:
+    """A rig with play, and no play in it, is a flexible rig. The two come in as a pair."""
+    stretch, clearance = columns(1), columns(2)
+    play = Parameter("play", "", 0.0, 10.0, 0.1, 0.1)
+    stiffness = Parameter("stiffness", "", 1e-3, 1e3, 0.3, 2.0, True)
+    flexible = linear("flexible", stretch)
+    loose = Effect(
+        *("loose", "x", "rig", (play, stiffness), ((0.02, 0.3),), False, False),
+        lambda p, i, u, v: p[1] * stretch[i] + p[0] * clearance[i],
+    )
+    # 1.5 standard errors of play: better by the score, and it may be nothing
+    chance = linear("chance", clearance)
+    problem = CurveProblem(effects=(loose, flexible), truth=((flexible, (0.3,)), (chance, (4e-4,))), seed=seed)
+    assert found(problem, singles=0).best.names == {"flexible"}
