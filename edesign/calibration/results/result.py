@@ -226,7 +226,7 @@ class Calibration:
         errors: by stage.
         noise_floor: NRMS in the validation tests of what no model can predict, and of what an error of the thermometer
             changes; `noise_floor_fit` in the others.
-        effects: in the order of adoption.
+        effects: in the order of adoption, and in a round of what they explain.
         hypotheses: effects that were found and are no part of the corrected law.
         parameters: of the law, by stage.
         law_held: whether the campaign has the declared parameters held.

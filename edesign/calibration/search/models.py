@@ -68,7 +68,7 @@ class FittedModel:
 
     Attributes:
         problem: of the tests.
-        effects: in the order of adoption.
+        effects: in the order of adoption, and in a round of what they explain.
         fit: parameters of the base, and of the effects in their order.
     """
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from edesign.calibration.search.models import FittedModel, Fitter
@@ -34,23 +35,24 @@ class Pruning:
             known: a model whose effects are known.
 
         Returns:
-            None: it has no effect more than the known model.
+            The effects that are not known are in the order of what they explain; None: there are none.
         """
-        fitter = self._fitter
+        fitter, explained = self._fitter, list[float]()
         while model.effects:
-            simpler = []
+            simpler, explained = [], []
             for index in range(len(model.effects)):
                 others, _ = model.without(index)
                 one = known if others == known.effects else self._variants.omitting(model, index)
                 if one is None:
+                    explained.append(math.inf)
                     continue
                 noise = fitter.noise(model, one)
                 if self._fitter.difference(model, one, noise, one).sure and one is not known:
                     one = fitter.reweighted(self._variants.with_best_forms(one, noise, True))
                     noise = fitter.noise(model, one)
-                seen = one.nrms - model.nrms > max(self._fitter.settings.least**2, fitter.problem.input_noise)
+                explained.append(one.nrms - model.nrms)
                 if (
-                    not seen
+                    explained[-1] <= max(fitter.settings.least**2, fitter.problem.input_noise)
                     or not fitter.difference(model, one, noise, one).sure
                     or self.insignificant(model, index)
                     or not self._identified_in(model, index, one, noise)
@@ -62,7 +64,11 @@ class Pruning:
             noise = fitter.noise(model, known)
             model = min(simpler, key=lambda one: (self.insignificant_effects(one), -fitter.score(one, noise).total))
         # less than is known already is no step: the next depth would take it back
-        return None if model.names <= known.names else model
+        if model.names <= known.names:
+            return None
+        new = [i for i, effect in enumerate(model.effects) if effect.name not in known.names]
+        old = [i for i in range(len(model.effects)) if i not in new]
+        return fitter.in_order(model, [*old, *sorted(new, key=lambda i: -explained[i])])
 
     def identified_among(
         self, models: Sequence[FittedModel], model: FittedModel, known: FittedModel, noise: Noise

@@ -412,3 +412,10 @@ def test_an_effect_of_no_size_does_not_take_the_place_of_another(seed: int) -> N
     chance = linear("chance", clearance)
     problem = CurveProblem(effects=(loose, flexible), truth=((flexible, (0.3,)), (chance, (4e-4,))), seed=seed)
     assert found(problem, singles=0).best.names == {"flexible"}
+
+
+def test_of_effects_that_come_together_the_one_that_explains_more_stands_first() -> None:
+    large, small = linear("large", columns(1)), linear("small", columns(2))
+    for effects in ((large, small), (small, large)):
+        problem = CurveProblem(effects=effects, truth=((large, (0.3,)), (small, (0.1,))))
+        assert found(problem, singles=0).best.label == "large.x + small.x"
