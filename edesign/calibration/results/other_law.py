@@ -102,16 +102,20 @@ def other_law(
     observed = observe(loadings, scales_of(loadings))
     of_best = unbounded(problem, settings).noise(best, best)
     for names in (RIVALS, SLOW_RIVALS):
-        rivals = [r for name in names if name != problem.law.name and (r := _rival(problem, observed, name))]
+        rivals = [r for name in names if name != problem.law.name and (r := _rival(base, observed, name))]
         found = _better(base, best, rivals, of_best)
         if found is not None:
             return found
     return None
 
 
-def _rival(problem: DamperProblem, observed: Observed, name: str) -> _Rival | None:
-    """Return a law fitted to the tests from several starts; None: it cannot be."""
-    law = LAWS[name]
+def _rival(base: FittedModel, observed: Observed, name: str) -> _Rival | None:
+    """Return a law fitted to the tests from several starts.
+
+    None: it cannot be, or after rough fits it leaves more than the declared law, and is not worth the time of others.
+    """
+    law, problem = LAWS[name], base.problem
+    assert isinstance(problem, DamperProblem)
     try:
         begun = start_values(law, observed, branches=_BRANCHES if law.branch else 1)
         own = replace(problem, law=law, declared=law.complete(begun), refit=True)
@@ -124,7 +128,9 @@ def _rival(problem: DamperProblem, observed: Observed, name: str) -> _Rival | No
         rough = [one for start in starts if (one := _fitted(model, noise, start, _ROUGH)) is not None]
         if not rough:
             return None
-        found = min(rough, key=lambda one: sum(float(np.sum(r**2)) for r in one.weighted().residuals))
+        found = min(rough, key=lambda one: _power(one.left))
+        if _power(found.left) > _power(base.left):
+            return None
         for _ in range(_FITS):
             noise = Noise.left_by(found.left, problem.deviations, problem.sizes)
             again = fit(model, noise, found.z, slopes=found.slopes)
@@ -137,6 +143,10 @@ def _rival(problem: DamperProblem, observed: Observed, name: str) -> _Rival | No
     except (EdesignError, PredictionError, np.linalg.LinAlgError):  # a law that cannot be fitted predicts nothing
         return None
     return _Rival(own, found, Noise.left_by(found.left, problem.deviations, problem.sizes))
+
+
+def _power(left: Sequence[np.ndarray]) -> float:
+    return sum(float(one @ one) for one in left)
 
 
 def _fitted(model: Model, noise: Noise, start: np.ndarray, steps: int) -> Fit | None:
