@@ -1,4 +1,4 @@
-"""The compiler with which all laboratories step their specimens."""
+"""The compiler with which harbour, polytechnic and proving step their specimens."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ try:
     from numba import njit
 except ModuleNotFoundError as error:
     raise ModuleNotFoundError(
-        'the laboratories need numba, of the extra `blind`: pip install "edesign[blind]", '
+        'this laboratory needs numba, of the extra `blind`: pip install "edesign[blind]", '
         'in a checkout pip install -e ".[blind]"',
         name=error.name,
     ) from error

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 FLOORS = 2.0  # times the noise floor, as a ratio of powers: for an error that is nothing but noise
-NOT_HIDDEN = ("extremes",)
-"""Readings of a law that a result may name among its effects. No laboratory hides them."""
+READINGS = ("extremes",)
+"""Readings of a law that a result may name among its effects. They count where the truth has them, nowhere else."""
 
 NOT_COMPARED = ("temperature_law", "one_sided", "velocity_exponent")
 """Effects beside which the parameters of a law are a convention: the temperature at which they hold, the direction that
@@ -48,10 +48,12 @@ def judge(
     }
     if result is None:
         return about
-    effects = [e for e in result.get("effects") or () if e["name"] not in NOT_HIDDEN]
+    hidden = [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
+    nowhere = set(READINGS).difference(*hidden)
+    effects = [e for e in result.get("effects") or () if e["name"] not in nowhere]
     found = [e["name"] for e in effects]
     error = _error(truth, result, validate)
-    true = [] if about["kind"] == "unlisted" else [{e["name"], *e.get("accept", ())} for e in truth["effects"]]
+    true = [] if about["kind"] == "unlisted" else hidden
     right = about["kind"] != "unlisted" and matched(true, found)
     return {
         **about,

@@ -1,0 +1,1 @@
+"""The test house of a foundry, for dampers and bearings of any law. See summary.md."""
