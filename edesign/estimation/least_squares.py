@@ -175,6 +175,7 @@ def fit(
     search = _Search(model, noise, settings)
     most = settings.steps if steps is None else steps
     fresh, damping, taken, idle, scale = slopes is None, _DAMPING, 0, 0, np.zeros(len(model.parameters))
+    shortened = False  # differences at this point: where predictions jump, they may be too long however often
     if isinstance(start, Fit):
         here, rates = search.point(start.z, start.predicted), list(start.slopes)
     else:
@@ -200,12 +201,13 @@ def fit(
                 damping, fresh = max(damping, _LEAST), kept < (_POOR if settings.rough else _GOOD)
                 idle = idle + 1 if here.objective - there.objective <= enough else 0
                 rates = search.slopes(there, root) if fresh else search.updated(rates, here, there)
-                here = there
+                here, shortened = there, False
                 continue
             converged = fresh
-        if settings.rough or (fresh and not search.too_long(root)):
+        if settings.rough or (fresh and (shortened or not search.too_long(root))):
             ended = here.z, tuple(here.predicted), tuple(rates)
             return Fit(model, noise, *ended, search.evaluations, taken, converged)
+        shortened = fresh
         rates, fresh, damping = search.slopes(here, root), True, min(damping, 1.0)
 
 

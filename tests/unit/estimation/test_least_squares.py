@@ -7,7 +7,7 @@ import pytest
 from estimation_models import FormulaModel, free, linear, normal
 from scipy.optimize import lsq_linear
 
-from edesign.estimation.least_squares import Settings, fit
+from edesign.estimation.least_squares import Settings, _Search, fit
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.parameters import Parameter, coordinates_of
@@ -178,3 +178,10 @@ def test_noise_is_never_nothing() -> None:
     assert all(value > 0.0 for value in noise.variance)
     with pytest.raises(ValueError, match="must be positive"):
         Noise.white([1.0, 0.0])
+
+
+def test_differences_that_are_too_long_however_short_come_to_an_end(monkeypatch: pytest.MonkeyPatch) -> None:
+    """As where predictions jump: play that closes, a test that the law cannot follow."""
+    matrices, measured = campaign(5, p=2)
+    monkeypatch.setattr(_Search, "too_long", lambda *_: True)
+    assert fit(linear(matrices, measured, free("ab")), Noise.white([1.0] * 5)).evaluations < 100
