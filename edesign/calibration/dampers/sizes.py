@@ -13,7 +13,7 @@ from edesign.calibration.dampers.motion import Motion
 APART = 1.0
 """K between temperatures that are not the same: a thermometer may be wrong by 0.2 K in each test."""
 
-_BETWEEN, _ONCE = 4, 3  # tests fitted to, of what goes on from test to test, and of what changed once
+_BETWEEN = 4
 _LONGEST = 20.0  # s, of a slow period up to which lags go with it
 
 
@@ -116,14 +116,6 @@ class Sizes:
         That takes their order, a test for the law, one for the change, and two that tell how tests scatter.
         """
         return self.ordered and sum(self.fitted) >= _BETWEEN
-
-    @property
-    def once(self) -> bool:
-        """Whether the tests show what changed once, between two of them.
-
-        That takes their order, a test for the law, one for the change, and one that bears out either.
-        """
-        return self.ordered and sum(self.fitted) >= _ONCE
 
     @staticmethod
     def of(experiments: Sequence[Experiment], tones: Sequence[float] = (), ordered: bool = True) -> Sizes:

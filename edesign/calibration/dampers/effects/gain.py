@@ -57,7 +57,7 @@ def from_test(s: Sizes) -> tuple[EffectForm, ...]:
     Args:
         s: sizes of the campaign.
     """
-    fitted = [order + 1 for order, of in enumerate(s.fitted) if of] if s.once else []
+    fitted = [order + 1 for order, of in enumerate(s.fitted) if of] if s.between else []
     return tuple(
         _changed(form, before + 1, after) for form in (_FORCE, _DISPLACEMENT) for before, after in pairwise(fitted)
     )

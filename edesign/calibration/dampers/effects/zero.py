@@ -14,9 +14,8 @@ from edesign.calibration.dampers.sizes import Sizes
 from edesign.calibration.form import Values, size
 
 _CLASS = 0.05  # of the largest force or displacement: standard deviation of a zero
-_WARM = (
-    0.25  # of a test: time constant of an amplifier that warms up; with a line it stands for longer and shorter ones
-)
+# of a test: time constant of an amplifier that warms up; with a line it stands for longer and shorter ones
+_WARM = 0.25
 _DOEBELIN = "Doebelin, Measurement Systems, chapter 2 (zero drift)"
 
 
