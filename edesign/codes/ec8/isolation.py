@@ -23,8 +23,9 @@ _SEARCH = np.geomspace(5.0, 1e-4, 24)  # m: no building moves by more, and no is
 _AGREEMENT = 1e-6  # of frequencies that follow each other
 _MOST_ROUNDS = 50
 
-Loop = Callable[[float, float], tuple[float, float]]
-"""Effective stiffness (N/m) and energy of a cycle (J) of the isolation system by amplitude (m) and frequency (Hz)."""
+Loop = Callable[[float, float, float], tuple[float, float]]
+"""Effective stiffness (N/m) and energy of a cycle (J) of the isolation system by amplitude (m), frequency (Hz) and the
+speed at which friction counts (m/s)."""
 
 
 @dataclass(frozen=True)
@@ -38,7 +39,7 @@ class EquivalentLinear:
         mass: M above the isolators, kg.
         acceleration: S_e(T_eff, xi_eff), m/s2.
         stiffness_ratio: K_eff / K_eff at 0.2 d_dc.
-        restoring: growth of the force from 0.5 d_dc to d_dc over the weight M g.
+        restoring: growth of the force from 0.5 d_dc to d_dc over the weight M g, with the friction at d_dc on both.
     """
 
     displacement: float
@@ -126,20 +127,23 @@ def equivalent_linear(loop: Loop, mass: float, spectrum: Spectrum, gravity: floa
     d = float(brentq(excess, displacement, above, xtol=1e-9))
     stiffness, damping, acceleration = state(d)
     small, _ = _steady(loop, 0.2 * d, mass)
-    half, _ = _steady(loop, 0.5 * d, mass)
+    half, _ = _steady(loop, 0.5 * d, mass, d * math.sqrt(stiffness / mass))
     restoring = (stiffness * d - half * 0.5 * d) / (mass * gravity)
     return EquivalentLinear(d, stiffness, damping, mass, acceleration, stiffness / small, restoring)
 
 
-def _steady(loop: Loop, displacement: float, mass: float) -> tuple[float, float]:
+def _steady(loop: Loop, displacement: float, mass: float, speed: float | None = None) -> tuple[float, float]:
     """Effective stiffness and energy of a cycle at an amplitude, at the frequency that the mass has on this stiffness.
+
+    Friction counts at a speed, m/s; None: the largest of this motion.
 
     Raises:
         InputError: there is no stiffness.
     """
     frequency = 0.5
     for _ in range(_MOST_ROUNDS):
-        stiffness, energy = loop(displacement, frequency)
+        own = 2.0 * math.pi * frequency * displacement
+        stiffness, energy = loop(displacement, frequency, own if speed is None else speed)
         if not stiffness > 0.0:
             raise InputError(f"the isolation system has no stiffness at {1e3 * displacement:g} mm")
         before, frequency = frequency, math.sqrt(stiffness / mass) / (2.0 * math.pi)

@@ -12,7 +12,7 @@ from edesign.archive.dataset import Group
 from edesign.building.devices import Device
 from edesign.codes.ec8.isolation import EquivalentLinear, Loop, equivalent_linear
 from edesign.core import LawValues
-from edesign.damper.harmonic import secant_stiffness
+from edesign.damper.harmonic import effective_stiffness
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import action_of
 from edesign.project.notation.units import STANDARD_GRAVITY
@@ -75,17 +75,17 @@ def system_loop(devices: Sequence[Device]) -> Loop:
         devices: isolators and dampers without braces, all with the displacement of the base.
 
     Returns:
-        The function of amplitude (m) and frequency (Hz), which returns N/m and J.
+        The function of amplitude (m), frequency (Hz) and speed at which friction counts (m/s), which returns N/m and J.
     """
     scales: dict[tuple[LawValues, float], float] = defaultdict(float)
     for device in devices:
         scales[device.values, device.deformation_scale] += device.force_scale
 
     @cache  # levels of the hazard look at the same displacements first
-    def loop(amplitude: float, frequency: float) -> tuple[float, float]:
+    def loop(amplitude: float, frequency: float, speed: float) -> tuple[float, float]:
         stiffness = energy = 0.0
         for (law, deformation_scale), force_scale in scales.items():
-            k, work = secant_stiffness(law, deformation_scale * amplitude, frequency)
+            k, work = effective_stiffness(law, deformation_scale * amplitude, frequency, deformation_scale * speed)
             stiffness += force_scale * deformation_scale * k
             energy += force_scale / deformation_scale * work
         return stiffness, energy

@@ -12,7 +12,7 @@ from edesign.building.frame import build_frame
 from edesign.building.frame_model import FrameModel
 from edesign.building.isolation import goes_with_weight, isolator_under
 from edesign.core import Analysis, Channel, CoreError, Modes, Response
-from edesign.damper.harmonic import complex_stiffness, secant_stiffness
+from edesign.damper.harmonic import complex_stiffness, effective_stiffness
 from edesign.errors import AnalysisError
 from edesign.project.notation import names
 from edesign.project.project import Project
@@ -149,8 +149,7 @@ def tolerance(project: Project) -> float:
 def device_stiffness(device: Device, amplitude: float, frequency: float) -> complex:
     """Return the complex stiffness of a device with its brace in steady vibration, N/m.
 
-    The real part is that of the first harmonic; on an isolated base it is the effective stiffness, between the
-    extremes, as codes have it (EN 1998-1, 10.9.2(2)).
+    The real part is that of the first harmonic; on an isolated base it is the effective stiffness of codes.
 
     Args:
         device: the damper or isolator.
@@ -161,7 +160,7 @@ def device_stiffness(device: Device, amplitude: float, frequency: float) -> comp
     amplitude *= device.deformation_scale
     play = device.play * device.deformation_scale
     if device.foot:
-        stiffness, work = secant_stiffness(device.values, amplitude, frequency)
+        stiffness, work = effective_stiffness(device.values, amplitude, frequency)
         return scale * complex(stiffness, work / (np.pi * amplitude**2))
     return scale * complex_stiffness(device.values, amplitude, frequency, device.brace / scale, play)
 
