@@ -18,6 +18,7 @@ from edesign.project.dampers.designs import SizedDesign
 from edesign.project.project import Project
 from edesign.study.design.building import Building, make_building
 from edesign.study.design.estimate import Action, make_action
+from edesign.study.design.fully_stressed import StoreySizes, search_fully_stressed
 from edesign.study.design.loop import Round, RoundOutcome, S, Search, search
 from edesign.study.design.verification import Judge, Respond, judged, kept_outcome
 
@@ -98,6 +99,14 @@ class Designer(ABC, Generic[S]):
         """
         return math.nan
 
+    def least(self) -> tuple[S, StoreySizes] | None:
+        """Return the first dampers of a search for the least sum, and their sizes; None: one number changes them."""
+        return None
+
+    def made(self, sizes: np.ndarray) -> S:
+        """Return the dampers of sizes (s,) of that search."""
+        raise NotImplementedError
+
     def settled(self, last: Round[S]) -> bool:
         """Return whether the properties that a round was sized with agree with its histories."""
         return True
@@ -128,17 +137,24 @@ class Designer(ABC, Generic[S]):
             only = Round(1, self._value(sizing, start), sizing)
             return Search((only,), only, sizing.reason)
 
-        tried = self.outcomes(respond, judge, resume)
+        least = self.least()
+        tried = self.outcomes(respond, judge, resume, drifts=least is not None)
+        if least is not None:
+            ends = (verify.rounds, verify.precision, self.kept(keep), self.settled)
+            return search_fully_stressed(least[0], self.made, tried, least[1], *ends)
         limits = (start, largest, verify.rounds, verify.precision)
         return search(self.make, tried, *limits, self.kept(keep), self._value, self.settled)
 
-    def outcomes(self, respond: Respond, judge: Judge, resume: Group | None) -> Callable[[S, int, float], RoundOutcome]:
+    def outcomes(
+        self, respond: Respond, judge: Judge, resume: Group | None, drifts: bool = False
+    ) -> Callable[[S, int, float], RoundOutcome]:
         """Return the function that verifies a sizing by its histories, or takes the outcome of an earlier run.
 
         Args:
             respond: runs the histories of a round.
             judge: judges the histories of a round.
             resume: the group that an earlier run kept; None: none.
+            drifts: whether the outcomes tell the storey drifts.
 
         Returns:
             The function of sizing, number of the round and value of the changed quantity.
@@ -151,9 +167,21 @@ class Designer(ABC, Generic[S]):
                 return found
             self.progress(f"round {number}, {self.words[self.changed]} {value:.4g}")
             histories = respond(self.dampers(sizing), number)
-            return replace(judged(histories, judge), strain=self.strain(sizing, histories))
+            drift = _mean_drift(self.at_level(histories)) if drifts else ()
+            return replace(judged(histories, judge), strain=self.strain(sizing, histories), drift=drift)
 
         return outcome
+
+    def at_level(self, histories: Mapping[str, Group]) -> list[Group]:
+        """Return the histories at the level of the design, else at the first level of its verification.
+
+        Args:
+            histories: results of the histories of a round, by name.
+        """
+        levels = {str(group.attributes.get("level") or "") for group in histories.values()}
+        verify, level = self._spec.verify, self._spec.level
+        at = level if level in levels or verify is None or not verify.levels else verify.levels[0]
+        return [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
 
     def kept(self, keep: Callable[[Group], None] | None) -> Callable[[Sequence[Round[S]]], None]:
         """Return the function that keeps all rounds after each of them; it does nothing where `keep` is None."""
@@ -168,6 +196,16 @@ class Designer(ABC, Generic[S]):
     def _value(self, sizing: S, value: float) -> float:
         """The value that a sizing really has: the simplified method may take a larger beta than it is asked for."""
         return sizing.target if self.changed == "target" else value
+
+
+def _mean_drift(histories: Sequence[Group]) -> tuple[float, ...]:
+    """Storey drifts over height, (f,), mean of the peaks of completed histories; empty if there are none."""
+    peaks = [
+        np.maximum(group.variables["storey_drift_max"].values, -group.variables["storey_drift_min"].values)
+        for group in histories
+        if group.attributes.get("status", "completed") == "completed" and "storey_drift_max" in group.variables
+    ]
+    return tuple(np.mean(peaks, axis=0).tolist()) if peaks else ()
 
 
 def labels(spec: SizedDesign) -> dict[str, Any]:

@@ -10,8 +10,21 @@ import scipy
 
 from edesign.errors import AnalysisError
 
-_LEAST = 1e-3  # over the stiffness of the storey: every chosen storey keeps a damper
+LEAST = 1e-3  # over the stiffness of the storey: every chosen storey keeps a damper
+_TRIALS = 50  # equal dampers from the least to the most, of which one is taken where no dampers meet the limit
 _STEP = 1e-6  # of the finite differences, over the stiffness of a storey
+
+
+class OutOfReach(AnalysisError):
+    """The estimate asks for no dampers, or says that none are enough.
+
+    Attributes:
+        nearest: dampers from which histories may start, over the stiffness of their storey, (s,).
+    """
+
+    def __init__(self, message: str, nearest: np.ndarray) -> None:
+        super().__init__(f"{message}; this is an estimate by the response spectrum: with `verify` histories decide")
+        self.nearest = nearest
 
 
 @dataclass(frozen=True)
@@ -43,7 +56,7 @@ def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray
         start: where the search begins; None: equal x that meet the limit.
 
     Raises:
-        AnalysisError: the drift is met without dampers, or no dampers meet it.
+        OutOfReach: the estimated drift is met without dampers, or no dampers meet it, or the search stopped.
     """
     weight, most = problem.weight, problem.most
 
@@ -59,29 +72,32 @@ def least_total(problem: Problem, start: np.ndarray | None = None) -> np.ndarray
         lambda x: float(weight @ x),
         x0,
         jac=lambda x: weight,
-        bounds=[(_LEAST, most)] * weight.size,
+        bounds=[(LEAST, most)] * weight.size,
         constraints=[{"type": "ineq", "fun": spare, "jac": gradient}],
         method="SLSQP",
         options={"ftol": 1e-10, "maxiter": 200},
     )
     x = np.asarray(found.x)
     if spare(x).min() < -1e-6:
-        raise AnalysisError(
-            f"the search for the least {problem.summed} stopped outside the drift limit: {found.message}"
-        )
+        message = f"the search for the least {problem.summed} stopped outside the drift limit: {found.message}"
+        raise OutOfReach(message, x)
     return x
 
 
 def _equal(problem: Problem, spare: Callable[[np.ndarray], np.ndarray]) -> np.ndarray:
     """Equal x of all storeys that just meet the limit."""
     first = np.ones(problem.weight.size)
-    if spare(_LEAST * first).min() >= 0.0:
-        raise AnalysisError(f"the estimated drift stays below {100.0 * problem.drift:.4g} % without dampers")
+    if spare(LEAST * first).min() >= 0.0:
+        message = f"the estimated drift stays below {100.0 * problem.drift:.4g} % without dampers"
+        raise OutOfReach(message, LEAST * first)
     if spare(problem.most * first).min() < 0.0:
         most = problem.drift * (1.0 - float(spare(problem.most * first).min()))
-        raise AnalysisError(
+        trials = np.geomspace(LEAST, problem.most, _TRIALS)
+        best = trials[int(np.argmax([spare(scale * first).min() for scale in trials]))]
+        raise OutOfReach(
             f"{problem.subject} {problem.most:g} times as stiff as the storeys still leave an estimated drift of "
-            f"{100.0 * most:.4g} %; the limit is {100.0 * problem.drift:.4g} %"
+            f"{100.0 * most:.4g} %; the limit is {100.0 * problem.drift:.4g} %",
+            best * first,
         )
-    scale = scipy.optimize.brentq(lambda s: float(spare(s * first).min()), _LEAST, problem.most, xtol=1e-6)
+    scale = scipy.optimize.brentq(lambda s: float(spare(s * first).min()), LEAST, problem.most, xtol=1e-6)
     return np.asarray(scale * first)

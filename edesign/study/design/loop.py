@@ -10,7 +10,7 @@ from typing import Generic, Protocol, TypeVar
 from edesign.assess.requirement import shown
 from edesign.errors import AnalysisError, InputError
 
-_LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
+LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
 _AIM = 0.99  # of the limit
 _MET, _MISSED = 0.9, 1.1  # demands where there is no value: only their side of 1 counts, and steps stay small
 _MIDDLE = 0.15  # share of a bracket at both ends in which no new trial lies
@@ -64,11 +64,13 @@ class RoundOutcome:
         verdicts: of the criteria.
         failed: names of histories that were not completed.
         strain: effective strain of the layers of the dampers, mean of the histories; nan: there are none.
+        drift: storey drifts over height, mean of the histories, (f,); none: nothing is changed by them.
     """
 
     verdicts: tuple[RoundVerdict, ...]
     failed: tuple[str, ...] = ()
     strain: float = math.nan
+    drift: tuple[float, ...] = ()
 
     @property
     def met(self) -> bool:
@@ -218,10 +220,10 @@ def _next(rounds: Sequence[Round[S]], largest: float, precision: float) -> float
     if len(below) > 1:
         x0, o0 = below[-2]
         slope = (outcome.demand - o0.demand) / (x - x0)
-        step = (x + (_AIM - outcome.demand) / slope) / x if slope < 0.0 else _LARGEST_STEP
+        step = (x + (_AIM - outcome.demand) / slope) / x if slope < 0.0 else LARGEST_STEP
     if not math.isfinite(step):
-        step = _LARGEST_STEP
-    return min(x * min(max(step, _SMALLEST_STEP), _LARGEST_STEP), largest)
+        step = LARGEST_STEP
+    return min(x * min(max(step, _SMALLEST_STEP), LARGEST_STEP), largest)
 
 
 def _missed(rounds: Sequence[Round[S]], largest: float, most_rounds: int, beyond: str) -> str:

@@ -110,6 +110,12 @@ def _store_verdicts(group: Group, rounds: Sequence[Round[Any]], changed: str) ->
     met = [r.outcome.met if r.outcome is not None else False for r in rounds]
     add("round_met", ("round",), np.array(met, dtype=int), "1", "1: all criteria met, or no verification asked for")
     store_outcomes(group, "round", [r.number for r in rounds], [r.outcome for r in rounds])
+    drifts = [() if r.outcome is None else r.outcome.drift for r in rounds]
+    storeys = max(map(len, drifts))
+    if storeys:
+        rows = [drift or (math.nan,) * storeys for drift in drifts]
+        label = "storey drift over height, mean of the histories of the round; nan: none was completed"
+        add("round_history_drift", ("round", "frame_storey"), rows, "1", label)
 
 
 def store_drifts(group: Group, building: Building, with_dampers: FrameEstimate, without: FrameEstimate) -> None:

@@ -64,10 +64,14 @@ def kept_outcome(
     if not all(np.array_equal(resume.variables[f"round_{name}"].values[i], x) for name, x in now.items()):
         return None
     outcome = stored_outcomes(resume, rounds)[i]
-    strain = resume.variables.get("round_history_strain")
-    if not outcome.verdicts or strain is None:
-        return outcome if outcome.verdicts else None
-    return replace(outcome, strain=float(strain.values[i]))
+    if not outcome.verdicts:
+        return None
+    strain, drift = (resume.variables.get(f"round_history_{name}") for name in ("strain", "drift"))
+    if strain is not None:
+        outcome = replace(outcome, strain=float(strain.values[i]))
+    if drift is not None:
+        outcome = replace(outcome, drift=tuple(drift.values[i].tolist()))
+    return outcome
 
 
 def store_outcomes(group: Group, dim: str, numbers: Sequence[int], outcomes: Sequence[RoundOutcome | None]) -> None:

@@ -13,13 +13,14 @@ from edesign.archive.dataset import Group
 from edesign.damper.sizing import largest_damping
 from edesign.errors import InputError
 from edesign.project.dampers.dampers import Dampers
-from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign
+from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, SimplifiedDesign, StrainEnergyDesign
 from edesign.project.project import Project
 from edesign.study.design.building import law_at, per_storey, sized_dampers
 from edesign.study.design.damping import modal_damping
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.elastomer.bounds import analyse_bounds
+from edesign.study.design.elastomer.least_area import storey_sizes
 from edesign.study.design.elastomer.material import Material, law_moduli, material
 from edesign.study.design.elastomer.own_strain import history_strain
 from edesign.study.design.elastomer.plausibility import elastomer_warnings
@@ -34,6 +35,7 @@ from edesign.study.design.elastomer.results import (
 from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified
 from edesign.study.design.elastomer.sizing import Sizing, layers
 from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
+from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.loop import Round, Search
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.results import of_storeys
@@ -101,6 +103,24 @@ class ElastomerDesigner(Designer[Sizing]):
         limit = REACHABLE * largest_damping(moduli.loss_factor, ratio)
         return spec.damping, max(limit, spec.damping)
 
+    def least(self) -> tuple[Sizing, StoreySizes] | None:
+        """Return the dampers of the least estimated area, and their sizes; None: one number changes the dampers."""
+        spec = self.spec
+        if not (isinstance(spec, StrainEnergyDesign) and spec.distribution == "least_area" and self.changed == "area"):
+            return None
+        assert self.action is not None, "check_design wants a level"
+        first = self.make(1.0)
+        return first, storey_sizes(self.building, first.stiffness, first.moduli.loss_factor, self.action)
+
+    def made(self, sizes: np.ndarray) -> Sizing:
+        """Return dampers of the stiffness sizes (s,) times that of their storey."""
+        spec, building = self.spec, self.building
+        assert isinstance(spec, StrainEnergyDesign)
+        wanted = sizes * building.designed_stiffness
+        return size_by_strain_energy(
+            building, spec, self.material, self.action, math.nan, share=self.share, given=wanted
+        )
+
     def dampers(self, sizing: Sizing) -> Dampers:
         """Return the project's dampers with those of a sizing."""
         building = self.building
@@ -128,11 +148,7 @@ class ElastomerDesigner(Designer[Sizing]):
             sizing: the dampers of the round.
             histories: results of its histories, by name.
         """
-        levels = {str(group.attributes.get("level") or "") for group in histories.values()}
-        verify = self.spec.verify
-        at = self.spec.level if self.spec.level in levels or verify is None or not verify.levels else verify.levels[0]
-        chosen = [group for group in histories.values() if (group.attributes.get("level") or "") == (at or "")]
-        return history_strain(self.building.at_places(sizing.stiffness), chosen)
+        return history_strain(self.building.at_places(sizing.stiffness), self.at_level(histories))
 
     def settled(self, last: Round[Sizing]) -> bool:
         """Return whether the strain agrees with the histories, and adapt the estimated share if it does not."""

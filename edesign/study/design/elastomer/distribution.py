@@ -51,7 +51,8 @@ def distribute(
     """
     if spec.distribution == "least_area":
         assert action is not None and spec.drift is not None, "check_design wants them"
-        return least_area(building, moduli, action, spec.drift, brace, thickness, before)
+        args = (building, moduli, action, spec.drift, brace, thickness, before)
+        return least_area(*args, nearest=spec.verify is not None and spec.verify.change == "area")
     if spec.distribution == "storey_stiffness" and spec.target_in != "first_mode":
         ratio = math.inf
         if in_target is not None and isinstance(spec.brace, BraceRatio):

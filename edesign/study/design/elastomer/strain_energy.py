@@ -27,6 +27,7 @@ def size_by_strain_energy(
     area_factor: float = 1.0,
     thickness_factor: float = 1.0,
     share: float = 1.0,
+    given: np.ndarray | None = None,
 ) -> Sizing:
     """Find the dampers of a target damping, at the frequency and, if it is followed, the strain that they have.
 
@@ -39,6 +40,7 @@ def size_by_strain_energy(
         area_factor: on areas and with them on stiffnesses.
         thickness_factor: on thickness and area, which leaves the stiffness as it is.
         share: what the strain of histories is of the estimated one.
+        given: storage stiffness k_D of the dampers of each storey, (s,) N/m; None: it is found.
 
     Raises:
         InputError: no damper reaches the target.
@@ -53,7 +55,7 @@ def size_by_strain_energy(
 
     def solve(strain: float) -> Sizing:
         return _at_own_frequency(
-            building, spec, material(strain), action, target, area_factor, thickness, brace, in_target
+            building, spec, material(strain), action, target, area_factor, thickness, brace, in_target, given
         )
 
     def reached(found: Sizing) -> float:
@@ -77,6 +79,7 @@ def _at_own_frequency(
     thickness: float,
     brace: np.ndarray | None,
     in_target: np.ndarray | None,
+    given: np.ndarray | None,
 ) -> Sizing:
     """The dampers with properties at one strain; `brace` is of the storeys, `in_target` the same if it counts there."""
     frequency = building.frame.modes().first_frequency
@@ -85,7 +88,10 @@ def _at_own_frequency(
     wanted: np.ndarray | None = None
     while len(iterations) < MOST_ITERATIONS:
         moduli = material(frequency)
-        wanted = distribute(building, spec, moduli, target, in_target, action, brace, thickness, wanted)
+        if given is None:
+            wanted = distribute(building, spec, moduli, target, in_target, action, brace, thickness, wanted)
+        else:
+            wanted = given
         stiffness = area_factor * wanted
         at_places = place_stiffness(building, stiffness, moduli.loss_factor, in_target)
         modes = building.frame.modes(at_places.real)

@@ -20,10 +20,12 @@ from edesign.study.design.damping import strain_energy_damping
 from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
+from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.loop import Search
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.estimate import ViscousEstimate, viscous_estimate
 from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.least_coefficient import storey_sizes
 from edesign.study.design.viscous.plausibility import viscous_warnings
 from edesign.study.design.viscous.results import (
     store_viscous_bounds,
@@ -32,7 +34,7 @@ from edesign.study.design.viscous.results import (
     store_viscous_rounds,
     store_viscous_sizing,
 )
-from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping, size_viscous
+from edesign.study.design.viscous.sizing import ViscousSizing, largest_viscous_damping, size_viscous, sized_viscous
 
 
 class ViscousDesigner(Designer[ViscousSizing]):
@@ -70,6 +72,18 @@ class ViscousDesigner(Designer[ViscousSizing]):
         if self.spec.verify is None:
             return damping, damping
         return damping, max(REACHABLE * largest_viscous_damping(self.frame), damping)
+
+    def least(self) -> tuple[ViscousSizing, StoreySizes] | None:
+        """Return the dampers of the least estimated sum, and their sizes; None: the design has another distribution."""
+        if self.spec.distribution != "least_coefficient":
+            return None
+        self._first = self.make(1.0)
+        sizes, self._unit = storey_sizes(self.frame, self._first.coefficient, self._first.vibration)
+        return self._first, sizes
+
+    def made(self, sizes: np.ndarray) -> ViscousSizing:
+        """Return dampers whose coefficients are sizes (s,) times those with omega c = k_S in the first round."""
+        return sized_viscous(self.frame, sizes * self._unit, self._first.vibration)
 
     def dampers(self, sizing: ViscousSizing) -> Dampers:
         """Return the project's dampers with those of a sizing."""

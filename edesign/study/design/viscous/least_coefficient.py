@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from edesign.study.design.least_total import Problem, least_total
+from edesign.study.design.fully_stressed import StoreySizes
+from edesign.study.design.least_total import LEAST, OutOfReach, Problem, least_total
 from edesign.study.design.viscous.estimate import viscous_drift
-from edesign.study.design.viscous.frame import ViscousFrame
+from edesign.study.design.viscous.frame import Vibration, ViscousFrame
 
 _MOST = 2.0
 """Of omega c / k_S, with which a storey by itself is critically damped: no spectrum tells what more would do."""
@@ -26,19 +27,47 @@ def least_coefficient(
         start: where the search begins; None: in proportion to the storeys.
 
     Raises:
-        AnalysisError: the drift is met without dampers, or no dampers meet it.
+        OutOfReach: the drift is met without dampers, or no dampers meet it, and no histories are to decide.
     """
     building, action, drift = frame.building, frame.action, frame.spec.drift
     assert action is not None and drift is not None, "check_design wants them"
     one = weight * frame.at_places(np.ones(building.storeys.size))
-    of_storey = np.bincount(building.place_storey, one * building.cosine**2)
-    unit = building.designed_stiffness / (omega * of_storey)  # omega c = k_S
-    # a storey with steep dampers needs more of them for the same effect
-    share = unit * np.bincount(building.place_storey) / building.attachment(frame.power)
+    unit, share = _unit(frame, weight, omega)
 
     def used(x: np.ndarray) -> np.ndarray:
         linear = one * (x * unit)[building.place_storey]
         return viscous_drift(building, action, linear, frame.flexibility(x * unit), omega) / drift
 
     problem = Problem(used, share / share.sum(), drift, _MOST, "dashpots with omega c", "coefficients")
-    return least_total(problem, None if start is None else start / unit) * unit
+    try:
+        return least_total(problem, None if start is None else start / unit) * unit
+    except OutOfReach as error:
+        if frame.spec.verify is None:
+            raise
+        return error.nearest * unit
+
+
+def storey_sizes(frame: ViscousFrame, coefficient: np.ndarray, vibration: Vibration) -> tuple[StoreySizes, np.ndarray]:
+    """Return the sizes from which a search by histories starts, and the coefficients of size 1, (s,).
+
+    Args:
+        frame: with its dampers' law and action.
+        coefficient: of the first dampers, (s,).
+        vibration: with them.
+    """
+    assert frame.action is not None, "check_design wants a level"
+    unit, share = _unit(frame, frame.weight(vibration), vibration.omega)
+    inherent = 2.0 * frame.action.inherent_damping  # omega c / k_S of the damping ratio of a storey by itself
+    first = np.clip(coefficient / unit, LEAST, _MOST)
+    return StoreySizes(first, share, inherent, LEAST, _MOST, frame.building.storeys), unit
+
+
+def _unit(frame: ViscousFrame, weight: np.ndarray, omega: float) -> tuple[np.ndarray, np.ndarray]:
+    """Coefficients with omega c = k_S, (s,), and what the dampers of a storey are in sum with them."""
+    building = frame.building
+    of_storey = np.bincount(
+        building.place_storey, weight * frame.at_places(np.ones(building.storeys.size)) * building.cosine**2
+    )
+    unit = building.designed_stiffness / (omega * of_storey)
+    # a storey with steep dampers needs more of them for the same effect
+    return unit, unit * np.bincount(building.place_storey) / building.attachment(frame.power)

@@ -105,6 +105,21 @@ def size_viscous(frame: ViscousFrame, target: float, factor: float = 1.0) -> Vis
     return ViscousSizing(target, coefficient, vibration, formula, frame.brace, tuple(steps), reason)
 
 
+def sized_viscous(frame: ViscousFrame, coefficient: np.ndarray, start: Vibration) -> ViscousSizing:
+    """Return dampers of given coefficients with the vibration of the frame.
+
+    Args:
+        frame: with its dampers' law.
+        coefficient: of all dampers of each storey along its drift, (s,) N (s/m)^alpha.
+        start: a vibration with other coefficients.
+
+    Raises:
+        AnalysisError: amplitude and dashpots do not agree, or the first mode does not oscillate.
+    """
+    vibration = frame.in_agreement(coefficient, start, frame.roof)
+    return ViscousSizing(math.nan, coefficient, vibration, frame.formula(coefficient, vibration.roof), frame.brace, ())
+
+
 def largest_viscous_damping(frame: ViscousFrame) -> float:
     """Return the largest damping ratio of the first mode that any coefficients of the design's distribution reach.
 
