@@ -23,7 +23,8 @@ from edesign.study.design.loop import Round, RoundOutcome, S, Search, search
 from edesign.study.design.verification import Judge, Respond, judged, kept_outcome
 
 REACHABLE = 0.95  # of the largest damping: towards it the dampers grow without limit
-LARGEST_FACTOR = 10.0  # on the size of the dampers
+
+_ROUNDING = 1e-5  # relative, of a drift that a search has led to its limit
 
 L = TypeVar("L")
 
@@ -110,6 +111,24 @@ class Designer(ABC, Generic[S]):
     def settled(self, last: Round[S]) -> bool:
         """Return whether the properties that a round was sized with agree with its histories."""
         return True
+
+    def doubts(self, done: Search[S], drift: float) -> list[str]:
+        """Return the warning that an estimate says the dampers are not enough, where histories have not said they are.
+
+        Args:
+            done: all rounds and the chosen one.
+            drift: the largest storey drift over height that is estimated.
+        """
+        outcome, limit = done.chosen.outcome, self._spec.drift
+        if (
+            limit is None
+            or self._spec.verify is None
+            or drift <= (1.0 + _ROUNDING) * limit
+            or (outcome is not None and outcome.met)
+        ):
+            return []
+        found = f"the estimated drift is {100.0 * drift:.4g} %, more than {100.0 * limit:.4g} %"
+        return [f"{found}; that is an estimate, and histories decide"]
 
     @property
     def changed(self) -> str:

@@ -87,6 +87,9 @@ def search_fully_stressed(
             reason = f"not met within {most_rounds} rounds; the last misses: {outcome.misses}"
             break
         damping, excess = np.log(x + sizes.inherent), _excess(outcome, sizes.storeys)
+        if not outcome.met and np.all(x[excess > 0.0] >= sizes.most):
+            reason = f"even the largest dampers of the storeys that drift too far miss: {outcome.misses}"
+            break
         if before is not None:
             power = _power(damping - before[0], excess - before[1], power)
         before = damping, excess
@@ -97,9 +100,6 @@ def search_fully_stressed(
             if best <= (1.0 + precision) * changed:
                 break
             following = np.minimum((1.0 + precision) * x, sizes.most)
-            if np.array_equal(following, x):
-                reason = f"even the largest dampers of the storeys that drift too far miss: {outcome.misses}"
-                break
         try:
             x, sizing = _made(make, x, following, precision)
         except (InputError, AnalysisError) as error:
@@ -118,11 +118,8 @@ def _met(one: Round[S]) -> bool:
 def _excess(outcome: RoundOutcome, storeys: np.ndarray) -> np.ndarray:
     """Logarithm of the drift of each storey with dampers over what it may be, (s,); 0: just as far as it may."""
     largest = max((demand_of(verdict) for verdict in outcome.verdicts), default=1.0)
-    drift = (
-        np.array(outcome.drift)[storeys - 1]
-        if np.all(np.isfinite(outcome.drift)) and outcome.drift
-        else np.ones(storeys.size)
-    )
+    known = outcome.drift and np.all(np.isfinite(outcome.drift))
+    drift = np.array(outcome.drift)[storeys - 1] if known else np.ones(storeys.size)
     return np.asarray(math.log(largest) + np.log(np.maximum(drift / drift.max(), np.finfo(float).tiny)))
 
 

@@ -10,6 +10,7 @@ from typing import Generic, Protocol, TypeVar
 from edesign.assess.requirement import shown
 from edesign.errors import AnalysisError, InputError
 
+LARGEST_FACTOR = 10.0  # on the size of the dampers
 LARGEST_STEP, _SMALLEST_STEP = 1.6, 1.05  # of what is changed, from one missing round to the next
 _AIM = 0.99  # of the limit
 _MET, _MISSED = 0.9, 1.1  # demands where there is no value: only their side of 1 counts, and steps stay small

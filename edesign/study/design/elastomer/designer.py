@@ -17,7 +17,7 @@ from edesign.project.dampers.designs import BraceRatio, ElastomerDesign, Simplif
 from edesign.project.project import Project
 from edesign.study.design.building import law_at, per_storey, sized_dampers
 from edesign.study.design.damping import modal_damping
-from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.designer import REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.elastomer.bounds import analyse_bounds
 from edesign.study.design.elastomer.least_area import storey_sizes
@@ -32,11 +32,11 @@ from edesign.study.design.elastomer.results import (
     store_elastomer_sizing,
     store_strain_steps,
 )
-from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified
+from edesign.study.design.elastomer.simplified import simplified_warnings, size_simplified, static_drift
 from edesign.study.design.elastomer.sizing import Sizing, layers
 from edesign.study.design.elastomer.strain_energy import size_by_strain_energy
 from edesign.study.design.fully_stressed import StoreySizes
-from edesign.study.design.loop import Round, Search
+from edesign.study.design.loop import LARGEST_FACTOR, Round, Search
 from edesign.study.design.relaxation import Relaxation
 from edesign.study.design.results import of_storeys
 
@@ -185,6 +185,9 @@ class ElastomerDesigner(Designer[Sizing]):
             found = store_elastomer_estimate(group, building, sizing, self.action)
             if isinstance(spec, SimplifiedDesign):
                 warnings += simplified_warnings(spec, self.action, sizing)
+                warnings += self.doubts(done, min(static_drift(step) for step in sizing.iterations))
+            elif spec.distribution == "least_area":
+                warnings += self.doubts(done, float(found.drift.max()))
             if spec.bounds is not None:
                 bounds = analyse_bounds(building, sizing, spec, self._bound_material, self.action, self.share)
                 store_elastomer_bounds(group, building, bounds)

@@ -10,6 +10,7 @@ from edesign.study.design.elastomer.sizing import place_stiffness
 from edesign.study.design.estimate import Action, estimate
 from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.least_total import LEAST, OutOfReach, Problem, least_total
+from edesign.study.design.loop import LARGEST_FACTOR
 
 _MOST = 30.0  # of k_D / k_S
 
@@ -69,9 +70,9 @@ def storey_sizes(building: Building, k_D: np.ndarray, loss_factor: float, action
         loss_factor: of the elastomer.
         action: with the damping of the frame without dampers.
     """
-    first = np.clip(k_D / building.designed_stiffness, LEAST, _MOST)
+    first = np.maximum(k_D / building.designed_stiffness, LEAST)
     inherent = 2.0 * action.inherent_damping / loss_factor
-    return StoreySizes(first, _weight(building), inherent, LEAST, _MOST, building.storeys)
+    return StoreySizes(first, _weight(building), inherent, LEAST, LARGEST_FACTOR * _MOST, building.storeys)
 
 
 def _weight(building: Building) -> np.ndarray:

@@ -89,7 +89,6 @@ def size_simplified(
         return at_own_strain(spec, solve, lambda found: found.moduli, reached, start)
 
     iterations: list[Iteration] = []
-    drifts: list[float] = []
     betas = [least] if least is not None else []
     betas += [beta for beta in _betas(spec) if least is None or beta > least]
     reason = ""
@@ -98,16 +97,15 @@ def size_simplified(
         at = respond(material, partial(_same, wanted))
         found = at.found
         values = _values(beta, found, "")
-        drifts.append(float(found.drift.max()))
         if cold is not None:
             of_modulus = wanted / found.moduli.G_storage
             at_low = respond(cold, partial(_stiffness, cold, found.frequency, of_modulus)).found
             values |= _values(beta, at_low, "low_temperature_")
-            drifts[-1] = max(drifts[-1], float(at_low.drift.max()))
         iterations.append(Iteration(found.frequency, found.moduli, beta * k_S, found.frequency, found.damping, values))
-        if drifts[-1] <= spec.drift:
+        if static_drift(iterations[-1]) <= spec.drift:
             break
     else:
+        drifts = [static_drift(step) for step in iterations]
         if spec.verify is None:
             reason = _beyond(spec, betas[-1], min(drifts))
         else:  # histories decide, from the beta that the estimate likes best
@@ -140,6 +138,15 @@ def _same(k_D: np.ndarray, strain: float) -> np.ndarray:
 def _stiffness(elastomer: Material, frequency: float, of_modulus: np.ndarray, strain: float) -> np.ndarray:
     """Stiffness (s,) N/m of dampers of an area, given as their stiffness for a modulus of 1 Pa, at a strain."""
     return elastomer(strain)(frequency).G_storage * of_modulus
+
+
+def static_drift(step: Iteration) -> float:
+    """Return the largest storey drift over height under the lateral forces, at whatever temperature.
+
+    Args:
+        step: of this method.
+    """
+    return max(step.values["drift"], step.values.get("low_temperature_drift", 0.0))
 
 
 def static_response(

@@ -14,7 +14,7 @@ from edesign.project.dampers.designs import DESIGNED_BRACES, HystereticDesign
 from edesign.project.project import Project
 from edesign.study.design.bounds import NAMES, Bound, property_factors
 from edesign.study.design.building import law_at, per_storey, sized_dampers
-from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.designer import REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.hysteretic.estimate import HystereticEstimate, bare_estimate, hysteretic_estimate
@@ -34,7 +34,7 @@ from edesign.study.design.hysteretic.sizing import (
     largest_hysteretic_damping,
     size_hysteretic,
 )
-from edesign.study.design.loop import Search
+from edesign.study.design.loop import LARGEST_FACTOR, Search
 from edesign.study.design.results import of_storeys
 from edesign.study.design.verification import Judge, Respond
 

@@ -8,6 +8,7 @@ from typing import Literal
 
 import numpy as np
 
+from edesign.errors import AnalysisError
 from edesign.study.design.loop import Round, RoundOutcome, S, Search
 
 SCAN = 5
@@ -54,22 +55,37 @@ def search_optimum(
         kept: called with all rounds after each.
 
     Returns:
-        The search; the chosen round is that of the least objective.
+        The search; the chosen round is that of the least objective. Values without sizing are left out.
+
+    Raises:
+        AnalysisError: there is no sizing of any value of the scan.
 
     Source: Kiefer (1953), Proceedings of the American Mathematical Society 4.
     """
     rounds: list[Round[S]] = []
+    wrong: AnalysisError | None = None
     waiting = np.geomspace(*ends, min(SCAN, most_rounds)).tolist()
+    scanned = False
     while len(rounds) < most_rounds:
         if not waiting:
-            following = _next(rounds, least, precision)
+            scanned = True
+            following = _next(rounds, least, precision) if rounds else None
             if following is None:
                 break
             waiting = [following]
-        value = waiting.pop(0)
-        sizing, number = make(value), len(rounds) + 1
+        value, number = waiting.pop(0), len(rounds) + 1
+        try:
+            sizing = make(value)
+        except AnalysisError as error:  # of the first mode, which says nothing of histories with other values
+            wrong = error
+            if scanned:
+                break
+            continue
         rounds.append(Round(number, value, sizing, verify(sizing, number, value)))
         kept(rounds)
+    if not rounds:
+        assert wrong is not None
+        raise wrong
     chosen = min(rounds, key=lambda r: _of(r, least))
     reason = "" if math.isfinite(_of(chosen, least)) else "no round has a value of each criterion from its histories"
     return Search(tuple(rounds), chosen, reason)

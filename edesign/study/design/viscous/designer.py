@@ -17,11 +17,11 @@ from edesign.project.project import Project
 from edesign.study.design.bounds import NAMES, Bound, property_factors
 from edesign.study.design.building import per_storey, sized_dampers
 from edesign.study.design.damping import strain_energy_damping
-from edesign.study.design.designer import LARGEST_FACTOR, REACHABLE, Designer, labels
+from edesign.study.design.designer import REACHABLE, Designer, labels
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import Action
 from edesign.study.design.fully_stressed import StoreySizes
-from edesign.study.design.loop import Search
+from edesign.study.design.loop import LARGEST_FACTOR, Search
 from edesign.study.design.results import of_storeys
 from edesign.study.design.viscous.estimate import ViscousEstimate, viscous_estimate
 from edesign.study.design.viscous.frame import ViscousFrame
@@ -126,6 +126,8 @@ class ViscousDesigner(Designer[ViscousSizing]):
             if spec.bounds is not None:
                 store_viscous_bounds(group, self.building, self._bounds(sizing, self.action))
         group.attributes["warnings"] = list(viscous_warnings(frame, sizing, found))
+        if found is not None and spec.distribution == "least_coefficient":
+            group.attributes["warnings"] += self.doubts(done, float(found.drift.max()))
         group.attributes["devices"] = devices_text(self.dampers(sizing))
         return group
 

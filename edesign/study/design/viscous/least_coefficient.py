@@ -6,6 +6,7 @@ import numpy as np
 
 from edesign.study.design.fully_stressed import StoreySizes
 from edesign.study.design.least_total import LEAST, OutOfReach, Problem, least_total
+from edesign.study.design.loop import LARGEST_FACTOR
 from edesign.study.design.viscous.estimate import viscous_drift
 from edesign.study.design.viscous.frame import Vibration, ViscousFrame
 
@@ -58,8 +59,9 @@ def storey_sizes(frame: ViscousFrame, coefficient: np.ndarray, vibration: Vibrat
     assert frame.action is not None, "check_design wants a level"
     unit, share = _unit(frame, frame.weight(vibration), vibration.omega)
     inherent = 2.0 * frame.action.inherent_damping  # omega c / k_S of the damping ratio of a storey by itself
-    first = np.clip(coefficient / unit, LEAST, _MOST)
-    return StoreySizes(first, share, inherent, LEAST, _MOST, frame.building.storeys), unit
+    first = np.maximum(coefficient / unit, LEAST)
+    # histories know what more would do
+    return StoreySizes(first, share, inherent, LEAST, LARGEST_FACTOR * _MOST, frame.building.storeys), unit
 
 
 def _unit(frame: ViscousFrame, weight: np.ndarray, omega: float) -> tuple[np.ndarray, np.ndarray]:

@@ -39,15 +39,22 @@ class Histories:
         self.rounds.append(number)
         (run,) = dampers.devices
         assert isinstance(run, DamperRun) and isinstance(run.scale, tuple)
-        return {"only": Group(attributes={"drift": self.stiffest * 0.02 / (1.0 + run.scale[0] / 400.0)})}
+        drift = self.stiffest * 0.02 / (1.0 + run.scale[0] / 400.0)
+        group = Group(attributes={"drift": drift, "level": "DBE"})
+        peaks = drift * np.array([1.0, 1.0 / (1.0 + run.scale[1] / 1000.0)])
+        group.add("storey_drift_max", ("storey",), peaks, "1", "peak")
+        group.add("storey_drift_min", ("storey",), -0.9 * peaks, "1", "peak")
+        return {"only": group}
 
     def judge(self, groups: Mapping[str, Group]) -> list[MadeVerdict]:
         return [MadeVerdict(float(str(groups["only"].attributes["drift"])))]
 
 
-@pytest.mark.parametrize("change", ["target", "coefficient"])
+@pytest.mark.parametrize("change", ["target", "coefficient", "coefficient of each storey"])
 def test_finished_rounds_of_an_archive_are_not_run_again(tmp_path: Path, change: str) -> None:
-    text = TEXT + VERIFY.replace("@", change)
+    text = TEXT + VERIFY.replace("@", change.split()[0])
+    if change.endswith("storey"):
+        text = text.replace("damping: 8 %", "distribution: least_coefficient, drift: 1.5 %")
     whole = run(text, Histories())
     assert whole.status == "completed" and whole.group.coords["round"].values.size > 1
     with ArchiveWriter(tmp_path / "a.h5", Group()) as writer:
@@ -61,7 +68,7 @@ def test_finished_rounds_of_an_archive_are_not_run_again(tmp_path: Path, change:
     for name, variable in whole.group.variables.items():
         assert variable.values.tobytes() == again.group.variables[name].values.tobytes(), name
     other = Histories()
-    run(text.replace("8 %", "9 %"), other, read)
+    run(text.replace("8 %", "9 %").replace("drift: 1.5 %", "drift: 1.6 %"), other, read)
     assert other.rounds[0] == 1
 
 
