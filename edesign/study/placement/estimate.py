@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from edesign.building.devices import Device
-from edesign.errors import AnalysisError
+from edesign.errors import AnalysisError, InputError
 from edesign.study.analysis.structure import device_stiffness
 from edesign.study.design.building import mode_shears
 from edesign.study.design.condensed import CondensedFrame, LinearModes
@@ -49,17 +49,18 @@ class LayoutEstimates:
     def __call__(self, layout: Layout) -> np.ndarray:
         """Estimate the `RESPONSES` of a layout, (3,): drift over height, m/s2, N; as without dampers if it fails."""
         if layout not in self._known:
+            empty = self._candidates.space.empty
             try:
                 self._known[layout] = self._estimate(layout)
-            except (AnalysisError, np.linalg.LinAlgError):  # the search goes on without an estimate
-                self._known[layout] = self(self._candidates.space.empty)
+            except (AnalysisError, InputError, np.linalg.LinAlgError):  # the search goes on without an estimate
+                self._known[layout] = np.ones(len(RESPONSES)) if layout == empty else self(empty)
         return self._known[layout]
 
     def amplitudes(self, layout: Layout) -> dict[Place, float] | None:
         """Return the estimated deformation of damper and brace at each equipped place, m; None if it fails."""
         try:
             *_, found = self._vibration(layout)
-        except (AnalysisError, np.linalg.LinAlgError):
+        except (AnalysisError, InputError, np.linalg.LinAlgError):
             return None
         amplitudes = dict(zip(self._candidates.equipped(layout), found.tolist(), strict=True))
         return amplitudes if all(value > 0.0 for value in found) else None

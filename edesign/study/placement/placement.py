@@ -7,6 +7,7 @@ from typing import Any
 
 from edesign.archive.dataset import Group
 from edesign.errors import AnalysisError, InputError
+from edesign.project.actions.hazard import UserHazard
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.project import Project
@@ -63,7 +64,7 @@ def run_placement(
     try:
         candidates = make_candidates(project, name, spec)
         level = spec.level or (spec.verify.levels or ("",))[0]
-        estimates = LayoutEstimates(candidates, action_of(project, level, spec.inherent_damping))
+        estimates = LayoutEstimates(candidates, action_of(_orderable(project), level, spec.inherent_damping))
     except AnalysisError as error:
         before = project.dampers
         assert before is not None, "check_placement_design wants the laws"
@@ -102,6 +103,14 @@ def run_placement(
     dampers = dampers_of(chosen.layout)
     store_placement(group, candidates, knowledge, dampers, proof)
     return DesignResult(dampers, group, status, reason)
+
+
+def _orderable(project: Project) -> Project:
+    """The project with a spectrum of any damping: where a table has one alone, eta of EN 1998-1 is enough to order."""
+    hazard = project.hazard
+    if not isinstance(hazard, UserHazard) or hazard.damping_correction is not None:
+        return project
+    return project.model_copy(update={"hazard": hazard.model_copy(update={"damping_correction": "ec8"})})
 
 
 def check_placement(project: Project, name: str, spec: PlacementDesign, per_layout: int) -> None:

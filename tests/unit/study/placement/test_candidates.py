@@ -2,22 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 import yaml
-from design_examples import design
+from design_examples import MadeVerdict, design
 from placement_examples import small_project
 
+from edesign.archive.dataset import Group
 from edesign.errors import InputError
+from edesign.project.dampers.dampers import Dampers
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.study.analysis.structure import make_frame
 from edesign.study.design.device_text import devices_text
 from edesign.study.design.estimate import action_of
 from edesign.study.placement.candidates import Candidates, make_candidates
 from edesign.study.placement.estimate import LayoutEstimates
-from edesign.study.placement.placement import check_placement
+from edesign.study.placement.placement import check_placement, run_placement
 
 CATALOGUE = (
     "a: {law: oil, scale: 40, cost: 1, brace: {stiffness: 60 kN/mm, play: 1 mm}}, "
@@ -163,3 +166,26 @@ def test_item_that_cannot_stand_names_itself(tmp_path: Path) -> None:
     assert isinstance(spec, PlacementDesign)
     with pytest.raises(InputError, match=r"^designs.tried.catalogue.odd.brace.section: there is no section `HEB141`"):
         check_placement(project, "tried", spec, 1)
+
+
+def test_a_table_of_one_damping_orders_layouts_all_the_same(tmp_path: Path) -> None:
+    """The order needs the spectrum of other dampings than 5 %, which the table has not; verdicts do not need it."""
+    (tmp_path / "table.csv").write_text("T [s],Se [m/s2]\n0,3\n0.1,7\n0.6,7\n4,0.5\n")
+    project = small_project(tmp_path, "[6 m]", "[4 m, 3.3 m]")
+    user = {"code": "user", "damping": "5 %", "levels": {"DBE": {"spectrum": {"file": str(tmp_path / "table.csv")}}}}
+    project = project.with_values("hazard", user)
+    spec = design(TEXT.replace("budget: 1}", "budget: 60}"), project)
+    assert isinstance(spec, PlacementDesign)
+    tried: list[int] = []
+
+    def respond(wanted: Sequence[tuple[int, Dampers]]) -> Iterator[Mapping[str, Group]]:
+        for _, dampers in wanted:
+            tried.append(len(dampers.devices))
+            yield {"only": Group(attributes={"devices": len(dampers.devices)})}
+
+    def judge(groups: Mapping[str, Group]) -> list[MadeVerdict]:
+        return [MadeVerdict(0.015 / (1 + int(str(groups["only"].attributes["devices"]))))]
+
+    found = run_placement(project, "tried", spec, 2, respond, judge)
+    assert found.status == "completed" and tried[0] == 0
+    assert found.group.attributes["cost"] == 4.0  # in a bay without mirror image d alone stands, two side by side
