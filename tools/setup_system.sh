@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Make sure that what pip cannot install is there: a C compiler, SuiteSparse and SUNDIALS with headers, Python >= 3.11
-# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind, chromium and Pango.
+# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind, chromium, Pango
+# and BLAS.
 #
 #   setup_system.sh run | test | memcheck
 #
@@ -44,7 +45,8 @@ find_python() {
 
 # What is missing, in words for people ($missing) and as packages of apt ($packages); $hard counts the indispensable.
 missing=() packages=() hard=0
-lack() { missing+=("$1"); packages+=("${@:2}"); hard=$((hard + 1)); }
+wish() { missing+=("$1"); packages+=("${@:2}"); }
+lack() { wish "$@"; hard=$((hard + 1)); }
 
 look() {
     missing=() packages=() hard=0
@@ -100,27 +102,26 @@ END
             lack "a working set of C compiler, Python headers, SuiteSparse and SUNDIALS" \
                 gcc libc6-dev libsuitesparse-dev libsundials-dev
     fi
-    if [[ "$mode" != run && "$(uname)" == Linux ]] && ! command -v valgrind >/dev/null; then
-        lack "valgrind" valgrind
-        [[ "$mode" == memcheck ]] || hard=$((hard - 1))
+    [[ "$mode" != run && "$(uname)" == Linux ]] || return 0
+    if [[ "$mode" == memcheck ]]; then
+        command -v valgrind >/dev/null || lack "valgrind" valgrind
+        return 0
     fi
-    if [[ "$mode" == test && "$(uname)" == Linux ]] && ! has_browser; then
-        lack "chromium" chromium
-        hard=$((hard - 1))
-    fi
-    if [[ "$mode" == test && "$(uname)" == Linux ]] && ! has_pango; then
-        lack "Pango" libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz-subset0
-        hard=$((hard - 1))
-    fi
+    command -v valgrind >/dev/null || wish "valgrind" valgrind
+    has_browser || wish "chromium" chromium
+    # what weasyprint lays text out with; libharfbuzz-subset0 is younger than some systems, and only makes it faster
+    opens libpango-1.0.so.0 libpangoft2-1.0.so.0 || wish "Pango" libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz-subset0
+    # what the LAPACK of OpenSeesPy asks for; scripts of `edesign translate` run by it as users run them
+    opens libblas.so.3 || wish "BLAS" libblas3
 }
 
 # The chromium of Ubuntu is a stub of a snap, which cannot read the folders of tests; they look for others themselves.
 has_browser() { command -v chromium || command -v google-chrome || grep -s '^ID=ubuntu' /etc/os-release; } >/dev/null
 
-# What weasyprint opens to lay out text; libharfbuzz-subset0 is younger than some systems, and only makes it faster.
-has_pango() {
-    [[ -n "$python" ]] && "$python" -c 'import ctypes
-for name in ("pango-1.0", "pangoft2-1.0"): ctypes.CDLL(f"lib{name}.so.0")' 2>/dev/null
+# Whether the loader finds shared libraries.
+opens() {
+    [[ -n "$python" ]] && "$python" -c 'import ctypes, sys
+for name in sys.argv[1:]: ctypes.CDLL(name)' "$@" 2>/dev/null
 }
 
 # The libraries that a development package names and the core links.
@@ -192,7 +193,7 @@ explain() {
     local apt="${packages[*]}" test_dnf="" test_conda=""
     apt="${apt/python3.11-or-later/python3.11 python3.11-dev python3.11-venv}"
     if [[ "$mode" != run ]]; then
-        test_dnf=" libasan libubsan valgrind"
+        test_dnf=" libasan libubsan valgrind blas"
         test_conda=" valgrind"
     fi
     local words

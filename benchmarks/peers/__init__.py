@@ -8,16 +8,23 @@ import sys
 from pathlib import Path
 
 
-def _offer_blas() -> None:
-    """Load the BLAS that comes with OpenSeesPy.
+def _own_blas() -> Path | None:
+    """Return the BLAS that comes with OpenSeesPy, on machines that have none of their own.
 
-    Its LAPACK asks for `libblas.so.3` without saying where it lies, so that `import openseespy` fails on a machine that
-    has no BLAS of its own. A library that is loaded already is found by its name.
+    Its LAPACK asks for `libblas.so.3` without saying where it lies, so that `import openseespy` fails there. A library
+    that is loaded already is found by its name.
     """
     package = importlib.util.find_spec("openseespylinux") if sys.platform == "linux" else None
-    for folder in package.submodule_search_locations or () if package is not None else ():
-        for blas in Path(folder, "lib").glob("libblas.so.3"):
-            ctypes.CDLL(str(blas), mode=ctypes.RTLD_GLOBAL)
+    try:
+        ctypes.CDLL("libblas.so.3")
+    except OSError:
+        folders = package.submodule_search_locations or () if package is not None else ()
+        return next((blas for folder in folders for blas in Path(folder, "lib").glob("libblas.so.3")), None)
+    return None
 
 
-_offer_blas()
+_BLAS = _own_blas()
+LOADED_FIRST = {} if _BLAS is None else {"LD_PRELOAD": str(_BLAS)}
+"""Environment of processes that import OpenSeesPy without this package."""
+if _BLAS is not None:
+    ctypes.CDLL(str(_BLAS), mode=ctypes.RTLD_GLOBAL)

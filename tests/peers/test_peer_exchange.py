@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import csv
 import importlib.util
+import os
 import subprocess
 import sys
 from collections.abc import Callable
@@ -18,6 +19,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchmarks.peers import LOADED_FIRST
 from edesign import load_project, new_project
 from edesign.archive.dataset import Group
 from edesign.exchange.formats import find_format, write_translation
@@ -136,7 +138,10 @@ def written(project: Project, model: Path, without_dampers: bool = False) -> tup
 
 
 def run(model: Path) -> None:
-    done = subprocess.run([sys.executable, str(model), "all"], capture_output=True, text=True, timeout=120)
+    environment = {**os.environ, **LOADED_FIRST}
+    done = subprocess.run(
+        [sys.executable, str(model), "all"], capture_output=True, text=True, timeout=120, env=environment
+    )
     assert done.returncode == 0, done.stderr[-2000:]
 
 
