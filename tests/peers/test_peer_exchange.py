@@ -6,11 +6,7 @@ commands of OpenSees given on to OpenSeesPy, and has to write the same tables.
 
 from __future__ import annotations
 
-import csv
 import importlib.util
-import os
-import subprocess
-import sys
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -18,11 +14,10 @@ from typing import Any
 
 import numpy as np
 import pytest
+from opensees_scripts import run, table, written
 
-from benchmarks.peers import LOADED_FIRST
 from edesign import load_project, new_project
 from edesign.archive.dataset import Group
-from edesign.exchange.formats import find_format, write_translation
 from edesign.project.project import Project
 from edesign.study.run.analyses import run_analysis
 from edesign.study.run.plan import make_plan
@@ -129,26 +124,6 @@ def project_of(case: Case, folder: Path) -> Project:
     file = folder / "project.yaml"
     file.write_text(case.change(text), encoding="utf-8")
     return load_project(file)
-
-
-def written(project: Project, model: Path, without_dampers: bool = False) -> tuple[str, ...]:
-    translation = find_format(model).translate(project, model, without_dampers)
-    write_translation(translation)
-    return translation.left_out
-
-
-def run(model: Path) -> None:
-    environment = {**os.environ, **LOADED_FIRST}
-    done = subprocess.run(
-        [sys.executable, str(model), "all"], capture_output=True, text=True, timeout=120, env=environment
-    )
-    assert done.returncode == 0, done.stderr[-2000:]
-
-
-def table(path: Path) -> np.ndarray:
-    """All columns but the first of a table."""
-    with path.open(encoding="utf-8") as file:
-        return np.array([[float(value) for value in row[1:]] for row in list(csv.reader(file))[1:]])
 
 
 def off(ours: Any, theirs: Any) -> float:

@@ -276,7 +276,8 @@ def _history(
         directions.append((2, VERTICAL, ground.samples, "_vertical"))
     for direction, tag, samples, which in directions:
         name = _file_of(found, f"{stem}_{spec.name}{which}.txt", samples)
-        series = command("timeSeries", "Path", tag, "-dt", dt, "-filePath", File(name), comment="m/s2")
+        words = ("Path", tag, "-dt", dt, "-filePath", File(name), "-useLast")  # sums of steps pass the end by rounding
+        series = command("timeSeries", *words, comment="m/s2")
         commands += [series, command("pattern", "UniformExcitation", tag, direction, "-accel", tag)]
     found.blocks.append(Block(block, f"Ground motion of the history {spec.name}.", tuple(commands)))
     found.analyses[spec.name] = {

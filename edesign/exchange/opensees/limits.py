@@ -82,7 +82,7 @@ def differences(project: Project, frame: FrameModel, dampers: Dampers) -> list[s
     if project.frame.braces and project.elements.geometry.braces == "p_delta":
         found.append("braces with P-Delta are corotational, which differs by the square of the drift")
     if rigid_ends(project):
-        found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by a few 1e-6")
+        found.append("rigid ends are members some 1e5 times as stiff as theirs, which changes periods by some 1e-5")
     modal = isinstance(project.damping, ModalDamping | CaugheyDamping)
     if modal and project.integration is not None and not isinstance(project.integration, NewmarkIntegration):
         found.append("modal damping acts at another instant of a step with a method other than Newmark's")

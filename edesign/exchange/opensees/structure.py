@@ -68,7 +68,8 @@ class Structure:
             what a support carries is on all of them.
         kept: nodes whose supports and ties are written by `commands`.
         moving: independent degrees of freedom with mass.
-        damping_factors: of stiffness-proportional damping, by tag of the element; only those that are not 1.
+        damping_factors: of stiffness-proportional damping, by tag of the element. Others have none: they only help to
+            express the structure in OpenSees.
     """
 
     frame: FrameModel
@@ -105,6 +106,11 @@ class Structure:
             self.joined.tie((copy, at), (node, at))
         self.copies[node].append(copy)
         return copy
+
+    def damp(self, element: int, factor: float = 1.0) -> None:
+        """Give an element stiffness-proportional damping, that of its stiffness times a factor."""
+        if factor > 0.0:
+            self.damping_factors[element] = factor
 
     def add_material(self, *words: str | float, comment: str = "") -> int:
         """Add a uniaxial material and return its tag."""

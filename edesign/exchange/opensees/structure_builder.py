@@ -136,8 +136,7 @@ class StructureBuilder:
         i, j = (to.nodes[end] for end in ends)
         comment = f"{call['name']}: {self._section_name(section)}" if number in self._member_of else call["name"]
         transformation = self._geometry(call["geometry"])
-        if number in self._factors:
-            to.damping_factors[number + 1] = self._factors[number]
+        to.damp(number + 1, self._factors.get(number, 1.0))
         if section in self._fibred:
             rule = self._rule(call, arms, length)
             words = ("forceBeamColumn", number + 1, i, j, transformation, rule, *ITERATIONS)
@@ -229,6 +228,7 @@ class StructureBuilder:
         words = (kind, call.result + 1, *pair, call["area"], call["material"] + 1, "-doRayleigh", 1)
         run = self._frame.frame.members.get(call["name"])
         comment = call["name"] if run is None else f"{call['name']}: {run.section}, {run.material}"
+        to.damp(call.result + 1)
         to.elements.append(command("element", *words, comment=comment))
 
     def _strut(self, call: Call) -> None:
@@ -264,6 +264,5 @@ class StructureBuilder:
         factor = self._factors.get(call.result, 1.0)
         damped = ("-doRayleigh", 1) if factor > 0.0 else ()
         words = ("zeroLength", tag, *pair, "-mat", material, "-dir", direction, *damped)
-        if factor not in (0.0, 1.0):
-            to.damping_factors[tag] = factor
+        to.damp(tag, factor)
         to.springs.append(command("element", *words, comment=call["name"]))
