@@ -210,7 +210,13 @@ def test_dampers_become_links_and_dampers_again(tmp_path: Path) -> None:
     """Springs in series: 1 / k = lambda / c0 + 1 / brace, with 2 x 45 MN/m = 90 MN/m beside the brace of 90 MN/m."""
     (tmp_path / "frame.yaml").write_text(FRAME.replace("analyses:", f"{DAMPERS}analyses:"))
     path = tmp_path / "x.s2k"
-    path.write_text(find_format(path).translate(load_project(tmp_path / "frame.yaml"), path).files[path], newline="")
+    made = find_format(path).translate(load_project(tmp_path / "frame.yaml"), path)
+    path.write_text(made.files[path], newline="")
+    # a spring of SAP2000 without dashpot in series carries gravity loads, which dampers of edesign are set in under
+    assert [text for text in made.left_out if text.startswith(("dampers set in", "stiffness of dampers"))] == [
+        "stiffness of dampers in the modes: links with dashpots in series have none there",
+        "dampers set in under the gravity loads: the links N_B1_A2 carry a share of these",
+    ]
     links = {r["Link"]: r for r in Solved(path.read_text()).t["LINK PROPERTY DEFINITIONS 04 - DAMPER"]}
     power, maxwell = links.values()
     assert [float(power[k]) for k in ("TransK", "TransC", "CExp")] == pytest.approx([2e5, 600.0, 0.5], rel=1e-12)

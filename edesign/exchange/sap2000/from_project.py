@@ -88,7 +88,10 @@ def from_project(project: Project, without_dampers: bool = False) -> tuple[Sap20
             left_out.append("dampers, isolators and tuned masses, by --without-dampers")
         else:
             add_dampers(project, model)
-            left_out.append("stiffness of dampers in the modes: links have it in nonlinear cases alone")
+            if any(found.nonlinear for found in model.link_properties.values()):
+                left_out.append("stiffness of dampers in the modes: links with dashpots in series have none there")
+            if standing := model.standing_links():
+                left_out.append(f"dampers set in under the gravity loads: the links {standing} carry a share of these")
     model.about = [f"{project.path.name} without {sentence}" for sentence in left_out]
     return model, left_out
 

@@ -110,6 +110,11 @@ class LinkProperty:
     nonlinear: bool = False
     row: Row | None = None
 
+    @property
+    def stands(self) -> bool:
+        """True if it is a spring that carries gravity loads too."""
+        return not self.nonlinear and self.stiffness > 0.0
+
 
 @dataclass(frozen=True)
 class Link:
@@ -240,6 +245,10 @@ class Sap2000Model:
             points upwards; of a vertical frame 2 is global X. Both are then turned about 1 by the angle.
         """
         return local_axes(self.joints[frame.i], self.joints[frame.j], frame.angle)
+
+    def standing_links(self) -> str:
+        """Names of the links that carry gravity loads, for a sentence; "": there are none."""
+        return ", ".join(link.name for link in self.links.values() if self.link_properties[link.property].stands)
 
     def error(self, kind: str, name: str, message: str) -> InputError:
         """Return an error about a part: `joint`, `frame`, `link`, `section`."""

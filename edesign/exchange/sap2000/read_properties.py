@@ -68,6 +68,13 @@ def read_sections(tables: Tables, units: Units, model: Sap2000Model) -> None:
 def read_link_properties(tables: Tables, units: Units, model: Sap2000Model) -> None:
     """Add the properties of links that are used to a model: springs and dampers along their axis."""
     used = {row.text("LinkProp") for row in tables.of("LINK PROPERTY ASSIGNMENTS")}
+    for row in tables.of("LINK PROPERTY DEFINITIONS 01 - GENERAL"):
+        for field, what in (("Mass", "masses"), ("Weight", "loads")):
+            if row.text("Link") in used and row.number(field, 0.0):
+                raise row.error(
+                    f"link property {row.text('Link')} has a `{field}`, which dampers of edesign do not have; give "
+                    f"half of it to each joint of its links, with the {what} of joints"
+                )
     stiffness, damping = units.force / units.length, units.force / units.length
     for table in ("LINK PROPERTY DEFINITIONS 02 - LINEAR", "LINK PROPERTY DEFINITIONS 04 - DAMPER"):
         for row in tables.of(table):

@@ -220,6 +220,8 @@ class _ProjectText:
         text = []
         if self.model.links:
             text += self._dampers()
+        if standing := self.model.standing_links():
+            self.left_out.append(f"links {standing}: their share of the gravity loads; dampers are set in under these")
         text += ["analyses:", "  - {name: gravity, kind: gravity}"]
         if self.has_masses:
             text.append(f"  - {{name: modes, kind: modal, modes: {min(3, self.storeys)}}}")

@@ -300,6 +300,11 @@ def test_links_are_dampers_of_a_frame(take: Take, tmp_path: Path) -> None:
     assert project.dampers is not None
     assert project.dampers.laws["L"].parameters == {"k": "900 kN/m", "c": "40 kN*s/m"}
     assert project.dampers.devices[0].nodes == ("A0", "B1")  # type: ignore[union-attr]
+    assert "# - links 1: their share of the gravity loads; dampers are set in under these" in project.text
+    for field, joints in (("Mass", "masses"), ("Weight", "loads")):
+        heavy = changed(text, ("LinkType=Linear\n", f"LinkType=Linear   {field}=0.5\n"))
+        told = refusal(heavy, tmp_path)
+        assert f"link property L has a `{field}`" in told and f"with the {joints} of joints" in told
     other = changed(
         text, ("LinkType=Linear\n", 'LinkType="Plastic (Wen)"\n'), ("DEFINITIONS 02 - LINEAR", "DEFINITIONS 10 - WEN")
     )
