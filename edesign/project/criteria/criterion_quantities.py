@@ -110,7 +110,10 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
     ),
     "base_shear": ArchivedQuantity(FORCE, "frame", "sum of the horizontal reactions, those of dampers included"),
     "overturning_moment": ArchivedQuantity(
-        MOMENT, "frame", "of all reactions about the middle of the base, gravity included", kept="supports"
+        MOMENT,
+        "frame",
+        "of all reactions about the middle of the base, gravity and couples of dampers included",
+        kept="supports",
     ),
     "energy_share": ArchivedQuantity(
         RATIO, "frame", "energy of `term` at the end over the energy put in until then", own=("term",)

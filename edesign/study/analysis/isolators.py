@@ -14,6 +14,7 @@ from edesign.project.notation import names
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
 from edesign.study.check.warnings import AnalysisWarning
+from edesign.study.results.couples import NEGLECTED
 
 _ROUNDING = 1e-9  # of an axial force that is none, against the largest
 
@@ -36,6 +37,7 @@ def isolator_warnings(project: Project, group: Group, frame: FrameModel) -> list
     return [
         *_held_down(project.frame, isolation, isolated, most_of, pressed),
         *_moments_in_the_ground(project.frame, isolation, group, isolated, most_of, pressed),
+        *_moments_of_displacement(project.frame, group, isolated),
         *_weights(group, isolated, most_of, pressed),
     ]
 
@@ -93,6 +95,32 @@ def _moments_in_the_ground(
         text += f"; they may pull at {first}, which is pressed by {max(0.0, -most_of[first]) / 1e3:.4g} kN at least"
     text += "; `base.beams` brings them to the isolators"
     return [AnalysisWarning("isolator_foot_moments", text, change[worst] / pressed)]
+
+
+def _moments_of_displacement(frame: Frame, group: Group, isolated: IsolatedFeet) -> list[AnalysisWarning]:
+    """What the base would get of the moments N u of weights and displacement, if the isolators had a height.
+
+    Half of them above a bearing of rubber, whose ends turn alike; all of them above a pendulum with the dish on top.
+    """
+    at_rest = np.asarray(group.variables["isolator_axial_force_final"].values)
+    shares = np.array([1.0 if device.name in isolated.weighed else 0.5 for device in isolated.isolators])
+    moved = _largest(group, "base_displacement")
+    moment = float(shares @ np.maximum(-at_rest, 0.0) * moved)
+    overturning = float(_largest(group, "storey_shear") @ np.asarray(frame.storey_heights))
+    if moment <= NEGLECTED * overturning:
+        return []
+    text = (
+        f"isolators have no height: moments of their axial forces and the displacement of {1e3 * float(moved):.3g} mm, "
+        f"up to {moment / 1e3:.4g} kNm beside {overturning / 1e3:.4g} kNm of overturning, go into the ground and not "
+        "into base and columns"
+    )
+    return [AnalysisWarning("isolator_height", text, moment / max(NEGLECTED * overturning, _ROUNDING * moment))]
+
+
+def _largest(group: Group, name: str) -> np.ndarray:
+    """The largest magnitude of a quantity."""
+    most, least = (np.asarray(group.variables[f"{name}_{which}"].values) for which in ("max", "min"))
+    return np.asarray(np.maximum(most, -least))
 
 
 def _couples(moments: np.ndarray, places: np.ndarray) -> np.ndarray:

@@ -22,12 +22,13 @@ from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import AnalysisWarning, store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
+from edesign.study.results.couples import LackingCouples
 from edesign.study.results.dampers import damper_quantities
 from edesign.study.results.floors import floor_displacements
 from edesign.study.results.members import axial_forces, leaning_column_forces, member_forces, plastic_rotations
 from edesign.study.results.recording import Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
-from edesign.study.results.springs import spring_quantities
+from edesign.study.results.springs import hinge_warnings, spring_quantities
 from edesign.study.results.storeys import line_drifts, store_drift_extremes, storey_drifts, storey_shears
 from edesign.study.results.supports import base_shear, support_reactions
 
@@ -121,6 +122,7 @@ def push(
         *(support_reactions(frame, group) if "supports" in project.outputs.histories else []),
         *requested_quantities(project, frame, group),
     ]
+    couples = LackingCouples(frame)
     names = rotation_names(frame, drifts, recorded)
     events = EventChannels(project, frame, spec.steps)
     response = structure.analysis.pushover(
@@ -129,7 +131,7 @@ def push(
         "ux",
         target,
         spec.steps,
-        channels([*recorded, drifts, *events.quantities]),
+        channels([*recorded, drifts, *couples.quantities, *events.quantities]),
         progress,
         stop,
         rotation_limits(project, names),
@@ -139,7 +141,8 @@ def push(
     store(group, recorded, response, "step")
     store_drift_extremes(group, frame, drifts, response)
     warnings: list[AnalysisWarning] = buckling_warnings(group, project, frame)
-    warnings += core_strain_warnings(group, frame.devices)
+    warnings += core_strain_warnings(group, frame.devices) + couples.warnings(response)
+    warnings += hinge_warnings(group, project, frame)
     store_warnings(group, [] if doubts is None else [*doubts, *warnings, *fracture_warnings(group)])
     store_run(group, response, "displacement of the controlled node", "m")
     coordinate(group, "loaded_node", list(loads), "", "name of the node with a lateral load")

@@ -29,6 +29,8 @@ from edesign.study.analysis.dampers import law_warnings, laws_that_stand, with_r
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.plausibility import implausible
+from edesign.study.check.tuned_masses import tuned_mass_advice
+from edesign.study.results.couples import couple_advice
 from edesign.study.run.plan import Task
 from edesign.study.variants import laws_of_design, variant_warnings
 
@@ -50,7 +52,13 @@ def project_warnings(project: Project, records: Mapping[str, Record]) -> list[st
     pushed = [spec for spec in project.analyses if isinstance(spec, PushoverAnalysis)]
     vertical = any(isinstance(spec, HistoryAnalysis) and spec.vertical is not None for spec in project.analyses)
     found = frame_warnings(project, records) + (_still_warnings([project]) if vertical else [])
-    return [*found, *law_warnings(project), *pattern_warnings(pushed), *repeated_recordings(records)]
+    return [
+        *found,
+        *couple_advice(project),
+        *law_warnings(project),
+        *pattern_warnings(pushed),
+        *repeated_recordings(records),
+    ]
 
 
 def _still_warnings(projects: Iterable[Project]) -> list[str]:
@@ -109,7 +117,7 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
     found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(
         project, make_frame(project, dampers=True)
     )
-    found += _damping_warnings(project, laws)
+    found += [*_damping_warnings(project, laws), *tuned_mass_advice(project)]
     staying = [
         name
         for name, run in project.frame.members.items()
@@ -154,6 +162,7 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     found = frame_warnings(study.base, records, designed)
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
+    found += couple_advice(study.base, study.designs)
     made = {variant.design for variant in study.variants.values()}
     for name, spec in study.designs.items():
         if name not in made:

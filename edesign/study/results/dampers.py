@@ -36,6 +36,16 @@ def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
     work = tuple(((1.0, "damper_work", n, 0),) for n in numbers)
     label = "work done on the damper and its brace"
     found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",)))
+    return [*found, storey_damper_forces(frame, history)]
+
+
+def storey_damper_forces(frame: FrameModel, history: bool) -> Quantity:
+    """Return the horizontal force of the dampers of each storey on the floor above, N.
+
+    Args:
+        frame: the model.
+        history: whether values over time are kept.
+    """
     storeys: list[Terms] = [() for _ in range(frame.frame.n_storeys)]
     for device in frame.devices:
         if device.storey:
@@ -43,8 +53,7 @@ def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
             across = sum(c for c, node, degree in device.terms if node in top and degree == 0)
             storeys[device.storey - 1] += ((across, "damper_force", device.number, 0),)
     label = "horizontal force of the storey's dampers, positive as the storey's shear"
-    found.append(Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history))
-    return found
+    return Quantity("storey_damper_force", ("storey",), (len(storeys),), tuple(storeys), "N", label, history)
 
 
 def tuned_mass_displacements(frame: FrameModel, history: bool) -> list[Quantity]:

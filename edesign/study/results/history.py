@@ -21,6 +21,7 @@ from edesign.study.check.validity import judged, rotation_limits, rotation_names
 from edesign.study.check.warnings import store_warnings
 from edesign.study.results.braces import brace_quantities, fracture_warnings
 from edesign.study.results.coordinates import bending_members, coordinates
+from edesign.study.results.couples import LackingCouples
 from edesign.study.results.dampers import damper_quantities, tuned_mass_displacements
 from edesign.study.results.floors import (
     base_acceleration,
@@ -33,7 +34,7 @@ from edesign.study.results.members import axial_forces, leaning_column_forces, m
 from edesign.study.results.motion import node_displacements, store_motion, without_histories
 from edesign.study.results.recording import SINGLE, Quantity, channels, coordinate, store, store_run
 from edesign.study.results.requested import requested_quantities
-from edesign.study.results.springs import spring_quantities
+from edesign.study.results.springs import hinge_warnings, spring_quantities
 from edesign.study.results.storeys import (
     line_drift_storeys,
     line_drifts,
@@ -101,13 +102,15 @@ class HistoryResults:
             *(support_reactions(frame, self._group) if "supports" in self._wanted else []),
             *requested_quantities(project, frame, self._group),
         ]
+        self._couples = LackingCouples(frame)
         self._moving: list[Quantity] = []
         if "motion" in self._wanted:
             self._others.append(node_displacements(frame, self._group))
             self._moving = [one for one in self._others if one.name in MOVING and one.history]
         self._names = rotation_names(frame, self._drifts, self._others)
         drift = replace(self._drift, history=storeys or keep_drift)
-        self.channels: list[Channel] = channels([self._displacements, drift, self._drifts, *self._base, *self._others])
+        kept = [self._displacements, drift, *self._base, *self._others]
+        self.channels: list[Channel] = channels([*kept, self._drifts, *self._couples.quantities])
         self.limits = rotation_limits(project, self._names) | drift_limits(self._drifts, collapse_drift)
 
     def drift(self, response: Response) -> np.ndarray:
@@ -144,7 +147,8 @@ class HistoryResults:
             largest, least = (group.variables[f"damper_strain_{which}"].values for which in ("max", "min"))
             warnings += strain_warnings(frame.devices, np.maximum(largest, -least))
         warnings += core_strain_warnings(group, frame.devices)
-        warnings += fracture_warnings(group)
+        warnings += fracture_warnings(group) + hinge_warnings(group, self._project, frame)
+        warnings += self._couples.warnings(response)
         store_warnings(group, [] if doubts is None else [*doubts, *warnings])
         _store_energy(group, response, self.energies)
         if response.status == "completed":

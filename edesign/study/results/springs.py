@@ -7,9 +7,15 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel
 from edesign.building.hinges import END_NAMES, EndSpring, SpringKind
+from edesign.building.struts import frame_bars
 from edesign.codes.ec3.joints import classified
+from edesign.project.project import Project
+from edesign.project.reading.words import counted
+from edesign.study.check.warnings import AnalysisWarning
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
+UNAFFECTED = 0.25
+"""N / N_pl up to which the plastic moment stays: EN 1993-1-1, 6.2.9.1(4), Eq. 6.33."""
 _KINDS: tuple[SpringKind, ...] = ("hinge", "joint")
 _SUPPORT = (
     ("support_displacement_x", "displacement", 0, "m", "horizontal displacement of the node from the ground below"),
@@ -69,6 +75,33 @@ def spring_quantities(frame: FrameModel, group: Group) -> list[Quantity]:
             keep = ("final",) if what == "strength_left" else ("max", "min", "final")
             found.append(Quantity(f"{kind}_{name}", (kind,), (len(cells),), cells, unit, label, keep=keep))
     return found + _panels(frame, group) + _supports(frame, group)
+
+
+def hinge_warnings(group: Group, project: Project, frame: FrameModel) -> list[AnalysisWarning]:
+    """Return the doubt about columns with hinges whose axial force would lower their moments.
+
+    Args:
+        group: results of a history or a pushover.
+        project: the validated project.
+        frame: its model.
+    """
+    hinged = {name.partition(":")[0] for name in _end_springs(frame, "hinge")}
+    squash = {b.name: b.strut.squash for b in frame_bars(project, frame) if b.strut is not None and b.name in hinged}
+    if not squash or "column_axial_force_max" not in group.variables:
+        return []
+    most, least = (np.asarray(group.variables[f"column_axial_force_{which}"].values) for which in ("max", "min"))
+    names = [str(name) for name in group.coords["column"].values]
+    ratios = {n: max(a, -b) / squash[n] for n, a, b in zip(names, most, least, strict=True) if n in squash}
+    worst = max(ratios, key=lambda name: ratios[name], default="")
+    if not worst or ratios[worst] <= UNAFFECTED:
+        return []
+    count = sum(ratio > UNAFFECTED for ratio in ratios.values())
+    text = (
+        f"{counted(count, 'column')} with hinges {'has' if count == 1 else 'have'} axial forces above "
+        f"{UNAFFECTED:g} A f_y, most {worst} with {ratios[worst]:.2g}; hinges yield at their M_y whatever these are, "
+        "and EN 1993-1-1, 6.2.9.1(4), asks for less moment there"
+    )
+    return [AnalysisWarning("hinge_axial", text, float(ratios[worst]) / UNAFFECTED)]
 
 
 def _facts(group: Group, kind: SpringKind, values: list[EndSpring]) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from edesign.archive.dataset import Group
 from edesign.building.frame_model import FrameModel
+from edesign.study.results.couples import couple_terms
 from edesign.study.results.recording import Quantity, Terms, coordinate
 
 
@@ -26,8 +27,8 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     """Return the reactions of each support, gravity included, and the overturning moment over time.
 
     A vertical reaction is positive upwards, so that a negative one is uplift. The overturning moment is that of all
-    reactions about the point of the base midway between the outer supports, positive for loads to the right. The foot
-    of a leaning column is no support of the frame: where it stands is not known.
+    reactions about the point of the base midway between the outer supports, positive for loads to the right, and of the
+    couples that dampers lack. The foot of a leaning column is no support of the frame: where it stands is not known.
 
     Args:
         frame: the model.
@@ -54,7 +55,7 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
     ]
     places = {node: frame.frame.nodes[node] for node in supports}
     middle = 0.5 * (min(x for x, _ in places.values()) + max(x for x, _ in places.values()))
-    terms: Terms = ()
+    terms: Terms = couple_terms(frame)
     for node, fixed in supports.items():
         x, y = places[node]
         arms = (-y, x - middle, 1.0)
@@ -64,7 +65,7 @@ def support_reactions(frame: FrameModel, group: Group) -> list[Quantity]:
             if fixed[at] and arm != 0.0
             for factor, kind, number, component in frame.reaction(node, at)
         )
-    label = "moment of all reactions about the middle of the base, anticlockwise, that resists loads to the right"
+    label = "moment about the middle of the base, anticlockwise, that resists loads to the right"
     found.append(Quantity("overturning_moment", (), (), (terms,), "N*m", label, history=True))
     return found
 

@@ -75,8 +75,8 @@ def test_dampers_do_not_damp_unless_it_is_said(archive: Path) -> None:
             opened.group(f"analyses/{name}.n2.DBE")
             for name in ("bare.push.uniform.right", "damped.spring", "damped.wet")
         )
-    assert [w["kind"] for w in spring.attributes["warnings"]] == ["target_damping"]
-    assert [w["kind"] for w in wet.attributes["warnings"]] == ["target_range"]
+    assert [w["kind"] for w in spring.attributes["warnings"]] == ["damper_couple", "target_damping"]
+    assert [w["kind"] for w in wet.attributes["warnings"]] == ["damper_couple", "target_range"]
     assert (spring.attributes["spectrum_damping"], wet.attributes["spectrum_damping"]) == (0.05, 0.2)
     assert wet.variables["n2_S_e"].values == pytest.approx(spring.variables["n2_S_e"].values * 0.4**0.5, rel=1e-6)
     assert spring.variables["n2_T"].values < bare.variables["n2_T"].values

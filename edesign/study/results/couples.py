@@ -1,0 +1,125 @@
+"""The couple that dampers between floors lack: they push two levels apart, and no vertical forces balance that."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+
+import numpy as np
+
+from edesign.building.devices import UX, UY, Device
+from edesign.building.frame_model import FrameModel
+from edesign.core import Response
+from edesign.project.dampers.designs import Design
+from edesign.project.dampers.placement import PlacementDesign
+from edesign.project.notation.names import line_name
+from edesign.project.project import Project
+from edesign.study.check.warnings import AnalysisWarning
+from edesign.study.results.dampers import storey_damper_forces
+from edesign.study.results.recording import Quantity, Terms
+from edesign.study.results.storeys import storey_shears
+
+NEGLECTED = 0.10
+"""Share of an overturning moment that may be left out: EN 1998-1, 4.4.2.2(2), lets second-order effects be up to it."""
+
+NO_COUPLE = (
+    "dampers of the kind `storey` act without a couple of vertical forces, which axial forces of columns and vertical "
+    "reactions lack; `chevron` and diagonals have it"
+)
+_ROUNDING = 1e-9  # of the height of the frame
+
+
+def couple_advice(project: Project, designs: Mapping[str, Design] = MappingProxyType({})) -> list[str]:
+    """Say which dampers of a project stand between floors, or will by designs of a study.
+
+    Args:
+        project: the validated project.
+        designs: by name.
+    """
+    kinds: dict[str, set[str]] = {}
+    for i, run in enumerate(project.dampers.devices if project.dampers is not None else ()):
+        kinds[f"dampers.devices[{i}]"] = {run.kind}
+    for name, spec in designs.items():
+        of_items = (
+            {item.kind or spec.kind for item in spec.catalogue.values()} if isinstance(spec, PlacementDesign) else ()
+        )
+        kinds[f"design {name}"] = {*of_items} or {spec.kind}
+    where = [place for place, several in kinds.items() if "storey" in several]
+    return [f"{', '.join(where)}: {NO_COUPLE}"] if where else []
+
+
+def couple_terms(frame: FrameModel) -> Terms:
+    """Return the moment of the couples that dampers lack, N m, positive as that of reactions to loads to the right.
+
+    Args:
+        frame: the model.
+    """
+    return tuple((arm, "damper_force", device.number, 0) for device, arm, _ in _lacking(frame))
+
+
+class LackingCouples:
+    """What an analysis records of these couples, and the doubt that becomes of it.
+
+    Args:
+        frame: the model.
+
+    Attributes:
+        quantities: for the core, not archived; nothing where no damper lacks its couple.
+    """
+
+    def __init__(self, frame: FrameModel) -> None:
+        on: dict[int, Terms] = {}
+        for device, arm, (left, right) in _lacking(frame):
+            for line, way in ((left, 1.0), (right, -1.0)):
+                width = frame.frame.x[right] - frame.frame.x[left]
+                on[line] = (*on.get(line, ()), (way * arm / width, "damper_force", device.number, 0))
+        self._lines = list(on)
+        couples = couple_terms(frame)
+        total: Terms = tuple(
+            (height * c, kind, item, at)
+            for shear in (storey_shears(frame, history=False), storey_damper_forces(frame, history=False))
+            for height, terms in zip(frame.frame.storey_heights, shear.cells, strict=True)
+            for c, kind, item, at in terms
+        )
+        self._couple = Quantity("lacking_couple", (), (), (couples,), "N*m", "")
+        self._total = Quantity("overturning_of_storeys", (), (), (total,), "N*m", "")
+        self._forces = Quantity("lacking_axial_force", ("line",), (len(on),), tuple(on.values()), "N", "")
+        self.quantities = [self._couple, self._total, self._forces] if couples else []
+
+    def warnings(self, response: Response) -> list[AnalysisWarning]:
+        """Return the doubt about overturning, if the couples matter.
+
+        Args:
+            response: of the analysis, with `quantities`.
+        """
+        if not self.quantities:
+            return []
+        couple, total, forces = (
+            np.maximum(-quantity.extreme(response, "min"), quantity.extreme(response, "max"))
+            for quantity in self.quantities
+        )
+        share = float(couple / total) if total > 0.0 else 0.0
+        if share <= NEGLECTED:
+            return []
+        worst = int(forces.argmax())
+        text = (
+            f"{couple / 1e3:.4g} of {total / 1e3:.4g} kNm of overturning are in no column, at line "
+            f"{line_name(self._lines[worst])} {forces[worst] / 1e3:.4g} kN; {NO_COUPLE}"
+        )
+        return [AnalysisWarning("damper_couple", text, share / NEGLECTED)]
+
+
+def _lacking(frame: FrameModel) -> Iterator[tuple[Device, float, tuple[int, int]]]:
+    """Dampers that lack a couple, its moment over their force in m, and the outer column lines of their bay, from 0.
+
+    Along a line between nodes, and at the apex of a chevron, forces balance; those on isolators go to the ground.
+    """
+    places = {node: frame.frame.nodes[name] for name, node in frame.nodes.items()}
+    for device in frame.devices:
+        if device.foot:
+            continue
+        arm = sum(c * places[node][1] for c, node, degree in device.terms if degree == UX)
+        arm -= sum(c * places[node][0] for c, node, degree in device.terms if degree == UY)
+        if abs(arm) > _ROUNDING * frame.frame.height:
+            ends = [places[node][0] for _, node, _ in device.terms]
+            yield device, arm, (frame.frame.x.index(min(ends)), frame.frame.x.index(max(ends)))
