@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Make sure that what pip cannot install is there: a C compiler, SuiteSparse and SUNDIALS with headers, Python >= 3.11
-# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind, chromium, Pango
-# and BLAS.
+# with headers and venv; for the tests also the sanitizers' libraries and, if they can be had, valgrind, chromium, Pango,
+# BLAS and Tcl.
 #
 #   setup_system.sh run | test | memcheck
 #
@@ -113,6 +113,9 @@ END
     opens libpango-1.0.so.0 libpangoft2-1.0.so.0 || wish "Pango" libpango-1.0-0 libpangoft2-1.0-0 libharfbuzz-subset0
     # what the LAPACK of OpenSeesPy asks for; scripts of `edesign translate` run by it as users run them
     opens libblas.so.3 || wish "BLAS" libblas3
+    # in which its scripts in Tcl run; interpreters that are not the system's have their own, or none
+    [[ -n "$python" && "$(readlink -f "$python")" != /usr/bin/* ]] || "${python:-false}" -c 'import tkinter' 2>/dev/null ||
+        wish "the Tcl of Python" python3-tk
 }
 
 # The chromium of Ubuntu is a stub of a snap, which cannot read the folders of tests; they look for others themselves.
