@@ -77,7 +77,12 @@ int ed_space_solve(ed_space *space, int n, double *right_sides);
 /* Displacements of the nodes (n x n_nodes x 6) and end forces (n x n_members x 12; may be NULL) of n solutions over the equations. */
 int ed_space_expand(ed_space *space, int n, const double *solution, double *displacements, double *end_forces);
 
-/* The least factor > 0 of the axial forces (n_members, tension > 0) at which the frame buckles by bending, *factor infinite if none does. */
+/* Buckling by bending, K + factor K_G singular. Shapes are over the equations and, behind them, the amplitudes of how members with an axial
+ * force bow between their nodes, in which K is the unit matrix and has no terms with the equations. axial: n_members, tension > 0. */
+int ed_space_shape_length(const ed_space *space, const double *axial);
+/* -K_G times n shapes: n x ed_space_shape_length. */
+int ed_space_geometric(ed_space *space, const double *axial, int n, const double *shape, double *image);
+/* The least factor > 0 of the axial forces, *factor infinite if none does. */
 int ed_space_critical(ed_space *space, const double *axial, double *factor);
 
 /* Combination of modal values: result_q = sqrt(r_q^T rho r_q). values: n_modes x n, one mode after the other; rho: n_modes x n_modes,

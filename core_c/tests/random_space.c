@@ -163,7 +163,11 @@ static void call_critical(caller *c, building *b)
   double *axial = values_between(c, b->members, 1e2, 1e6), factor = NAN;
   const int status = expect_listed(c, ed_space_critical(b->space, axial, &factor));
   CHECK(status < 0 || factor > 0.0);
-  free(axial);
+  const int length = ed_space_shape_length(b->space, axial);
+  double *shape = values_between(c, length, 1e-3, 1.0), *image = room(length);
+  const int multiplied = expect_listed(c, ed_space_geometric(b->space, axial, 1, shape, image));
+  expect_finite(multiplied, image, length);
+  free(axial), free(shape), free(image);
 }
 
 static void call_change(caller *c, building *b)

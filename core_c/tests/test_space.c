@@ -180,7 +180,7 @@ static void check_change(void)
   ed_space_free(space);
 }
 
-/* Guided columns, one member each: 10 EI / H^2 for pi^2; the weaker plane. */
+/* Guided columns, one member each, by pi^2 EI / H^2 in the weaker plane: polynomials of the sixth degree for the slope. */
 static void check_critical(void)
 {
   frame f;
@@ -189,10 +189,41 @@ static void check_critical(void)
   const double pressed[MEMBERS] = {-1.0, -1.0, -1.0, -1.0}, pulled[MEMBERS] = {1.0, 1.0, 1.0, 0.0}, odd[MEMBERS] = {NAN};
   double factor;
   CHECK_STATUS(ed_space_critical(space, pressed, &factor), ED_OK);
-  CHECK_NEAR(factor * H * H / (E * 1e-4), 10.0, 1e-9);
+  CHECK_NEAR(factor * H * H / (E * 1e-4), M_PI * M_PI, 1e-7);
   CHECK_STATUS(ed_space_critical(space, pulled, &factor), ED_OK);
   CHECK(isinf(factor));
   CHECK_STATUS(ed_space_critical(space, odd, &factor), ED_E_NOT_FINITE);
+  ed_space_free(space);
+}
+
+/* Of columns that sway without bows 1.2 N / H each; symmetric, bows and all. */
+static void check_geometric(void)
+{
+  enum { SHAPES = 3 };
+  frame f;
+  make(&f);
+  ed_space *space = made(&f);
+  const double axial[MEMBERS] = {-1.0, -2.0, 0.0, -4.0}, odd[MEMBERS] = {NAN};
+  const int length = ed_space_shape_length(space, axial), equations = ed_space_n_equations(space);
+  CHECK((length - equations) % 3 == 0 && length > equations); /* of three members */
+  int *equation = malloc((6 * (size_t)f.input.n_nodes + 3) * sizeof *equation);
+  double *shape = calloc(SHAPES * (size_t)length, sizeof *shape), *image = malloc(SHAPES * (size_t)length * sizeof *image);
+  ed_space_equations(space, equation);
+  const int sway = equation[6 * f.input.n_nodes];
+  shape[sway] = 1.0;
+  for (int i = length; i < SHAPES * length; i++)
+    shape[i] = sin(1.0 + 3.0 * i);
+  CHECK_STATUS(ed_space_geometric(space, axial, SHAPES, shape, image), ED_OK);
+  CHECK_NEAR(image[sway], 1.2 * 7.0 / H, 1e-12);
+  double one = 0.0, other = 0.0;
+  for (int i = 0; i < length; i++) {
+    one += shape[length + i] * image[2 * length + i];
+    other += shape[2 * length + i] * image[length + i];
+  }
+  CHECK_NEAR(one, other, 1e-12);
+  CHECK_STATUS(ed_space_geometric(space, axial, -1, shape, image), ED_E_ARGUMENT);
+  CHECK_STATUS(ed_space_geometric(space, odd, 1, shape, image), ED_E_NOT_FINITE);
+  free(equation), free(shape), free(image);
   ed_space_free(space);
 }
 
@@ -269,6 +300,7 @@ int main(void)
   check_loads();
   check_change();
   check_critical();
+  check_geometric();
   check_combine();
   check_refusals();
   return checks_end("space frames");

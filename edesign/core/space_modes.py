@@ -14,6 +14,7 @@ class SpaceModes:
     Attributes:
         omega: (k,) rad/s.
         period: (k,) s.
+        shapes: (k, n_equations) over the equations of the model.
         floor_shapes: (k, f, 3) Ux, Uy, Rz of the masters.
         displacements: (k, n, 6) of the nodes.
         participation: (k, 3) factors for ground motion along x, along y (sqrt(kg)), about a vertical axis (m sqrt(kg)).
@@ -23,6 +24,7 @@ class SpaceModes:
 
     omega: np.ndarray
     period: np.ndarray
+    shapes: np.ndarray
     floor_shapes: np.ndarray
     displacements: np.ndarray
     participation: np.ndarray

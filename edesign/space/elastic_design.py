@@ -324,7 +324,7 @@ class ElasticAnalysis:
         height = np.array(building.storey_heights)
         gravity = gravity_above(frame, self.seismic[0].static)
         of_storeys = {axis: storeys(response[axis], height, gravity, design) for axis in AXES}
-        sway = self._sway.stability(model, frame, every, self._properties[0], static, self.fundamental)
+        sway = self._sway.stability(model, frame, every, static, self.fundamental)
         acting, persistent = sway.added(effects(frame, static, response, of_storeys)), sway.rows
         if self._reduction is not None:
             acting, persistent = self._reduction.added(acting), self._reduction.rows(persistent)

@@ -6,10 +6,11 @@ Two bays of 6 m, two storeys of 3.5 m, columns HEB200, beams IPE400 under 38.9 k
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 from building_examples import bending_only, building, design_of, portals
 
-from edesign.space.analysis.sway import critical_factors, geometric_stiffness
+from edesign.space.analysis.sway import critical_factors
 from edesign.space.elastic_design import elastic_design
 
 FRAME = (
@@ -20,18 +21,19 @@ FRAME = (
 
 @pytest.mark.parametrize(("feet", "published"), [("fixed", 27.06), ("pinned", 6.79)])
 def test_alpha_cr(feet: str, published: float) -> None:
-    """Bending alone, as the published frame has it: 0.8 % and 1.7 % above, for columns that bend as under one force.
+    """Bending alone, as the published frame has it: within 0.7 %, fixed below and pinned above.
 
-    With shear deformation, as `run` has it, 25.85 and 6.78: the storey formula's 8.06 is 19 % above the frame.
+    With shear deformation, as `run` has it, 25.20 and 6.66: at 11.8 MN N / G A_s of the middle column is 6 %. The
+    storey formula's 8.06 is 19 % above the frame. A factor from 10 on is exact within 2 %.
     """
     of = building(FRAME, ("supports: fixed", f"supports: {feet}"))
     found = elastic_design(of)
-    frame, model, properties = bending_only(of)
+    frame, model, _ = bending_only(of)
     modes = model.modes(frame.node_mass)
-    compression = -found.static.internal[:, frame.columns, 3, 0]
-    geometric = geometric_stiffness(frame, modes, properties, compression)[0]
-    assert 1.0 < critical_factors(modes, geometric, frame.node_mass.sum())[0] / published < 1.02
-    assert found.sway.alpha_cr[0, 0] == pytest.approx({"fixed": 25.85, "pinned": 6.78}[feet], abs=0.005)
+    axial = np.zeros(len(frame.members))
+    axial[frame.columns] = found.static.internal[0, frame.columns, 3, 0]
+    assert critical_factors(model, modes, axial, frame.node_mass.sum())[0] == pytest.approx(published, rel=0.007)
+    assert found.sway.alpha_cr[0, 0] == pytest.approx({"fixed": 25.20, "pinned": 6.66}[feet], abs=0.005)
 
 
 def test_initial_sway_and_its_forces() -> None:

@@ -170,8 +170,7 @@ int ed_space_build_pattern(ed_space *s)
   if (status != ED_OK)
     return status;
   s->matrix = malloc(((size_t)s->nnz + 1) * sizeof *s->matrix);
-  s->geometric = malloc(((size_t)s->nnz + 1) * sizeof *s->geometric);
-  if (!s->matrix || !s->geometric)
+  if (!s->matrix)
     return ED_E_MEMORY;
   for (int i = 0; i < s->n; i++) {
     s->diagonal[i] = place_of(s, i, i);

@@ -1,6 +1,8 @@
-/* The lowest critical load factor: K phi = -lambda K_G phi by Lanczos' method on K^-1 (-K_G), symmetric in the product with K (Ericsson &
- * Ruhe 1980). Its largest eigenvalue is 1 / lambda. That none was passed over is proved by the pivots of K + lambda K_G just below
- * lambda: all positive (Sylvester's law of inertia). */
+/* Buckling: K phi = -lambda K_G phi. Shapes are over the equations and, behind them, the amplitudes of the bows of all members with an axial
+ * force; over these K is 1. The lowest factor is found by Lanczos' method on K^-1 (-K_G), symmetric in the product with K (Ericsson & Ruhe
+ * 1980). Its largest eigenvalue is 1 / lambda. That none was passed over is proved by the pivots of K + lambda K_G just below lambda: all
+ * positive (Sylvester's law of inertia). */
+#include "space/bow.h"
 #include "space/space.h"
 
 #include <math.h>
@@ -30,14 +32,87 @@ static double dot(int n, const double *a, const double *b)
   return sum;
 }
 
-static void multiply_geometric(const ed_space *s, const double *x, double *y)
+/* What the axial forces act through. */
+typedef struct {
+  int count; /* of members with a force */
+  ed_space_bowed *bowed;
+  double *moved, *force; /* of the nodes, 6 each */
+} pressed_frame;
+
+static int length(const ed_space *s, int bowed)
 {
-  for (int j = 0; j < s->n; j++) { /* symmetric: a column is a row */
-    double sum = 0.0;
-    for (int k = s->column_start[j]; k < s->column_start[j + 1]; k++)
-      sum -= s->geometric[k] * x[s->row[k]];
-    y[j] = sum;
+  return s->n + 2 * ED_BOWS * bowed;
+}
+
+static void multiply_geometric(const ed_space *s, const pressed_frame *f, const double *x, double *y)
+{
+  memset(f->force, 0, 6 * (size_t)s->n_nodes * sizeof *f->force);
+  memset(y, 0, (size_t)length(s, f->count) * sizeof *y);
+  ed_space_spread(s, x, f->moved);
+  for (int i = 0; i < f->count; i++) {
+    const ed_space_member *m = &s->member[f->bowed[i].member];
+    const int start = 6 * m->node[0], end = 6 * m->node[1], bows = length(s, i);
+    double force[12] = {0.0};
+    ed_member_add_geometric(m, &f->bowed[i], f->moved + start, f->moved + end, x + bows, force, y + bows);
+    for (int part = 0; part < 4; part++)
+      ed_member_add_global(m, force + 3 * part, f->force + (part < 2 ? start : end) + 3 * (part % 2));
   }
+  ed_space_reduce(s, f->force, y);
+  for (int i = 0; i < length(s, f->count); i++)
+    y[i] = -y[i];
+}
+
+int ed_space_shape_length(const ed_space *s, const double *axial)
+{
+  int count = 0;
+  for (int m = 0; m < s->n_members; m++)
+    count += axial[m] != 0.0;
+  return length(s, count);
+}
+
+static int press(ed_space *s, const double *axial, pressed_frame *f)
+{
+  const size_t nodal = 6 * (size_t)s->n_nodes;
+  *f = (pressed_frame){0};
+  for (int m = 0; m < s->n_members; m++)
+    if (!isfinite(axial[m]))
+      return ed_space_fail(s, ED_E_NOT_FINITE, "member %s: its axial force is not a finite number", s->member_name[m]);
+  f->bowed = calloc((size_t)s->n_members, sizeof *f->bowed);
+  f->moved = malloc(2 * nodal * sizeof *f->moved);
+  if (!f->bowed || !f->moved)
+    return ed_space_fail(s, ED_E_MEMORY, "out of memory");
+  f->force = f->moved + nodal;
+  for (int m = 0; m < s->n_members; m++)
+    if (axial[m] != 0.0) {
+      f->bowed[f->count].member = m;
+      ed_member_bow(&s->member[m], axial[m], &f->bowed[f->count++]);
+    }
+  return ED_OK;
+}
+
+static void release(pressed_frame *f)
+{
+  free(f->bowed);
+  free(f->moved);
+}
+
+int ed_space_geometric(ed_space *s, const double *axial, int n, const double *shape, double *image)
+{
+  if (n < 0)
+    return ed_space_fail(s, ED_E_ARGUMENT, "the number of shapes is negative");
+  pressed_frame f;
+  int status = press(s, axial, &f);
+  const size_t each = (size_t)length(s, f.count);
+  for (int i = 0; status == ED_OK && i < n; i++) {
+    double *of = image + (size_t)i * each, sum = 0.0;
+    multiply_geometric(s, &f, shape + (size_t)i * each, of);
+    for (size_t j = 0; j < each; j++)
+      sum += fabs(of[j]);
+    if (!isfinite(sum))
+      status = ed_space_fail(s, ED_E_NOT_FINITE, "the geometric stiffness of the frame is not a finite number");
+  }
+  release(&f);
+  return status;
 }
 
 /* How many eigenvalues of the tridiagonal matrix lie above x (Sturm). */
@@ -110,18 +185,20 @@ static double begin(ed_space *s, lanczos *l)
   for (int i = 0; i < l->n; i++) {
     state = state * 6364136223846793005ULL + 1442695040888963407ULL;
     const double number = (double)(state >> 11) / 9007199254740992.0 - 0.5;
-    l->next[i] = number * sqrt(s->matrix[s->diagonal[i]]); /* no unit counts more */
+    l->next[i] = number * (i < s->n ? sqrt(s->matrix[s->diagonal[i]]) : 1.0); /* no unit counts more */
   }
   memcpy(l->image, l->next, (size_t)l->n * sizeof *l->image);
   ed_cholesky_solve(s->factors, l->next, 1);
   return sqrt(dot(l->n, l->next, l->image));
 }
 
-/* 1: all pivots of K + lambda K_G are positive. The factors of K are lost. */
-static int stable(ed_space *s, double lambda)
+/* 1: all pivots of K + lambda K_G are positive, those of the bows first. The factors of K are lost. */
+static int stable(ed_space *s, const pressed_frame *f, double lambda)
 {
-  for (int k = 0; k < s->nnz; k++)
-    s->matrix[k] += lambda * s->geometric[k];
+  for (int i = 0; i < f->count; i++)
+    if (!ed_member_pressed(&s->member[f->bowed[i].member], &f->bowed[i], lambda, &s->stiffness[f->bowed[i].member]))
+      return 0;
+  ed_space_assemble(s, 1, s->matrix);
   return ed_cholesky_factor(s->factors, s->matrix) == ED_OK;
 }
 
@@ -130,7 +207,7 @@ static int not_found(ed_space *s, const lanczos *l, double below)
   return ed_space_fail(s, ED_E_NOT_CONVERGED, "the critical load factor was not found in %d steps; it is below %g", l->steps, below);
 }
 
-static int iterate(ed_space *s, lanczos *l, int most, double *factor)
+static int iterate(ed_space *s, const pressed_frame *f, lanczos *l, int most, double *factor)
 {
   double before = 0.0, refuted = -HUGE_VAL;
   int proofs = 0;
@@ -142,7 +219,7 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
   for (;;) {
     const int j = l->steps - 1;
     const double *q = l->q + (size_t)j * (size_t)l->n;
-    multiply_geometric(s, q, l->image);
+    multiply_geometric(s, f, q, l->image);
     memcpy(l->next, l->image, (size_t)l->n * sizeof *l->next);
     ed_cholesky_solve(s->factors, l->next, 1);
     l->alpha[j] = dot(l->n, q, l->image);
@@ -154,13 +231,13 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
       return ed_space_fail(s, ED_E_NOT_FINITE, "the critical load factor is not a finite number");
     if (ended || (j > 0 && fabs(theta - before) <= SETTLED * bound(l))) {
       if (ended && theta <= NONE * bound(l)) { /* nothing but rounding: no axial force bends anything out */
-        const int none = bound(l) == 0.0 || stable(s, 1.0 / (NONE * bound(l))), status = ed_space_factor(s);
+        const int none = bound(l) == 0.0 || stable(s, f, 1.0 / (NONE * bound(l))), status = ed_space_factor(s);
         return status != ED_OK || none ? status : not_found(s, l, *factor);
       }
       if (theta > 0.0 && (ended || theta - refuted > SETTLED * bound(l))) {
         proofs++;
         refuted = theta;
-        const int proved = stable(s, (1.0 - PROVED) / theta), status = ed_space_factor(s);
+        const int proved = stable(s, f, (1.0 - PROVED) / theta), status = ed_space_factor(s);
         *factor = 1.0 / theta;
         if (status != ED_OK || proved)
           return status;
@@ -176,28 +253,28 @@ static int iterate(ed_space *s, lanczos *l, int most, double *factor)
 
 int ed_space_critical(ed_space *s, const double *axial, double *factor)
 {
-  int pressed = 0;
+  pressed_frame f;
+  int status = press(s, axial, &f), pressed = 0;
   *factor = HUGE_VAL;
-  for (int m = 0; m < s->n_members; m++) {
-    if (!isfinite(axial[m]))
-      return ed_space_fail(s, ED_E_NOT_FINITE, "member %s: its axial force is not a finite number", s->member_name[m]);
+  for (int m = 0; m < s->n_members; m++)
     pressed |= axial[m] < 0.0;
-    s->stiffness[m] = ed_member_geometric(&s->member[m], axial[m]);
+  if (status == ED_OK && pressed) {
+    const int n = length(s, f.count), most = n < STEPS ? n : STEPS;
+    const size_t basis = (size_t)most * (size_t)n;
+    double *room = malloc((2 * basis + 2 * (size_t)n + 2 * (size_t)most) * sizeof *room);
+    lanczos l = {.n = n, .q = room};
+    if (room) {
+      l.p = room + basis;
+      l.next = l.p + basis;
+      l.image = l.next + n;
+      l.alpha = l.image + n;
+      l.beta = l.alpha + most;
+      status = iterate(s, &f, &l, most, factor);
+    } else
+      status = ed_space_fail(s, ED_E_MEMORY, "out of memory");
+    free(room);
   }
-  if (!pressed)
-    return ED_OK;
-  ed_space_assemble(s, 0, s->geometric);
-  const int most = s->n < STEPS ? s->n : STEPS;
-  const size_t basis = (size_t)most * (size_t)s->n;
-  double *room = malloc((2 * basis + 2 * (size_t)s->n + 2 * (size_t)most) * sizeof *room);
-  if (!room)
-    return ed_space_fail(s, ED_E_MEMORY, "out of memory");
-  lanczos l = {.n = s->n, .q = room, .p = room + basis, .next = room + 2 * basis};
-  l.image = l.next + s->n;
-  l.alpha = l.image + s->n;
-  l.beta = l.alpha + most;
-  const int status = iterate(s, &l, most, factor);
-  free(room);
+  release(&f);
   if (status != ED_OK)
     *factor = HUGE_VAL;
   return status;

@@ -3,35 +3,29 @@
 #include <math.h>
 #include <string.h>
 
-/* What a plane of the member bends and shears by. */
-typedef struct {
-  double EI, shear; /* shear: 1 / (G A_s L), 0: no shear deformation */
-} plane;
-
-static plane plane_y(const ed_space_member *m)
+ed_space_plane ed_member_plane_y(const ed_space_member *m)
 {
   const double GA = m->property[ED_G] * m->property[ED_A_Z];
-  return (plane){m->property[ED_E] * m->property[ED_I_Y], GA > 0.0 ? 1.0 / (GA * m->length) : 0.0};
+  return (ed_space_plane){m->property[ED_E] * m->property[ED_I_Y], GA > 0.0 ? 1.0 / (GA * m->length) : 0.0};
 }
 
-static plane plane_z(const ed_space_member *m)
+ed_space_plane ed_member_plane_z(const ed_space_member *m)
 {
   const double GA = m->property[ED_G] * m->property[ED_A_Y];
-  return (plane){m->property[ED_E] * m->property[ED_I_Z], GA > 0.0 ? 1.0 / (GA * m->length) : 0.0};
+  return (ed_space_plane){m->property[ED_E] * m->property[ED_I_Z], GA > 0.0 ? 1.0 / (GA * m->length) : 0.0};
 }
 
-/* Rotations of the end sections from the chord under unit moments there, 11 12 22, by bending and shear (Timoshenko). */
-static void flexibility(double length, plane p, double *f)
+void ed_member_flexibility(double length, ed_space_plane p, double *f)
 {
   f[0] = f[2] = length / (3.0 * p.EI) + p.shear;
   f[1] = -length / (6.0 * p.EI) + p.shear;
 }
 
 /* Moments under rotations of the nodes from the chord, springs in series with the ends. */
-static void with_springs(double length, plane p, double start, double end, double *k)
+static void with_springs(double length, ed_space_plane p, double start, double end, double *k)
 {
   double f[3];
-  flexibility(length, p, f);
+  ed_member_flexibility(length, p, f);
   k[0] = k[1] = k[2] = 0.0;
   if (start > 0.0 && end > 0.0) {
     const double f11 = f[0] + 1.0 / start, f22 = f[2] + 1.0 / end, determinant = f11 * f22 - f[1] * f[1];
@@ -52,36 +46,8 @@ void ed_member_stiffness(ed_space_member *m)
   if (m->axial_only)
     return;
   k->torsion = m->property[ED_G] * m->property[ED_I_T] / m->length;
-  with_springs(m->length, plane_y(m), m->end[0], m->end[2], k->y);
-  with_springs(m->length, plane_z(m), m->end[1], m->end[3], k->z);
-}
-
-/* N L times the integral of the squared slope from the chord, over the rotations of the nodes. The slope between the springs is
- * t1 N1 + t2 N2 with N1 = 1 - x - b (6 x (1 - x) + phi), N2 = x - b (6 x (1 - x) + phi), phi = 12 EI / (GA L^2), b = 1 / (2 (1 + phi)), in
- * which t are the rotations of the end sections; these follow from the moments, t = f k tau. */
-static void bent(double force, double length, plane p, const double *k, double *geometric)
-{
-  const double phi = 12.0 * p.EI / length * p.shear, b = 0.5 / (1.0 + phi);
-  const double square = b * b * (1.2 + 2.0 * phi + phi * phi);
-  const double g11 = square - 1.0 / 6.0, g12 = square - 1.0 / 3.0;
-  double f[3];
-  flexibility(length, p, f);
-  const double s11 = f[0] * k[0] + f[1] * k[1], s12 = f[0] * k[1] + f[1] * k[2];
-  const double s21 = f[1] * k[0] + f[2] * k[1], s22 = f[1] * k[1] + f[2] * k[2];
-  const double a11 = g11 * s11 + g12 * s21, a12 = g11 * s12 + g12 * s22, a21 = g12 * s11 + g11 * s21, a22 = g12 * s12 + g11 * s22;
-  geometric[0] = force * length * (s11 * a11 + s21 * a21);
-  geometric[1] = force * length * (s11 * a12 + s21 * a22);
-  geometric[2] = force * length * (s12 * a12 + s22 * a22);
-}
-
-ed_space_stiffness ed_member_geometric(const ed_space_member *m, double force)
-{
-  ed_space_stiffness g = {.across = force / m->length};
-  if (!m->axial_only) {
-    bent(force, m->length, plane_y(m), m->stiffness.y, g.y);
-    bent(force, m->length, plane_z(m), m->stiffness.z, g.z);
-  }
-  return g;
+  with_springs(m->length, ed_member_plane_y(m), m->end[0], m->end[2], k->y);
+  with_springs(m->length, ed_member_plane_z(m), m->end[1], m->end[3], k->z);
 }
 
 /* a[i] b[j] of local axes, added to a 3 x 3 block. */
@@ -151,8 +117,7 @@ void ed_member_add_global(const ed_space_member *m, const double *local, double 
     global[i] += m->axis[0][i] * local[0] + m->axis[1][i] * local[1] + m->axis[2][i] * local[2];
 }
 
-/* End forces of moments about y and z at both ends and of what acts along and across. */
-static void add_end_moments(double length, double y1, double y2, double z1, double z2, double *force)
+void ed_member_add_end_moments(double length, double y1, double y2, double z1, double z2, double *force)
 {
   const double V_y = -(z1 + z2) / length, V_z = (y1 + y2) / length;
   force[1] -= V_y;
@@ -183,7 +148,7 @@ void ed_member_add_forces(const ed_space_member *m, const double *start, const d
   force[9] += T;
   const double y1 = r1[1] + D[2] / m->length, y2 = r2[1] + D[2] / m->length;
   const double z1 = r1[2] - D[1] / m->length, z2 = r2[2] - D[1] / m->length;
-  add_end_moments(m->length, k->y[0] * y1 + k->y[1] * y2, k->y[1] * y1 + k->y[2] * y2, k->z[0] * z1 + k->z[1] * z2,
+  ed_member_add_end_moments(m->length, k->y[0] * y1 + k->y[1] * y2, k->y[1] * y1 + k->y[2] * y2, k->z[0] * z1 + k->z[1] * z2,
                   k->z[1] * z1 + k->z[2] * z2, force);
 }
 
@@ -199,7 +164,7 @@ static void add_held(const ed_space_member *m, const double *load, double share,
   if (m->axial_only)
     return;
   const double E = m->property[ED_E], z = load[1] / (E * m->property[ED_I_Z]), y = -load[2] / (E * m->property[ED_I_Y]);
-  add_end_moments(m->length, -y * (k->y[0] * t1 + k->y[1] * t2), -y * (k->y[1] * t1 + k->y[2] * t2), -z * (k->z[0] * t1 + k->z[1] * t2),
+  ed_member_add_end_moments(m->length, -y * (k->y[0] * t1 + k->y[1] * t2), -y * (k->y[1] * t1 + k->y[2] * t2), -z * (k->z[0] * t1 + k->z[1] * t2),
                   -z * (k->z[1] * t1 + k->z[2] * t2), force);
 }
 

@@ -20,10 +20,20 @@ typedef struct {
   ed_space_stiffness stiffness;
 } ed_space_member;
 
+/* What a plane of the member bends and shears by. */
+typedef struct {
+  double EI, shear; /* shear: 1 / (G A_s L), 0: no shear deformation */
+} ed_space_plane;
+
+ed_space_plane ed_member_plane_y(const ed_space_member *member);
+ed_space_plane ed_member_plane_z(const ed_space_member *member);
+/* Rotations of the end sections from the chord under unit moments there, 11 12 22, by bending and shear (Timoshenko). */
+void ed_member_flexibility(double length, ed_space_plane plane, double *flexibility);
+
 /* Stiffness from length, properties and springs. */
 void ed_member_stiffness(ed_space_member *member);
-/* Geometric stiffness of an axial force (tension > 0): that of the bent member, consistent with its elastic shape between the springs. */
-ed_space_stiffness ed_member_geometric(const ed_space_member *member, double axial);
+/* Adds end forces of moments about y and z at both ends. */
+void ed_member_add_end_moments(double length, double y1, double y2, double z1, double z2, double *force);
 /* Global matrix, 12 x 12, of which the lower triangle is set. */
 void ed_member_matrix(const ed_space_member *member, const ed_space_stiffness *k, double *matrix);
 /* Adds the end forces under displacements of both nodes (6 each, global). */

@@ -198,7 +198,7 @@ void ed_space_free(ed_space *space)
     return;
   void *all[] = {space->node,  space->floor,        space->member,       space->member_name, space->name,      space->column_start,
                  space->row,   space->diagonal,     space->scale,        space->work,        space->stiffness, space->saved,
-                 space->place, space->spring_place, space->spring_value, space->matrix,      space->geometric};
+                 space->place, space->spring_place, space->spring_value, space->matrix};
   ed_cholesky_free(space->factors);
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     free(all[i]);

@@ -44,7 +44,6 @@ struct ed_space {
   int *spring_place;
   double *spring_value;
   double *matrix;               /* nnz + 1 */
-  double *geometric;            /* nnz + 1, of given axial forces */
   ed_space_stiffness *stiffness; /* n_members: what is being assembled */
   double *saved;                /* properties before a change */
   double length;                /* mean of the members */

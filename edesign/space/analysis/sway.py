@@ -1,10 +1,9 @@
 """Sway stability of a building under vertical loads, EN 1993-1-1:2005, 5.2 and 5.3: alpha_cr and sway imperfections.
 
-alpha_cr is the least factor of the loads at which the building sways. The shapes among which it is sought are those
-that horizontal forces at the nodes with mass give the structure: all combinations of its natural modes. A column that
-buckles between its nodes, which stand still, is none of them, and cannot be mistaken for sway. The geometric stiffness
-is that of the bent members, so that the factor is that of the frame and not of the storey formula, which leaves out the
-bending of columns under their own load and is up to 22 % too large (feet on hinges).
+alpha_cr is the least factor of the loads at which the building sways: an eigenvalue of the whole frame, in which
+columns bow between their nodes too (P-small-delta). A column near its own buckling load gives way to the sway, and
+leans on the others. A shape in which columns bow and floors hardly move is that of members, which 6.3 checks; it cannot
+be mistaken for sway (docs/theory/sway_stability.md).
 
 The loads find their way to the ground without braces (EN 1998-1, 6.7.2(1)P); what holds them upright has its braces.
 """
@@ -15,13 +14,13 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-import scipy
 
 from edesign.codes.criterion import Criterion, at_least
 from edesign.codes.ec3.imperfections import AMPLIFICATION, FIRST_ORDER, initial_sway, sway_amplification
 from edesign.codes.ec8.modal_combination import LARGE_MODE
 from edesign.codes.en1990.combinations import Combination
-from edesign.core.space import PROPERTIES, SpaceModel
+from edesign.core.space import SpaceModel
+from edesign.core.space_buckling import BucklingShapes, buckling_shapes
 from edesign.core.space_modes import SpaceModes
 from edesign.space.analysis.effects import Effects
 from edesign.space.analysis.response import STATIONS, StaticResponse
@@ -31,7 +30,9 @@ from edesign.space.structure.model import TENSION_ONLY_SHARE
 
 STABLE = "EN 1993-1-1, 5.2.2(6)"
 """Clause of the criterion on alpha_cr."""
-_MOMENTS = [4, 10, 5, 11]  # M_y at both ends, M_z at both ends, in end forces
+COUNTED = (AMPLIFICATION - 1.0) / (FIRST_ORDER - 1.0)
+"""Sum of the shares of sway at which shapes count. A share e with the factor alpha adds e / (alpha - 1) to the effects
+of sway. What is left out adds less than 1 / (10 - 1) to them, which 5.2.1(3) neglects, if alpha is at least 3."""
 
 
 @dataclass(frozen=True)
@@ -97,7 +98,6 @@ class SwayAnalysis:
         model: SpaceModel,
         frame: SpaceFrame,
         modes: SpaceModes,
-        properties: np.ndarray,
         static: StaticResponse,
         combinations: Sequence[Combination],
     ) -> SwayStability:
@@ -107,7 +107,6 @@ class SwayAnalysis:
             model: that resists horizontal forces, with its braces.
             frame: with the sections of the members.
             modes: all natural modes of the model.
-            properties: (n_members, 8) of the members in the model.
             static: effects of the load cases.
             combinations: persistent ones.
         """
@@ -116,8 +115,9 @@ class SwayAnalysis:
             mass, modes = self._mass, model.modes(self._mass)
         factors = np.array([[row.static.get(case, 0.0) for case in static.names] for row in combinations])
         compression = -factors @ static.internal[:, frame.columns, STATIONS.size // 2, 0]
-        geometric = geometric_stiffness(frame, modes, properties, compression)
-        alpha_cr = np.array([critical_factors(modes, of, float(mass.sum())) for of in geometric])
+        axial = np.zeros((len(combinations), len(frame.members)))
+        axial[:, frame.columns] = -compression
+        alpha_cr = np.array([critical_factors(model, modes, of, float(mass.sum())) for of in axial])
         counted = np.clip(alpha_cr[:, :2], AMPLIFICATION, None)
         amplification = np.array([[sway_amplification(float(of)) for of in row] for row in counted])
         phi = np.array([[self._initial_sway(frame, of, axis) for axis in AXES] for of in compression])
@@ -179,69 +179,45 @@ class SwayAnalysis:
         return replace(found, cases=tuple(cases), internal=internal * alone[:, None, None], rows=tuple(rows))
 
 
-def geometric_stiffness(
-    frame: SpaceFrame, modes: SpaceModes, properties: np.ndarray, compression: np.ndarray
-) -> np.ndarray:
-    """Return what compression of the columns takes from the stiffness in the modes, (n_combinations, n_modes, n_modes).
+def critical_factors(
+    model: SpaceModel, modes: SpaceModes, axial: np.ndarray, mass: float
+) -> tuple[float, float, float]:
+    """Return alpha_cr along x, along y and of all shapes that sway; infinite where nothing sways under the forces.
 
-    It is N times the integral of the products of slopes along each column: of its chord, and of the bent column from
-    its chord. The latter follows from the moments at the ends. The end sections turn from the chord by
-    t_1 = (L/3EI + 1/GA_sL) M_1 + (-L/6EI + 1/GA_sL) M_2, t_2 likewise, and with phi = 12 EI / (G A_s L2)
-
-        integral = L [(s - 1/4) (t_1 + t_2)2 + (t_1 - t_2)2 / 12],  s = (1.2 + 2 phi + phi2) / (4 (1 + phi)2)
-
-    Args:
-        frame: places of the members.
-        modes: natural modes.
-        properties: (n_members, 8) in the order of `PROPERTIES`.
-        compression: (n_combinations, n_columns) N.
-
-    Source: Przemieniecki (1968), chapter 15, with the shear deformation of Timoshenko's beam.
-    """
-    columns = frame.columns
-    start, end = (nodes[columns] for nodes in frame.ends)
-    L, of = frame.length[columns], dict(zip(PROPERTIES, properties[columns].T, strict=True))
-    apart = modes.displacements[:, end, :2] - modes.displacements[:, start, :2]
-    moments = modes.end_forces[:, columns[:, None], _MOMENTS]
-    slopes, weights = [apart[:, :, 0], apart[:, :, 1]], [1.0 / L] * 2
-    for number, (inertia, area) in enumerate(((of["I_y"], of["A_z"]), (of["I_z"], of["A_y"]))):
-        EI, GA = of["E"] * inertia, of["G"] * area
-        shear = np.divide(1.0, GA * L, out=np.zeros_like(L), where=GA > 0.0)
-        phi = 12.0 * EI * shear / L
-        square = (1.2 + 2.0 * phi + phi**2) / (4.0 * (1.0 + phi) ** 2)
-        one, other = moments[:, :, 2 * number], moments[:, :, 2 * number + 1]
-        slopes += [(L / (6.0 * EI) + 2.0 * shear) * (one + other), L / (2.0 * EI) * (one - other)]
-        weights += [L * (square - 0.25), L / 12.0]
-    every, weight = np.concatenate(slopes, axis=1), np.array(weights)
-    return np.stack([(every * (weight * N).ravel()) @ every.T for N in compression])
-
-
-def critical_factors(modes: SpaceModes, geometric: np.ndarray, mass: float) -> tuple[float, float, float]:
-    """Return alpha_cr along x, along y and of all shapes; infinite where nothing sways under the loads.
+    Of the strain energy of a buckling shape a share e moves the floors; the rest bends members between floors that
+    stand still. Shapes with e near 1 sway, with e near 0 they are those of members. Where members are about to buckle
+    together with a storey, its sway is spread over several shapes. alpha_cr is therefore the factor of the shape at
+    which the sum of e over the shapes up to it reaches `COUNTED`.
 
     A shape belongs to a direction if at least 5 % of the mass moves with it there, as a mode that counts in EN 1998-1,
-    4.3.3.3.1(3); without any of these all shapes do.
+    4.3.3.3.1(3). All others, twist above all, are looked at for themselves. A direction without any has the least.
 
     Args:
-        modes: natural modes, of generalised mass 1.
-        geometric: (n_modes, n_modes) by `geometric_stiffness`.
+        model: of the frame.
+        modes: all its natural modes, of generalised mass 1: together all shapes under horizontal forces.
+        axial: (n_members,) N, tension positive.
         mass: that moves, kg.
 
-    Returns:
-        alpha_cr along x, along y, and of all shapes.
-
-    Source: EN 1993-1-1:2005, 5.2.1(3), Eq. 5.1: K - alpha K_G singular. In natural modes K is diagonal, omega2.
+    Source: EN 1993-1-1:2005, 5.2.1(3), Eq. 5.1: K + alpha K_G singular.
     """
-    scaled = geometric / np.outer(modes.omega, modes.omega)
-    eigenvalues, shapes = scipy.linalg.eigh(0.5 * (scaled + scaled.T), check_finite=False, driver="evd")
-    sways = eigenvalues > 0.0
-    if not sways.any():
-        return np.inf, np.inf, np.inf
-    eigenvalues, shapes = eigenvalues[sways], shapes[:, sways] / modes.omega[:, None]
-    share = (modes.participation[:, :2].T @ shapes) ** 2 / ((shapes**2).sum(axis=0) * mass)
-    least = float(1.0 / eigenvalues[-1])
-    x, y = (float(1.0 / eigenvalues[moves][-1]) if moves.any() else least for moves in share >= LARGE_MODE)
-    return x, y, least
+
+    def numbers(found: BucklingShapes) -> list[int | None]:
+        """Return the shape that decides along x, along y, and of the others."""
+        moved = found.of_start / modes.omega
+        with np.errstate(invalid="ignore"):
+            share = (moved @ modes.participation[:, :2]) ** 2 / ((moved**2).sum(axis=1) * mass)[:, None]
+        x, y = share.T >= LARGE_MODE
+        e = np.where(np.isfinite(found.factor), (found.of_start**2).sum(axis=1), 0.0)
+        lost = [np.cumsum(np.where(of, e, 0.0)) >= COUNTED for of in (x, y, ~(x | y))]
+        return [int(of.argmax()) if of.any() else None for of in lost]
+
+    def wanted(found: BucklingShapes) -> list[int]:
+        return sorted({number for number in numbers(found) if number is not None})
+
+    found = buckling_shapes(model, axial, modes.shapes / modes.omega[:, None], wanted, FIRST_ORDER)
+    x, y, other = (np.inf if number is None else float(found.factor[number]) for number in numbers(found))
+    least = min(x, y, other)
+    return x if np.isfinite(x) else least, y if np.isfinite(y) else least, least
 
 
 def sway_criteria(stability: SwayStability, imperfections: bool) -> list[Criterion]:
