@@ -67,6 +67,7 @@ def _summary(design: ElasticDesign) -> Group:
             f"q_{axis}": of.spectrum.q,
             f"base_shear_{axis}_N": of.base_shear,
             f"base_shear_without_beta_{axis}_N": of.base_shear_without_beta,
+            f"F_b_{axis}_N": of.F_b,
             f"Omega_{axis}": design.overstrength[axis].Omega,
             f"Omega_member_{axis}": design.overstrength[axis].governing,
             f"alpha_cr_{axis}": float(design.sway.alpha_cr[:, AXES.index(axis)].min()),

@@ -34,6 +34,21 @@ def is_applicable(period: float, T_C: float) -> bool:
     return period <= min(4.0 * T_C, LONGEST_PERIOD)
 
 
+def base_shear(acceleration: float, mass: float, period: float, T_C: float, storeys: int) -> float:
+    """Return F_b = S_d(T_1) m lambda, N.
+
+    Args:
+        acceleration: S_d(T_1), m/s2.
+        mass: m, of all that is above the foundation, kg.
+        period: T_1 in the direction of the action, s.
+        T_C: corner period of the spectrum, s.
+        storeys: of the building.
+
+    Source: EN 1998-1:2004, 4.3.3.2.2(1)P, Eq. 4.5.
+    """
+    return acceleration * mass * correction_factor(period, T_C, storeys)
+
+
 def lateral_forces(base_shear: float, mass: np.ndarray, shape: np.ndarray) -> np.ndarray:
     """Return F_i = F_b s_i m_i / sum(s_j m_j), N, in the shape of `mass`.
 

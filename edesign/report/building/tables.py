@@ -149,10 +149,11 @@ def base_shear_table(results: BuildingResults) -> Table:
     mass = results.number("mass_kg")
     table = Table(
         "Seismic action",
-        ("direction", "q", "base shear [kN]", "by weight", "without beta", "Omega", "of"),
+        ("direction", "q", "base shear [kN]", "by weight", "without beta", "F_b [kN]", "Omega", "of"),
         name="seismic_action",
     )
     table.formulas = ()
+    lateral = "F_b_x_N" in results.group().attributes  # not in all archives
     for axis in AXES:
         shear = results.number(f"base_shear_{axis}_N")
         table.rows.append(
@@ -162,11 +163,17 @@ def base_shear_table(results: BuildingResults) -> Table:
                 number(shear, 4, 1e3),
                 number(shear / (mass * STANDARD_GRAVITY), 3),
                 number(results.number(f"base_shear_without_beta_{axis}_N"), 4, 1e3),
+                number(results.number(f"F_b_{axis}_N"), 4, 1e3) if lateral else "-",
                 number(results.number(f"Omega_{axis}"), 3),
                 results.text(f"Omega_member_{axis}"),
             ]
         )
     table.notes.append(f"mass {number(mass, 4, 1e3)} t; Omega: least overstrength of dissipative members")
+    if lateral:
+        table.notes.append(
+            "base shear: combined from the modes; F_b = S_d(T_1) m lambda: of the lateral force method, whose forces "
+            "F_i give static moments of accidental torsion (EN 1998-1, 4.3.3.2.2 and 4.3.3.3.3)"
+        )
     return table
 
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from edesign.codes.ec8 import DesignSpectrum, ElasticSpectrum
-from edesign.codes.ec8.lateral_force import lateral_forces
+from edesign.codes.ec8.lateral_force import base_shear, lateral_forces
 from edesign.codes.ec8.modal_combination import close_modes, cqc_coefficients
 from edesign.codes.ec8.torsion import accidental_eccentricity, accidental_moments
 from edesign.core.space import Points, SpaceModel, combine, combine_internal
@@ -58,8 +58,9 @@ class SeismicResponse:
         spectrum: design spectrum of this direction.
         acceleration: (n_modes,) S_d(T), m/s2.
         lower_bound: (n_modes,) whether beta a_g governs.
-        base_shear: N.
+        base_shear: combined from the modes, N.
         base_shear_without_beta: the base shear for beta = 0, N.
+        F_b: base shear of the lateral force method, which accidental torsion goes by, N.
         storey_shear: (n_storeys,) N.
         drift: (n_storeys,) d_e: the largest of the storey's columns, of the design spectrum without q_d, m.
         drift_elastic: (n_storeys,) the same of the elastic spectrum, m.
@@ -73,6 +74,7 @@ class SeismicResponse:
     lower_bound: np.ndarray
     base_shear: float
     base_shear_without_beta: float
+    F_b: float
     storey_shear: np.ndarray
     drift: np.ndarray
     drift_elastic: np.ndarray
@@ -113,8 +115,9 @@ class ResponseSpectrumAnalysis:
         """Return the effects of the seismic action in one direction, with accidental torsion.
 
         Torsion is a static load case of the moments e_ai F_i (4.3.3.3.3), whose effects are added to those of the modes
-        with the sign that adds, to drifts as well; or the masses of all floors stand e_ai to either side (4.3.2(1)P,
-        Eq. 4.3), and of every quantity the larger one of both sides counts, with all modes of either.
+        with the sign that adds, to drifts as well. F_i are the forces of the lateral force method (4.3.3.2.3), which
+        add up to F_b and not to the base shear of the modes. Or the masses of all floors stand e_ai to either side
+        (4.3.2(1)P, Eq. 4.3), and of every quantity the larger one of both sides counts, with all modes of either.
 
         Args:
             modes: of the masses in place; S_d is of their periods.
@@ -144,6 +147,7 @@ class ResponseSpectrumAnalysis:
             lower_bound=np.asarray(S_d > _without_beta(spectrum).acceleration(modes.period)),
             base_shear=max(one.base_shear, other.base_shear),
             base_shear_without_beta=max(one.base_shear_without_beta, other.base_shear_without_beta),
+            F_b=self._lateral_base_shear(modes, axis, spectrum),
             **larger,
         )
 
@@ -183,12 +187,11 @@ class ResponseSpectrumAnalysis:
         drift, storey = _modal_drift(self.frame, modes, direction)  # (k, columns)
         scaled = rho * np.outer(amplitude, amplitude)
         storey_shear = combine(shear.T, scaled)
-        twist = self._accidental_torsion(axis, float(storey_shear[0]), torsion)
+        F_b = self._lateral_base_shear(modes, axis, spectrum)
+        twist = self._accidental_torsion(axis, F_b, torsion)
 
-        def drifts(of: np.ndarray) -> np.ndarray:
-            base_shear = combine(shear[:, :1].T, rho * np.outer(of, of))[0]
-            torsional = twist.drift * base_shear / storey_shear[0]  # its lateral forces are those of this spectrum
-            found = combine(drift.T, rho * np.outer(of, of)) + torsional
+        def drifts(of: np.ndarray, lateral: float) -> np.ndarray:
+            found = combine(drift.T, rho * np.outer(of, of)) + twist.drift * lateral / F_b
             worst = np.zeros(self.frame.n_floors)
             np.maximum.at(worst, storey, found)
             return worst
@@ -203,26 +206,37 @@ class ResponseSpectrumAnalysis:
             lower_bound=np.asarray(S_d > free.acceleration(modes.period)),
             base_shear=float(storey_shear[0]),
             base_shear_without_beta=float(combine(shear[:, :1].T, rho * np.outer(amplitude_free, amplitude_free))[0]),
+            F_b=F_b,
             storey_shear=storey_shear,
-            drift=drifts(amplitude),
-            drift_elastic=drifts(amplitude_elastic),
+            drift=drifts(amplitude, F_b),
+            drift_elastic=drifts(amplitude_elastic, self._lateral_base_shear(modes, axis, self.elastic)),
             internal=internal + twist.internal,
             reactions=reactions + twist.reactions,
         )
 
-    def _accidental_torsion(self, axis: Axis, base_shear: float, ratio: float) -> _Twist:
-        """Return the effects of M_ai = e_ai F_i, F_i by the heights of the floors (Eq. 4.11), without sign."""
+    def _lateral_base_shear(self, modes: SpaceModes, axis: Axis, spectrum: DesignSpectrum | ElasticSpectrum) -> float:
+        """Return F_b (4.3.3.2.2); T_1 is the period of the mode in which most of the mass moves along the axis."""
+        T_1 = float(modes.period[modes.effective_mass_ratio[:, AXES.index(axis)].argmax()])
+        mass = float(self.frame.node_mass[self.frame.level_of_nodes > 0].sum())
+        corner = self.elastic.parameters.T_C
+        return base_shear(float(spectrum.acceleration(T_1)), mass, T_1, corner, self.frame.n_floors)
+
+    def _accidental_torsion(self, axis: Axis, F_b: float, ratio: float) -> _Twist:
+        """Return the effects of M_ai = e_ai F_i, F_i by the heights of all masses (Eq. 4.11), without sign.
+
+        Floors that are not rigid have a part of F_b, and nothing to turn.
+        """
         frame, level = self.frame, self.frame.level_of_nodes
         rigid = [int(np.flatnonzero(frame.node_floor == floor)[0]) for floor in diaphragm_floors(frame)]
         if ratio == 0.0 or not rigid:
             nothing = np.zeros((len(frame.members), STATIONS.size, 6))
             return _Twist(nothing, np.zeros(frame.columns.size), np.zeros((self.supports.nodes.size, 6)))
         floors = level[rigid]
-        mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)[floors]
+        mass = np.bincount(level, weights=frame.node_mass, minlength=frame.n_floors + 1)
         across = frame.coordinates[:, 1 - AXES.index(axis)]
         length = np.array([np.ptp(across[level == floor]) for floor in floors])
         nodal = np.zeros((len(frame.node_names), 6))
-        nodal[rigid, 5] = accidental_moments(lateral_forces(base_shear, mass, frame.levels[floors]), length, ratio)
+        nodal[rigid, 5] = accidental_moments(lateral_forces(F_b, mass, frame.levels)[floors], length, ratio)
         found = static_cases(self.model, (nodal_case(frame, "torsion", nodal),))
         start, end = (nodes[frame.columns] for nodes in frame.ends)
         moved = found.displacements[0][:, AXES.index(axis)]

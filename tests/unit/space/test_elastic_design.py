@@ -58,10 +58,45 @@ def test_accidental_torsion_of_a_symmetric_table() -> None:
     mass = plain.frame.node_mass.sum()
     K = [mass * plain.modes.omega[plain.modes.effective_mass_ratio[:, n].argmax()] ** 2 for n in (0, 1)]
     K_rz = K[0] * 4.0**2 + K[1] * 3.0**2
-    V = plain.response["x"].base_shear
-    expected = 0.05 * 8.0 * V / K_rz * 4.0  # displacement of the frames along x at y = -4 and 4 m
+    T_1 = plain.modes.period[plain.modes.effective_mass_ratio[:, 0].argmax()]
+    F_b = 2.5 * 1.2 * 2.5 / 4.0 * min(1.0, 0.5 / T_1) * mass  # one storey: lambda = 1; ground B, q = 4
+    assert plain.response["x"].F_b == pytest.approx(F_b, rel=1e-9)
+    expected = 0.05 * 8.0 * F_b / K_rz * 4.0  # displacement of the frames along x at y = -4 and 4 m
     extra = twisted.response["x"].drift[0] - plain.response["x"].drift[0]
     assert extra == pytest.approx(expected, rel=2e-3)
+
+
+@pytest.mark.parametrize("diaphragms", ["all", "[1, 3]"])
+def test_accidental_torsion_goes_by_the_lateral_force_method(diaphragms: str) -> None:
+    """EN 1998-1, 4.3.3.3.3(1): M_ai = e_ai F_i with F_i of 4.3.3.2.3, by hand; lambda is 1.0 along x, 0.85 along y.
+
+    Masses 5 kN/m2 + 0.3 2 kN/m2 on 6 m by 8 m, storeys of 4, 3 and 3.5 m, ground B, q = 4. The effects of the moments
+    are those of a static case of them (1e-6). A floor that is not rigid has its force, and no moment.
+    """
+    storeys = {"storeys": "4 m, 3 m, 3.5 m", "braces": "kind: cross, section: SHS140x6"}
+    text = braced_frames(**storeys).replace("HEB300", "HEB220").replace("IPE400", "IPE270") + (
+        "" if diaphragms == "all" else f"diaphragms: {diaphragms}\n"
+    )
+    plain, twisted = design_of(text, ("  systems", "  accidental_torsion: none\n  systems")), design_of(text)
+    frame, mass, z = plain.frame, 48.0 * 5.6e3 / 9.80665, np.array([4.0, 7.0, 10.5])
+    model = space_model(frame, plain.building.materials)
+    for axis, direction, across, factor in (("x", 0, 8.0, 1.0), ("y", 1, 6.0, 0.85)):
+        of, without = twisted.response[axis], plain.response[axis]  # type: ignore[index]
+        T_1 = plain.modes.period[plain.modes.effective_mass_ratio[:, direction].argmax()]
+        assert (T_1 <= 2.0 * 0.5) == (factor == 0.85) and T_1 > 0.15
+        S_d = 2.5 * 1.2 * 2.5 / 4.0 * min(1.0, 0.5 / T_1)
+        F_b = S_d * 3.0 * mass * factor
+        assert S_d > 0.2 * 2.5  # the lower bound does not govern
+        assert of.F_b == pytest.approx(F_b, rel=1e-9) and abs(of.F_b / of.base_shear - 1.0) > 0.02
+        moments = 0.05 * across * F_b * z / z.sum()
+        nodal = np.zeros((1, len(frame.node_names), 6))
+        for floor, moment in enumerate(moments, start=1):
+            if diaphragms == "all" or floor != 2:
+                nodal[0, frame.node_names.index(f"A1.{floor}"), 5] = moment
+        end_forces = model.static(nodal).end_forces
+        columns = frame.columns
+        extra = (of.internal - without.internal)[columns, 0, 4:]
+        np.testing.assert_allclose(extra, np.abs(end_forces[0, columns, 4:6]), rtol=1e-6, atol=1.0)
 
 
 def test_a_turned_table_gives_turned_results() -> None:

@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from edesign.codes.ec8.lateral_force import correction_factor, is_applicable, lateral_forces
+from edesign.codes.ec8.lateral_force import base_shear, is_applicable, lateral_forces
 from edesign.project.dampers.checks_designs import design_warnings
 from edesign.project.dampers.designs import SimplifiedDesign
 from edesign.study.design.building import Building
@@ -179,12 +179,12 @@ def static_response(
     corner = spectrum.corners["T_C"]
     across = frame.influence > 0.0
     mass = np.where(across, frame.mass, 0.0)
-    factor = correction_factor(1.0 / frequency, corner, building.heights.size)
-    base_shear = float(spectrum.acceleration(1.0 / frequency)) * float(mass.sum()) * factor
-    loads = lateral_forces(base_shear, mass, _shape(building, spec, modes))
+    period = 1.0 / frequency
+    F_b = base_shear(float(spectrum.acceleration(period)), float(mass.sum()), period, corner, building.heights.size)
+    loads = lateral_forces(F_b, mass, _shape(building, spec, modes))
     floors, _ = frame.static(loads, at_places.real)
     drift = np.abs(np.diff(floors, prepend=0.0)) / building.heights
-    return StaticResponse(k_D, frequency, moduli, added, drift, base_shear)
+    return StaticResponse(k_D, frequency, moduli, added, drift, F_b)
 
 
 def simplified_warnings(spec: SimplifiedDesign, action: Action, sizing: Sizing) -> list[str]:
