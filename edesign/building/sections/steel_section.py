@@ -132,7 +132,7 @@ def _rolled(shape: Profile) -> SteelSection:
     Source: A_vz EN 1993-1-1, 6.2.6(3)a with eta = 1, its safe value. A_vy: the flanges; (3)e for welded sections gives
         the same. A_z = h t_w and A_y = 5/6 of the flanges: exact to 5 % and, without the fillets, 10 % (finite
         elements). I_t and I_w (of the flanges): the formulas of the mills' tables (ArcelorMittal, Sections and
-        merchant bars, notations and formulae); finite elements give I_t within 4 %.
+        merchant bars, notations and formulae); finite elements give I_t of five within 2.5 %.
     """
     h, b, tw, tf, r = shape.h, shape.b, shape.tw, shape.tf, shape.r
     clear, arm = h - 2.0 * tf, 0.5 * (h - tf)

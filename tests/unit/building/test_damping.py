@@ -1,14 +1,16 @@
-"""Rayleigh coefficients."""
+"""Rayleigh coefficients, and the damping of members with hinges."""
 
 from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from edesign.building.damping import rayleigh_coefficients
+from edesign.building.hinges import _damping_factor
 from edesign.errors import InputError
 
 
@@ -29,3 +31,19 @@ def test_known_coefficients() -> None:
 def test_impossible_frequencies(pair: tuple[float, float]) -> None:
     with pytest.raises(InputError, match="Rayleigh damping needs"):
         rayleigh_coefficients(*pair, 0.02)
+
+
+@pytest.mark.parametrize("n", [1.0, 3.0, 10.0])
+def test_damping_of_a_member_with_hinges(n: float) -> None:
+    """Exact in double curvature, 1 + 2 / (3 n) in single curvature and nowhere more: flexibilities in series, by hand.
+
+    The member between its hinges of (n + 1) 6 E I / L has damping in proportion to its stiffness, times a factor.
+    """
+    EI, L = 3e7, 4.0
+    plain = L / EI * np.array([[1 / 3, -1 / 6], [-1 / 6, 1 / 3]])
+    hinge = L / (6.0 * EI * (n + 1.0))
+    inner = plain - hinge * np.eye(2)
+    turned = inner @ np.linalg.inv(plain)  # rotations of the member between the hinges under those of the ends
+    damping = _damping_factor([hinge, hinge], EI, L) * turned.T @ np.linalg.inv(inner) @ turned
+    ratios = np.linalg.eigvals(plain @ damping).real
+    np.testing.assert_allclose(sorted(ratios), [1.0, 1.0 + 2.0 / (3.0 * n)], rtol=1e-12)
