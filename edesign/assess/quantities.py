@@ -7,6 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.energy import energy_share
 from edesign.assess.envelopes import peak, residual
 from edesign.assess.measures import Located, storey_of
 from edesign.ground_motion.response_spectrum import response_spectra
@@ -34,7 +35,8 @@ def located_quantity(group: Group, asked: QuantityCriterion, project: Project) -
         The largest value over the chosen places; None where it does not apply, see `lacking`.
     """
     if asked.quantity == "energy_share":
-        return _energy_share(group, str(asked.term))
+        share = energy_share(group, str(asked.term))
+        return None if share is None else Located(share)
     place = QUANTITIES[asked.quantity].place
     if place == "frame":
         left = asked.quantity.startswith("residual_")
@@ -204,13 +206,6 @@ _COMPUTED: dict[str, Callable[[np.ndarray, np.ndarray, QuantityCriterion], np.nd
     "floor_spectral_acceleration": floor_spectral_acceleration,
     "damper_velocity": damper_velocity,
 }
-
-
-def _energy_share(group: Group, term: str) -> Located | None:
-    if "energy_final" not in group.variables:
-        return None
-    final = dict(zip(map(str, group.coords["energy_term"].values), group.variables["energy_final"].values, strict=True))
-    return Located(float(final[term] / final["input"])) if final["input"] > 0.0 else None
 
 
 def _known(value: float | None) -> float:

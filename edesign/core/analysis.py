@@ -167,6 +167,8 @@ class Analysis:
             end=recording.end,
             tail=recording.tail,
             energy_final=recording.energy_final,
+            start=recording.start,
+            energy_start=recording.energy_start,
         )
 
     def _check(self, status: int) -> None:
@@ -446,7 +448,7 @@ class Analysis:
                 kinds,
                 [int(i) for _, _, i, _ in channel.terms],
                 [int(k) for _, _, _, k in channel.terms],
-                channel.history or channel.tail,
+                channel.history or channel.tail or channel.start,
             )
             if status < 0:
                 message = ffi.string(lib.ed_analysis_message(self._c)).decode(errors="replace")

@@ -23,7 +23,8 @@ class Recording:
     Attributes:
         end: abscissa of the last row, nan without any.
         balance: of the energies.
-        energy_final: J of each of ENERGIES in the last row; empty without any.
+        start: of each channel that keeps it, in the first row; empty without any.
+        energy_start, energy_final: J of each of ENERGIES in the first and last row; empty without any.
 
     Args:
         channels: in the order of the core's.
@@ -49,8 +50,11 @@ class Recording:
     ) -> None:
         self.channels, self.limits, self.before = tuple(channels), dict(limits), before
         self.end, self.balance = float("nan"), EnergyBalance()
+        self.start: dict[str, float] = {}
+        self.energy_start: dict[str, float] = {}
         self.energy_final: dict[str, float] = {}
-        written = [channel for channel in channels if channel.history or channel.tail]
+        written = [channel for channel in channels if channel.history or channel.tail or channel.start]
+        self._starts = {channel.name: i for i, channel in enumerate(written) if channel.start}
         self._kept = {channel.name: i for i, channel in enumerate(written) if channel.history}
         self._tails = {channel.name: i for i, channel in enumerate(written) if channel.tail}
         self._every, self._seen, self._rows = every, 0, 0
@@ -78,6 +82,9 @@ class Recording:
         if not count:
             return
         self.end = float(self._abscissa[count - 1])
+        if not self._seen:
+            self.start = {name: float(self._values[0, column]) for name, column in self._starts.items()}
+            self.energy_start = dict(zip(ENERGIES, map(float, self._energy[0]), strict=True))
         self.energy_final = dict(zip(ENERGIES, map(float, self._energy[count - 1]), strict=True))
         given, missing = (self._energy[:count, ENERGIES.index(name)] for name in ("input", "residual"))
         self.balance.count(given, missing)

@@ -57,12 +57,14 @@ class Channel:
             `KINDS` the names.
         history: keep the samples, not only the extremes.
         tail: keep the samples of the last steps.
+        start: keep the value at the start of the run.
     """
 
     name: str
     terms: tuple[tuple[float, str, int, int], ...]
     history: bool = True
     tail: bool = False
+    start: bool = False
 
 
 @dataclass(frozen=True)
@@ -92,6 +94,8 @@ class Response:
         end: `time` of the last step.
         tail: of every channel with a tail, the last steps.
         energy_final: J of each of ENERGIES in the last step.
+        start: of every channel that keeps it, at the start of the run.
+        energy_start: J of each of ENERGIES at the start of the run: what runs before it have put in and left.
     """
 
     status: str
@@ -110,6 +114,8 @@ class Response:
     end: float = float("nan")
     tail: dict[str, np.ndarray] = field(default_factory=dict)
     energy_final: dict[str, float] = field(default_factory=dict)
+    start: dict[str, float] = field(default_factory=dict)
+    energy_start: dict[str, float] = field(default_factory=dict)
 
     def peak(self, name: str) -> float:
         """Return the largest magnitude of a channel.

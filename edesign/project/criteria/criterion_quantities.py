@@ -116,7 +116,10 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         kept="supports",
     ),
     "energy_share": ArchivedQuantity(
-        RATIO, "frame", "energy of `term` at the end over the energy put in until then", own=("term",)
+        RATIO,
+        "frame",
+        "energy of `term` at the end over the energy put in, both since the start of the record",
+        own=("term",),
     ),
 }
 """What a criterion may limit, by the name that it has in the archive."""

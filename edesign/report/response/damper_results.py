@@ -7,6 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.energy import final_energies, share_of_input
 from edesign.assess.envelopes import peak
 from edesign.report.tables.table import Table, number, whole
 
@@ -15,7 +16,6 @@ COLUMNS = (
     ("u [mm]", "damper_deformation", 1e-3),
     ("F [kN]", "damper_force", 1e3),
 )
-ENERGY = "energy_final"
 
 
 def dampers_table(groups: Mapping[str, Group]) -> Table:
@@ -33,7 +33,8 @@ def dampers_table(groups: Mapping[str, Group]) -> Table:
         worst = str(group.coords["damper"].values[int(np.argmax(deformation))]) if deformation is not None else "-"
         work = group.variables.get("damper_work_final")
         total = float(np.sum(work.values)) if work is not None else None
-        table.rows.append([name, *cells, worst, number(total, scale=1e3), number(_share(group, total), scale=0.01)])
+        share = share_of_input(final_energies(group), total)
+        table.rows.append([name, *cells, worst, number(total, scale=1e3), number(share, scale=0.01)])
     return table
 
 
@@ -102,12 +103,3 @@ def amplitude_notes(group: Group) -> list[str]:
 
 def _largest(values: np.ndarray | None, unit: float) -> str:
     return number(float(np.max(values)) if values is not None else None, scale=unit)
-
-
-def _share(group: Group, work: float | None) -> float | None:
-    energy = group.variables.get(ENERGY)
-    if energy is None or work is None:
-        return None
-    terms = [str(term) for term in group.coords["energy_term"].values]
-    given = float(energy.values[terms.index("input")])
-    return work / given if given > 0.0 else None

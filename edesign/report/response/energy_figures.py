@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from edesign.archive.reader import Archive
+from edesign.assess.energy import energies, share_of_input
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, grid_figure, label_outer, styled
-from edesign.report.response.histories import by_motion, histories, missing_text, names_of, with_results
+from edesign.report.response.histories import by_motion, histories, missing_text, with_results
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -38,9 +39,9 @@ def energy_figures(archive: Archive) -> Iterator[tuple[str, str, Figure]]:
     for (level, record), chosen in by_motion(own).items():
         found: dict[str, Energy] = {}
         for history, group in with_results(archive, chosen, "energy"):
-            table = group.variables["energy"].values
-            terms = {term: table[:, i] for i, term in enumerate(names_of(group, "energy_term"))}
-            found[history.variant] = (group.coords["time"].values, terms)
+            terms = energies(group)
+            if terms is not None:
+                found[history.variant] = (group.coords["time"].values, terms)
         if found:
             caption = f"Energy since the start of {chosen[0].motion}{at_level(level)}. {_numbers(found)}"
             yield file_name("energy", level, record), f"{caption}{missing_text(chosen)}", energy_figure(found)
@@ -89,11 +90,13 @@ def share(terms: Mapping[str, np.ndarray], part: str) -> np.ndarray:
 def _numbers(histories: Mapping[str, Energy]) -> str:
     texts = []
     for title, (_, terms) in histories.items():
-        total = float(terms["input"][-1])
-        parts: Sequence[str] = [
-            f"{label} {100.0 * float(share(terms, part)[-1]) / total:.0f} %"
+        final = {term: float(values[-1]) for term, values in terms.items()}
+        shares = {
+            label: share_of_input(final, final[part])
             for part, (label, _) in PARTS.items()
-            if part != "stored" and total > 0.0 and np.any(terms[part])
-        ]
-        texts.append(f"{title}: input {plain(1e-3 * total)} kJ, {', '.join(parts)}".strip(": "))
+            if part != "stored" and np.any(terms[part])
+        }
+        parts = [f"{label} {100.0 * value:.0f} %" for label, value in shares.items() if value is not None]
+        numbers = ", ".join([f"input {plain(1e-3 * final['input'])} kJ", *parts])
+        texts.append(f"{title}: {numbers}".strip(": "))
     return f"At the end {'; '.join(texts)}."

@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.energy import final_energies
 from edesign.assess.envelopes import peak
 from edesign.assess.measures import located_measure
 from edesign.assess.members import VariantMembers
@@ -49,11 +50,8 @@ def _energy(*terms: str) -> Measure:
     """The sum of terms of the energy at the end."""
 
     def of(group: Group) -> float | None:
-        final = group.variables.get("energy_final")
-        if final is None:
-            return None
-        known = [str(term) for term in group.coords["energy_term"].values]
-        return float(sum(final.values[known.index(term)] for term in terms))
+        final = final_energies(group)
+        return None if final is None else sum(final[term] for term in terms)
 
     return of
 

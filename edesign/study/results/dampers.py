@@ -34,8 +34,8 @@ def damper_quantities(frame: FrameModel, history: bool) -> list[Quantity]:
         found.append(Quantity("damper_strain", ("damper",), shape, cells, "1", label, keep=("max", "min")))
     found += _restrained_braces(frame)
     work = tuple(((1.0, "damper_work", n, 0),) for n in numbers)
-    label = "work done on the damper and its brace"
-    found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",)))
+    label = "work done on the damper and its brace in this analysis"
+    found.append(Quantity("damper_work", ("damper",), shape, work, "J", label, keep=("final",), since_start=True))
     return [*found, storey_damper_forces(frame, history)]
 
 

@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.energy import BEFORE
 from edesign.building.frame_model import FrameModel
 from edesign.core import ENERGIES, Channel, Response
 from edesign.project.analysis.outputs import HistoryKind
@@ -185,9 +186,13 @@ def store_residuals(
 
 def _store_energy(group: Group, response: Response, history: bool) -> None:
     coordinate(group, "energy_term", ENERGIES, "", "term of the energy balance")
+    before = np.array([response.energy_start.get(term, 0.0) for term in ENERGIES])
     if history:
-        table = np.array([response.energy[term] for term in ENERGIES]).T
+        table = np.array([response.energy[term] for term in ENERGIES]).T - before
         group.add("energy", ("time", "energy_term"), table, "J", "energy since the start of the record")
     if response.energy_final:
-        final = [response.energy_final[term] for term in ENERGIES]
-        group.add("energy_final", ("energy_term",), final, "J", "energy at the end")
+        final = np.array([response.energy_final[term] for term in ENERGIES]) - before
+        group.add("energy_final", ("energy_term",), final, "J", "energy since the start of the record, at the end")
+        group.add(
+            BEFORE, ("energy_term",), before, "J", "energy before the record, which the others leave out: gravity"
+        )

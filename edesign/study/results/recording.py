@@ -31,6 +31,7 @@ class Quantity:
         history: whether the value at every time is kept.
         keep: which of max, min, final are stored.
         tail: whether the values of the last steps are kept.
+        since_start: whether the final value counts from the start of the run.
     """
 
     name: str
@@ -42,6 +43,7 @@ class Quantity:
     history: bool = False
     keep: tuple[str, ...] = ("max", "min", "final")
     tail: bool = False
+    since_start: bool = False
 
     @property
     def keys(self) -> dict[int, str]:
@@ -50,7 +52,7 @@ class Quantity:
 
     def channels(self) -> list[Channel]:
         """Return the channels of the components that have terms."""
-        return [Channel(key, self.cells[i], self.history, self.tail) for i, key in self.keys.items()]
+        return [Channel(key, self.cells[i], self.history, self.tail, self.since_start) for i, key in self.keys.items()]
 
     def values(self, response: Response) -> np.ndarray:
         """Return the values at every time that was kept, (nt, *shape)."""
@@ -74,6 +76,8 @@ class Quantity:
             which: `max`, `min` or `final`.
         """
         found = {"max": response.maximum, "min": response.minimum, "final": response.final}[which]
+        if which == "final" and self.since_start:
+            found = {key: value - response.start.get(key, 0.0) for key, value in found.items()}
         return np.array([found[self._key(i)] if terms else 0.0 for i, terms in enumerate(self.cells)]).reshape(
             self.shape
         )

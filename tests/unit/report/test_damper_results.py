@@ -31,6 +31,7 @@ def group() -> Group:
         found.add(f"{name}_min", ("damper",), smallest, "1", name)
     found.add("damper_work_final", ("damper",), [10e3, 20e3], "J", "work")
     found.add("energy_final", ("energy_term",), [40e3, 30e3], "J", "energy")
+    found.add("energy_before", ("energy_term",), [50e3, 0.0], "J", "energy that gravity has put in")
     return found
 
 
