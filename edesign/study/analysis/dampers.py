@@ -50,6 +50,16 @@ def with_restrained_braces(project: Project, names: Iterable[str]) -> bool:
     return any(laws[name].restrained is not None for name in names)
 
 
+def without_dampers_in_modes(project: Project) -> bool:
+    """Return whether dampers stand that the fundamental period leaves out: all but buckling-restrained braces.
+
+    Args:
+        project: the validated project.
+    """
+    laws = device_laws(project)
+    return any(laws[name].restrained is None for name in laws_that_stand(project))
+
+
 VISCOUS_EFFECTS = ("relaxation_branch", "velocity_exponent")
 """Effects that add a force of their own which goes with the speed; others change or add what is there at rest."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from edesign.building.frame_model import FrameModel
 from edesign.building.masses import still_beams
 from edesign.errors import AnalysisError
 from edesign.ground_motion.plausibility import doubts
@@ -13,7 +14,7 @@ from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis,
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
 from edesign.project.criteria.checks_criteria import objective_level
-from edesign.project.criteria.criteria import MeasureCriterion
+from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
 from edesign.project.dampers.checks_designs import design_warnings
 from edesign.project.dampers.checks_placement import placement_warnings
 from edesign.project.dampers.placement import PlacementDesign
@@ -114,21 +115,10 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
         period = fundamental_period(project)
     except AnalysisError:
         period = None  # the analyses will say why
-    found = implausible(project, period if project.isolation is None else _held_period(project)) + slender_braces(
-        project, make_frame(project, dampers=True)
-    )
-    found += [*_damping_warnings(project, laws), *tuned_mass_advice(project)]
-    staying = [
-        name
-        for name, run in project.frame.members.items()
-        if isinstance(project.sections.get(run.section), ElasticSection)
-        and not isinstance(project.materials[run.material], ElasticMaterial)
-    ]
-    if staying:
-        found.append(
-            f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
-            "material; give plates or `rectangles` for a section that yields"
-        )
+    frame = make_frame(project, dampers=True)
+    found = implausible(project, period if project.isolation is None else _held_period(project))
+    found += slender_braces(project, frame) + _damping_warnings(project, laws) + tuned_mass_advice(project)
+    found += _staying_elastic(project, frame)
     given = project.integration.time_step if project.integration is not None else None
     if given is not None:
         passed = {name: r.time_step for name, r in records.items() if given > r.time_step * (1 + 1e-9)}
@@ -147,6 +137,23 @@ def frame_warnings(project: Project, records: Mapping[str, Record], designed: It
     return found
 
 
+def _staying_elastic(project: Project, frame: FrameModel) -> list[str]:
+    """Say which members stay elastic although their material yields, and have no hinge or joint that does."""
+    staying = [
+        name
+        for name, run in project.frame.members.items()
+        if isinstance(project.sections.get(run.section), ElasticSection)
+        and not isinstance(project.materials[run.material], ElasticMaterial)
+        and not frame.members[name].yields
+    ]
+    if not staying:
+        return []
+    return [
+        f"{listed(staying, 3)} will not yield: a section given by `area` and `inertia` stays elastic whatever its "
+        "material; give plates or `rectangles` for a section that yields, or `hinges` at ends of beams and columns"
+    ]
+
+
 def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Record]) -> list[str]:
     """Return one sentence for each doubt about the input of a study, without those about its records.
 
@@ -160,6 +167,10 @@ def study_warnings(study: Study, plan: Sequence[Task], records: Mapping[str, Rec
     """
     designed = [name for design in study.designs.values() for name in laws_of_design(design)]
     found = frame_warnings(study.base, records, designed)
+    for name, variant in study.variants.items():
+        if variant.values and name not in study.derived:  # those of a sweep are many, between frames that are judged
+            told = frame_warnings(study.project_of(name), records, designed)
+            found += [f"variant {name}: {text}" for text in told if text not in found]
     moved = dict.fromkeys(task.variant for task in plan if getattr(task.spec, "vertical", None) is not None)
     found += _still_warnings(study.project_of(name) for name in moved)
     found += couple_advice(study.base, study.designs)
@@ -251,7 +262,12 @@ def drift_limits(study: Study) -> list[str]:
     Args:
         study: the validated study.
     """
-    allowed = [(c.name, c.most) for c in study.criteria if isinstance(c, MeasureCriterion) and "drift" in c.measure]
+    allowed = [
+        (c.name, c.most)
+        for c in study.criteria
+        if isinstance(c, MeasureCriterion | QuantityCriterion)
+        and "drift" in (c.measure if isinstance(c, MeasureCriterion) else c.quantity)
+    ]
     return [
         f"criterion `{name}`: `most` allows drifts of {100.0 * most:g} %, which no frame survives; "
         f"{most:g} per cent is written `{most:g} %`"

@@ -9,17 +9,25 @@ from __future__ import annotations
 import math
 from itertools import pairwise
 
+import numpy as np
+
+from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
 from edesign.assess.measures import located_measure
 from edesign.assess.members import ELASTIC_ROTATION
 from edesign.building.loads import gravity_load
 from edesign.building.masses import node_masses
+from edesign.building.sections.named_section import cross_section
 from edesign.damper.testing.specimen import LARGE_STRAIN, layer_doubt
 from edesign.project.analysis.analyses import GravityAnalysis
 from edesign.project.analysis.damping import NoDamping
 from edesign.project.frame.materials import ElasticMaterial
+from edesign.project.frame.sections import ElasticSection
 from edesign.project.notation.plausible_range import HEIGHT, WIDTH
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.project.project import Project
+from edesign.project.reading.problems import listed
+from edesign.study.analysis.dampers import without_dampers_in_modes
 from edesign.study.analysis.gravity import run_gravity
 from edesign.study.check.warnings import warnings_of
 from edesign.study.design.plausibility import percent
@@ -40,6 +48,13 @@ what stands on them; 30 lies half way, in logarithms, from there to a mistake of
 a part of the loads; 0.3 lies half way to loads in kN that were taken for masses in t, ten times too small."""
 LARGEST_DAMPING = 0.28
 """EN 1998-1, 3.2.2.2(3), Eq. 3.6: eta = sqrt(10/(5 + xi)) >= 0.55 counts no more, whatever dissipates."""
+_ROTATIONS = (
+    ("beam", "beams", "rotation"),
+    ("column", "columns", "rotation"),
+    ("panel", "panel zones", "distortion"),
+)
+"""What yields in bending or shear: coordinate in archives, word, and which plastic rotation it has there."""
+_ROUNDING = 1e-9  # of a force that equals the resistance
 LARGEST_GRAVITY_DRIFT = 0.01
 """EN 1998-1, 4.4.3.2(1)c: what the earthquake of damage limitation may cause; gravity alone leaves a frame upright."""
 
@@ -132,7 +147,10 @@ def _period(project: Project, period: float) -> str:
     q d/H. More than 0.3 is not allowed, and stands for a frame that falls rather than sways.
     """
     height = project.frame.height
-    of = f"T1 = {period:.3g} s{'' if project.isolation is None else ' without its isolators'}"
+    left_out = " and ".join(
+        ["isolators"] * (project.isolation is not None) + ["dampers"] * without_dampers_in_modes(project)
+    )
+    of = f"T1 = {period:.3g} s{f' without its {left_out}' if left_out else ''}"
     q = project.hazard.q if project.hazard is not None else None
     q = q or LEAST_BEHAVIOUR_FACTOR
     low, high = STIFF * height**0.75 / TEN_TIMES, 2.0 * math.sqrt(SENSITIVITY * height / q)
@@ -189,11 +207,34 @@ def _under_gravity(project: Project) -> list[str]:
             f"the gravity loads alone make a drift of {100.0 * drift.value:.3g} % in storey {drift.storey}, more than "
             f"{100.0 * LARGEST_GRAVITY_DRIFT:g} %"
         )
-    for kind in ("beam", "column"):
-        most = located_measure(group, f"{kind}_plastic_rotation_rad")
-        if most is not None and most.value > ELASTIC_ROTATION:
-            found.append(
-                f"{kind}s yield under the gravity loads alone, most {most.member} with a plastic rotation of "
-                f"{1e3 * most.value:.3g} mrad"
-            )
+    for of, what, kind in _ROTATIONS:
+        rotations = peak(group, f"{of}_plastic_{kind}")
+        if rotations is None or rotations.max() <= ELASTIC_ROTATION:
+            continue
+        worst = group.coords[of].values[np.unravel_index(np.argmax(rotations), rotations.shape)[0]]
+        found.append(
+            f"{what} yield under the gravity loads alone, most {worst} with a plastic {kind} of "
+            f"{1e3 * rotations.max():.3g} mrad"
+        )
+    found += _yielding_braces(project, group)
     return found + [f"under the gravity loads alone {warning.text}" for warning in warnings_of(group)]
+
+
+def _yielding_braces(project: Project, group: Group) -> list[str]:
+    """Braces, and cores of buckling-restrained ones, that the gravity loads alone bring to their yield force."""
+    usage: dict[str, float] = {}
+    forces, ductility = peak(group, "brace_axial_force"), peak(group, "core_ductility")
+    if forces is not None:
+        for name, force in zip(map(str, group.coords["brace"].values), forces, strict=True):
+            run = project.frame.members[name]
+            steel = project.materials[run.material]
+            section = cross_section(project, run.section)
+            if not isinstance(steel, ElasticMaterial) and not isinstance(section, ElasticSection):
+                usage[name] = float(force) / (section.area * steel.fy)
+    if ductility is not None:
+        usage |= dict(zip(map(str, group.coords["damper"].values), map(float, ductility), strict=True))
+    beyond = {name: ratio for name, ratio in usage.items() if ratio >= 1.0 - _ROUNDING}
+    if not beyond:
+        return []
+    most = max(beyond, key=beyond.__getitem__)
+    return [f"braces yield under the gravity loads alone: {listed(beyond, 3)}, most {most}"]

@@ -17,7 +17,7 @@ from edesign.project.project import Project
 from edesign.project.reading.words import counted
 from edesign.project.records.records import RecordSet, record_of
 from edesign.project.study.study import Study
-from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces
+from edesign.study.analysis.dampers import laws_that_stand, with_restrained_braces, without_dampers_in_modes
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.analysis.structure import make_frame
 from edesign.study.check.advice import project_warnings, record_warnings, study_warnings, unjudged
@@ -216,6 +216,8 @@ def _standing(project: Project) -> str:
     isolation = project.isolation
     braced = with_restrained_braces(project, laws_that_stand(project))
     braces = ", with its buckling-restrained braces" if braced else ""
+    if without_dampers_in_modes(project):
+        braces += f", without its {'other ' * braced}dampers"
     if isolation is None:
         return f"under gravity{braces}"
     return f"under gravity{braces}, on its isolators at {1e3 * isolation.design_displacement:g} mm"

@@ -74,3 +74,40 @@ def test_beams_that_miss_the_vertical_motion(tmp_path: Path, loads: str, history
         project(text.replace("record: pulse", f"record: pulse, {history}"), tmp_path / "project.yaml")
     )
     assert ("vertical motion does not bend `B_1_1`: masses" in found["warnings"]) == said
+
+
+ELASTIC_BEAM = (
+    ("section: IPE300, material: S275}]", "section: plain, material: S275}]"),
+    ("sections:\n", "sections:\n  plain: {area: 53.8 cm^2, inertia: 8360 cm^4}\n"),
+)
+HINGE = "{M_y: 170 kN*m, theta_p: 0.02 rad, theta_pc: 0.2 rad, theta_u: 0.3 rad}"
+
+
+@pytest.mark.parametrize(
+    ("springs", "said"),
+    [
+        ("", True),
+        (f"hinges: [{{beams: {{floors: all}}, parameters: {HINGE}}}]\n", False),
+        ("joints: [{beams: {floors: all}, stiffness: 40 MN*m/rad, resistance: 120 kN*m}]\n", False),
+        ("joints: [{beams: {floors: all}, stiffness: 40 MN*m/rad}]\n", True),
+    ],
+)
+@pytest.mark.parametrize("braces", ["cross", "chevron"])  # of a beam that is one member, and of one that is two
+def test_beams_that_yield_in_their_hinges_are_said_to_yield(
+    tmp_path: Path, springs: str, said: bool, braces: str
+) -> None:
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
+    text = TEXT.replace("kind: cross", f"kind: {braces}").replace("masses:", f"{springs}masses:")
+    for old, new in ELASTIC_BEAM:
+        text = text.replace(old, new, 1)
+    found = check_project(project(text, tmp_path / "project.yaml"))
+    assert ("will not yield" in found["warnings"]) == said
+
+
+def test_the_period_says_that_it_is_without_dampers(tmp_path: Path) -> None:
+    (tmp_path / "pulse.csv").write_text("0\n0.1\n0.2\n0.1\n0\n-0.1\n-0.2\n-0.1\n0\n")
+    laws = "dampers:\n  laws: {fluid: {type: viscous, parameters: {c: 10 kN*s/m}}}\n"
+    device = "  devices: [{kind: storey, bays: 1, storeys: 1, law: fluid}]\n"
+    for added, ending in (("", "under gravity"), (laws, "under gravity"), (laws + device, "without its dampers")):
+        found = check_project(project(TEXT + added, tmp_path / "project.yaml"))
+        assert found["period"].endswith(ending)

@@ -143,3 +143,34 @@ analyses:
     assert any(
         "s without its isolators is implausible for a frame 3 m high" in w for w in frame_warnings(project(heavy), {})
     )
+
+
+@pytest.mark.parametrize(("load", "yields"), [(2400e3, True), (1200e3, False)])
+def test_braces_that_gravity_brings_to_yield_are_told(load: float, yields: bool) -> None:
+    """A column shortens by e = N / (E A), and a cross brace over b and h by e h^2 / (b^2 + h^2) of its length.
+
+    The braces' own share of the load is below a hundredth, and the strains are 30 % from their yield strain.
+    """
+    column, b, h, fy = 78.1e-4, 6.0, 4.0, 80e6
+    strain = load / (210e9 * column) * h**2 / (b**2 + h**2)
+    assert (strain > 1.15 * fy / 210e9) == yields and abs(strain / (fy / 210e9) - 1.0) > 0.15
+    text = f"""\
+edesign: 1
+title: Braced storey
+frame:
+  bays: [6 m]
+  storeys: [4 m]
+  columns: [{{storeys: all, section: HEB200, material: high}}]
+  beams: [{{floors: all, section: IPE300, material: high}}]
+  braces: [{{bays: 1, storeys: 1, kind: cross, section: rod, material: low}}]
+sections: {{rod: {{rectangles: [{{width: 5 mm, depth: 20 mm, centre: 0 mm}}]}}}}
+materials:
+  high: {{law: bilinear, E: 210 GPa, fy: 700 MPa}}
+  low: {{law: bilinear, E: 210 GPa, fy: {fy} Pa}}
+loads: {{nodes: [{{floors: all, lines: all, G: {load} N}}]}}
+masses: {{given: [{{floors: all, mass: 100 t}}]}}
+analyses: [{{name: modes, kind: modal, modes: 1}}]
+"""
+    made = project(text)
+    told = [line for line in implausible(made, fundamental_period(made)) if line.startswith("braces yield")]
+    assert told == (["braces yield under the gravity loads alone: `D_1_1_r`, `D_1_1_f`, most D_1_1_r"] * yields)

@@ -1,9 +1,10 @@
-"""A design that no variant has is not made, and equal variants give equal results: a study tells of both."""
+"""Doubts about a study: designs without a variant, equal variants, implausible ones, limits that no frame survives."""
 
 from __future__ import annotations
 
 from pathlib import Path
 
+import pytest
 from cases.small_study import write
 
 from edesign.building.project_file import load_study
@@ -40,3 +41,27 @@ def test_variants_that_are_the_same_are_told(tmp_path: Path) -> None:
     for twin, expected in (("{dampers: none}", [same]), (other, [])):
         path.write_text(text.replace("\nvariants:\n", f"\nvariants:\n  twin: {twin}\n"), encoding="utf-8")
         assert told() == expected
+
+
+def test_the_frame_of_a_variant_with_other_values_is_judged(tmp_path: Path) -> None:
+    """The frame of the file is plausible; that of the variant has a yield strain of 1000 MPa / 70 GPa."""
+    path = write(tmp_path)
+    text = path.read_text(encoding="utf-8")
+
+    def told() -> list[str]:
+        study = load_study(path)
+        return [one for one in study_warnings(study, make_study_plan(study), {}) if "yield strain" in one]
+
+    assert told() == []
+    other = "{dampers: none, values: {materials.S275.E: 70 GPa, materials.S275.fy: 1000 MPa}}"
+    path.write_text(text.replace("\nvariants:\n", f"\nvariants:\n  other: {other}\n"), encoding="utf-8")
+    (line,) = told()
+    assert line.startswith("variant other: material S275: fy = 1000 MPa") and f"{1e5 / 70e3:.3g} %" in line
+
+
+@pytest.mark.parametrize("asked", ["measure: interstorey_drift", "quantity: storey_drift"])
+def test_a_limit_of_drift_without_its_sign_is_told(tmp_path: Path, asked: str) -> None:
+    path = write(tmp_path, ("measure: interstorey_drift, levels: DBE, most: 2 %", f"{asked}, levels: DBE, most: 2.0"))
+    study = load_study(path)
+    (line,) = [one for one in study_warnings(study, make_study_plan(study), {}) if "no frame survives" in one]
+    assert line.startswith("criterion `drift`: `most` allows drifts of 200 %")
