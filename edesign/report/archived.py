@@ -22,6 +22,18 @@ if TYPE_CHECKING:
     from edesign.project.building import Building
 
 
+_CHECKSUMS = ("input_checksum", "project_checksum", "building_checksum", "rts_checksum")
+
+
+def input_checksum(about: Mapping[str, object]) -> str:
+    """Return the SHA-256 of the input of an archive, of whichever kind; "unknown" if it holds none.
+
+    Args:
+        about: attributes of the root of the archive.
+    """
+    return str(next((about[name] for name in _CHECKSUMS if about.get(name)), "unknown"))
+
+
 def is_study_archive(archive: Archive) -> bool:
     """Return whether an archive is that of a study."""
     return archive.attributes.get("kind") == STUDY

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.reader import Archive
 from edesign.notebook import facts_html
+from edesign.report.archived import input_checksum
 
 if TYPE_CHECKING:
     import pandas
@@ -24,7 +25,8 @@ class OpenArchive(Archive):
 
     def _repr_html_(self) -> str:
         about = self.attributes
-        rows = [(name, about.get(name)) for name in ("title", "status", "kind", "edesign_version", "input_checksum")]
+        rows = [(name, about.get(name)) for name in ("title", "status", "kind", "edesign_version")]
+        rows.append(("input SHA-256", input_checksum(about)))
         rows += [(place, self.names(place)) for place in self.names()]
         return facts_html(self.path.name, [*rows, ("damage", self.damage_in_short())])
 

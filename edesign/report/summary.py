@@ -19,6 +19,8 @@ from edesign.study.results.kinds import ANALYSES, DESIGNS, RECORDS
 from edesign.study.results.records import failed_criteria
 
 STATISTICS = ("steps", "iterations", "refactorisations", "fallbacks", "cpu_s", "energy_error")
+OF_KINDS = ("study_file", "building_file", "building_checksum", "rts_file", "rts_checksum")
+"""Of archives of one kind alone."""
 ROOT = ("title", "status", "project_file", "project_checksum", "input_checksum", "edesign_version", "core_version")
 
 
@@ -46,6 +48,7 @@ def summarise(archive: str | os.PathLike[str] | Archive, analysis: str | None = 
             return summarise(opened, analysis)
     names = planned(archive) if analysis is None else [find(archive, analysis)]
     about = {name: archive.attributes.get(name) for name in ROOT} | {"complete": archive.complete}
+    about |= {name: archive.attributes[name] for name in OF_KINDS if name in archive.attributes}
     about[ATTRIBUTE] = [*input_warnings(archive), *design_warnings(archive)]
     damage = {"damage": archive.damage} if archive.damage_in_short() else {}
     if is_building_archive(archive):

@@ -59,6 +59,8 @@ def _summary(design: ElasticDesign) -> Group:
             "ductility_class": design.building.design.ductility_class if design.building.design else "",
             "gamma_M0": design.members.members[0].gamma_M0,
             "gamma_M1": design.members.members[0].gamma_M1,
+            "regular_in_plan": int(design.regular.plan),
+            "regular_in_elevation": int(design.regular.elevation),
         }
     )
     for axis in AXES:

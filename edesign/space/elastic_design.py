@@ -79,6 +79,7 @@ class ElasticDesign:
         sway: stability under persistent combinations.
         effects: on members, with second-order effects and those of sway imperfections.
         combinations: of actions, with names.
+        regular: whether the building counts as regular.
         q: behaviour factors.
         overstrength: of either direction.
         joints: of moment frames.
@@ -99,6 +100,7 @@ class ElasticDesign:
     sway: SwayStability
     effects: Effects
     combinations: tuple[Combination, ...]
+    regular: Regular
     q: Mapping[Axis, float]
     overstrength: Mapping[Axis, Overstrength]
     joints: tuple[Joint, ...]
@@ -389,6 +391,7 @@ class ElasticAnalysis:
             sway=sway,
             effects=acting,
             combinations=(*checked.rows, *self._characteristic),
+            regular=regular,
             q=q,
             overstrength=Omega,
             members=checked,

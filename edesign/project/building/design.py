@@ -323,7 +323,7 @@ class Design(Model):
             found.
         combination: how modes are combined.
         damping: damping ratio in the CQC coefficients.
-        modes: how many modes count; `auto` takes 90 % of the mass (EN 1998-1, 4.3.3.3.1(3)).
+        modes: how many modes count; `auto` takes all of them.
         accidental_torsion: eccentricity over the length of the plan (EN 1998-1, 4.3.2), or `none`.
         torsion_by: static moments (EN 1998-1, 4.3.3.3.3), or masses beside their place in the modal analysis
             (4.3.2(1)P).

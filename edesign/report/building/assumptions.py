@@ -20,7 +20,7 @@ def building_assumption_rows(building: Building) -> Rows:
         design = building.design
         rows += [
             ("Analysis", _analysis(design)),
-            ("Torsion", _torsion(design)),
+            ("Torsion", _torsion(building, design)),
             ("Imperfections and second order", _second_order(design)),
             ("Stability of members", _stability(design)),
             ("Not checked", NOT_CHECKED),
@@ -60,9 +60,11 @@ def _analysis(design: Design) -> str:
     )
 
 
-def _torsion(design: Design) -> str:
+def _torsion(building: Building, design: Design) -> str:
     if not design.accidental_torsion:
         return "Accidental torsion is left out."
+    if not building.diaphragms.numbers(1, building.n_storeys):
+        return "Accidental torsion is left out: no floor is rigid, and its moments act on rigid floors."
     how = (
         "static moments" if design.torsion_by == "static_moments" else "masses beside their place in the modal analysis"
     )

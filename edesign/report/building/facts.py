@@ -4,8 +4,12 @@ from __future__ import annotations
 
 from itertools import groupby
 
+from edesign.ground_motion.hazard import national_of
 from edesign.project.building.building import Building
 from edesign.project.building.design import Design
+from edesign.report.building.results import BuildingResults
+from edesign.space.structure.design_block import design_of, system_of
+from edesign.space.structure.frame import AXES
 
 Rows = list[tuple[str, str]]
 _SYSTEMS = {
@@ -34,19 +38,30 @@ def building_rows(building: Building) -> Rows:
     return rows
 
 
-def design_rows(design: Design) -> Rows:
-    """Return the settings of the design."""
+def design_rows(building: Building, results: BuildingResults) -> Rows:
+    """Return the settings of the design; of those that the file leaves to the program or the country, what was found.
+
+    Args:
+        building: with its block `design`.
+        results: of the building.
+
+    Raises:
+        ArchiveError: a result is missing.
+        InputError: a file of the country is not at hand.
+    """
+    design = design_of(building)
     factors, drift = design.partial_factors, design.drift
     rows = [("Codes", ", ".join(_code(name) for name in vars(design.code).values()))]
     rows.append(("Ductility class", {"low": "DCL", "medium": "DCM", "high": "DCH"}[design.ductility_class]))
-    for axis, system in (("x", design.systems.x), ("y", design.systems.y)):
-        q = "q of Table 6.2" if system.q == "table" else f"q = {system.q:g}"
-        rows.append((f"System along {axis}", f"{_SYSTEMS[system.type]}, {q}"))
-    regular = (f"{'' if of else 'not '}regular in {where}" for of, where in (
-        (design.regular_in_plan, "plan"), (design.regular_in_elevation, "elevation")))  # fmt: skip
-    rows.append(("Regularity", ", ".join(regular)))
-    torsion = f"{100 * design.accidental_torsion:g} % of the plan" if design.accidental_torsion else "none"
+    for axis in AXES:
+        system = system_of(design, axis)
+        by = ", by Table 6.2 of EN 1998-1" if system.q == "table" else ", as given"
+        rows.append((f"System along {axis}", f"{_SYSTEMS[system.type]}, q = {results.number(f'q_{axis}'):.4g}{by}"))
+    rows.append(("Regularity", _regularity(design, results)))
+    rigid = building.diaphragms.numbers(1, building.n_storeys)
+    torsion = f"{100 * design.accidental_torsion:g} % of the plan" if design.accidental_torsion and rigid else "none"
     directions = "SRSS" if design.directions == "srss" else f"{100 * float(design.directions):g} % of the other"
+    rows.append(("Natural modes", _modes(design, results)))
     modal = f"{design.combination.upper()}; directions: {directions}; accidental eccentricity: {torsion}"
     rows.append(("Combination of modes", modal))
     capped = "at most the elastic one" if design.displacement == "elastic_cap" else "without the elastic cap"
@@ -55,7 +70,52 @@ def design_rows(design: Design) -> Rows:
     rows.append(("Drift limit", limit))
     rows.append(("Partial factors", ", ".join(f"gamma_{name} = {value:g}" for name, value in vars(factors).items())))
     rows.append(("Overstrength", f"gamma_ov = {design.overstrength:g}"))
+    if left := _left_to_the_country(building):
+        rows.append(("National values", f"{', '.join(left)}: {_whose(building)}"))
     return rows
+
+
+def _regularity(design: Design, results: BuildingResults) -> str:
+    """Whether the building counts as regular, and who says so."""
+    found = results.group().attributes
+    texts = []
+    for where in ("plan", "elevation"):
+        asked, name = getattr(design, f"regular_in_{where}"), f"regular_in_{where}"
+        if asked != "auto":
+            texts.append(f"{'' if asked else 'not '}regular in {where}, as the file says")
+        elif name in found:
+            texts.append(f"{'' if found[name] else 'not '}regular in {where}, as found")
+        else:  # an archive of an earlier version
+            texts.append(f"in {where} as the rules for the building find it")
+    return "; ".join(texts)
+
+
+def _modes(design: Design, results: BuildingResults) -> str:
+    """How many modes count, and their share of the mass."""
+    shares = [results.values("modes", f"effective_mass_ratio_{axis}") for axis in AXES]
+    masses = " and ".join(f"{100.0 * share.sum():.1f} % along {axis}" for share, axis in zip(shares, AXES, strict=True))
+    why = ", all that the building has" if design.modes == "auto" else ", as given"
+    return f"{shares[0].size}{why}: {masses} of the mass"
+
+
+def _whose(building: Building) -> str:
+    """Whose national values count."""
+    hazard = building.hazard
+    if hazard is None:
+        return "recommended"
+    country = national_of(hazard).country
+    own = ", but where `hazard: national` states them" if hazard.national.stated() else ""
+    return f"{'recommended' if country is None else f'of {country}'}{own}"
+
+
+def _left_to_the_country(building: Building) -> list[str]:
+    """What the block `design` does not give and the country decides."""
+    given = building.design
+    assert given is not None, "design_of wants it"
+    factors = type(given.partial_factors).model_fields.keys() - given.partial_factors.model_fields_set
+    left = [f"gamma_{name}" for name in vars(given.partial_factors) if name in factors]
+    left += ["gamma_ov"] if "overstrength" not in given.model_fields_set else []
+    return left + (["nu"] if given.drift.limit != "none" and "nu" not in given.drift.model_fields_set else [])
 
 
 def _code(name: object) -> str:

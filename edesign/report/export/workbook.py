@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from edesign.archive.files import write_whole
 from edesign.errors import InputError
+from edesign.report.archived import input_checksum
 from edesign.report.export.export_table import ExportColumn, ExportTable
 from edesign.report.export.names import unique_names
 from edesign.report.tables.visible import visible
@@ -175,4 +176,5 @@ def _created(facts: Mapping[str, str]) -> datetime:
 
 
 def _origin(facts: Mapping[str, str]) -> str:
-    return f"{facts.get('archive', '')}, input SHA-256 {facts.get('input checksum', 'unknown')}"
+    checksum = input_checksum({name.replace(" ", "_"): text for name, text in facts.items()})
+    return f"{facts.get('archive', '')}, input SHA-256 {checksum}"

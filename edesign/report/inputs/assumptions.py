@@ -72,8 +72,10 @@ def _yielding(project: Project) -> str:
         for run in runs
     ]
     found = []
+    springs = bool(project.hinges) or any(run.resistance is not None for run in project.joints)
+    between = "between the hinges and joints at their ends" if springs else ""
     if all(elastic):
-        found.append("Columns and beams stay elastic whatever their forces are.")
+        found.append(f"Columns and beams stay elastic {between or 'whatever their forces are'}.")
     else:
         points = project.elements.integration_points
         found.append(
@@ -82,7 +84,7 @@ def _yielding(project: Project) -> str:
         )
         if any(elastic):
             names = dict.fromkeys(run.section for run, stays in zip(runs, elastic, strict=True) if stays)
-            found.append(f"Members of {', '.join(names)} stay elastic.")
+            found.append(f"Members of {', '.join(names)} stay elastic{f' {between}' if between else ''}.")
         found.append(
             "Shear forces do not make them yield. Local buckling, lateral-torsional buckling and fracture are not "
             "modelled."

@@ -11,7 +11,7 @@ from edesign.archive.files import check_file, write_text
 from edesign.archive.reader import Archive, DamagedArchive, open_archive, read_archive, refuse_calibration
 from edesign.assess.sets import NOT_RUN
 from edesign.errors import ArchiveError, InputError
-from edesign.report.archived import is_building_archive, is_substructure_archive
+from edesign.report.archived import input_checksum, is_building_archive, is_substructure_archive
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page, render
 from edesign.report.page.section import Section
@@ -66,7 +66,6 @@ SECTIONS: tuple[Callable[[Source], Section], ...] = (
     provenance,
 )
 """In the order of the page; those without content are left out."""
-CHECKSUMS = ("input_checksum", "project_checksum", "rts_checksum")
 PAGE_SUFFIXES = (".html", ".htm")
 
 
@@ -202,7 +201,6 @@ def _cover(source: Source) -> Cover:
     date = str(source.provenance.get("created", ""))[:10]
     who = f"edesign {about.get('edesign_version', '')}"
     told = [source.archive.damage_in_short()]
-    checksum = next((about[name] for name in CHECKSUMS if about.get(name)), "unknown")
     if is_substructure_archive(source.archive) and not source.archive.complete:
         told.append("The run goes on or was interrupted: indicators and verdicts come at its end.")
     elif not source.archive.complete:
@@ -218,7 +216,7 @@ def _cover(source: Source) -> Cover:
         created=str(source.provenance.get("created", "")),
         banner=" ".join(filter(None, told)),
         footer=f"Made by edesign {__version__} from {source.archive.path.name}, input SHA-256 "
-        f"{str(checksum)[:16]}. "
+        f"{input_checksum(about)[:16]}. "
         "All numbers are computed from the archive.",
         document=cover_lines(about.get("document")),
     )

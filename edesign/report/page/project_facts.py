@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from itertools import groupby
 
+from edesign.building.hinges import member_ends
+from edesign.building.rigid_ends import rigid_ends
 from edesign.codes.ec8 import ElasticSpectrum
 from edesign.codes.ntc2018 import NtcSpectrum
 from edesign.codes.spectrum import Spectrum
@@ -156,13 +158,20 @@ def _at_ends(project: Project, run: Hinges | Joints) -> str:
 
 
 def _hinges(project: Project) -> str:
-    values = [
-        "Lignos and Krawinkler (2011)"
-        if isinstance(run.parameters, str)
-        else f"M_y = {plain(run.parameters.M_y / 1e3)} kN m"
-        for run in project.hinges
-    ]
-    return "; ".join(f"{_at_ends(project, run)}, {text}" for run, text in zip(project.hinges, values, strict=True))
+    ends = member_ends(project)
+    texts = []
+    for run in project.hinges:
+        names = {name for members in project.frame.members_in(run.beams, run.columns) for name in members}
+        found = [end.hinge.M_y / 1e3 for name in names for end in ends[name] if end.hinge is not None]
+        by = ", by Lignos and Krawinkler (2011)" if isinstance(run.parameters, str) else ""
+        texts.append(f"{_at_ends(project, run)}, M_y = {_range(found)} kN m{by}")
+    return "; ".join(texts)
+
+
+def _range(values: Collection[float]) -> str:
+    """The one value, or the least and the largest."""
+    low, high = plain(min(values)), plain(max(values))
+    return low if low == high else f"{low} to {high}"
 
 
 def _joints(project: Project) -> str:
@@ -184,11 +193,14 @@ def _panel_zones(project: Project) -> str:
 def _rigid_ends(project: Project) -> str:
     asked = project.elements.rigid_ends
     kinds = (("columns", asked.columns, "beams"), ("beams", asked.beams, "columns"))
-    texts = [
-        f"{kind}: {end} of half the depth of the {met}" if end.is_share else f"{kind}: {end}"
-        for kind, end, met in kinds
-        if end.value > 0.0
-    ]
+    found = rigid_ends(project)
+    texts = []
+    for kind, end, met in kinds:
+        lengths = [1e3 * length for name in found if name[0] == kind[0].upper() for length in found[name] if length]
+        if end.is_share and lengths:
+            texts.append(f"{kind}: {end} of half the depth of the {met}, {_range(lengths)} mm")
+        elif end.value > 0.0:
+            texts.append(f"{kind}: {end}")
     return "; ".join(texts)
 
 

@@ -64,6 +64,14 @@ def test_what_a_case_is_about_is_among_its_assumptions(case: str, topic: str, wo
     assert words in said(load_project(CASES / case / "project.yaml"))[topic]
 
 
+def test_elastic_members_yield_in_their_hinges() -> None:
+    plain = "whatever their forces are"
+    project = load_project(CASES / "deteriorating_hinges" / "project.yaml")
+    elastic = {f"materials.{name}": {"law": "elastic", "E": "210 GPa"} for name in ("S355", "S275")}
+    assert "between the hinges and joints at their ends" in said(project.with_values(elastic))["Yielding"]
+    assert plain not in said(project.with_values(elastic))["Yielding"]
+
+
 def test_every_sentence_is_one() -> None:
     for path in sorted(CASES.glob("*/project.yaml")):
         rows = assumption_rows(load_project(path))

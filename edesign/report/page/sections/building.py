@@ -110,7 +110,8 @@ def _structure(source: Source, results: BuildingResults) -> Iterable[Part]:
     if building is not None:
         yield Facts(tuple(building_rows(building)), formulas=True)
         if building.design is not None:
-            yield Facts(tuple(design_rows(building.design)), formulas=True)
+            with source.or_left_out("the settings of the design"):
+                yield Facts(tuple(design_rows(building, results)), formulas=True)
 
 
 def _assumptions(source: Source, results: BuildingResults) -> Iterable[Part]:

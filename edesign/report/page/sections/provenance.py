@@ -17,8 +17,10 @@ ROOT = (
     ("Libraries", "libraries"),
     ("Study file", "study_file"),
     ("Project file", "project_file"),
+    ("Building file", "building_file"),
     ("File of tests", "rts_file"),
     ("SHA-256 of the input files", "project_checksum"),
+    ("SHA-256 of the building file", "building_checksum"),
     ("SHA-256 of the texts of tests, project, rig and laws", "rts_checksum"),
     ("SHA-256 of files and records", "input_checksum"),
 )
