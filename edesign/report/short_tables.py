@@ -31,6 +31,7 @@ from edesign.report.archived import (
     is_study_archive,
     is_substructure_archive,
 )
+from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_columns import MEASURE_ROWS, ROUNDING
@@ -58,7 +59,7 @@ PERIODS_SHOWN = 3
 ANALYSES_SHOWN = 4
 SCREEN = 40  # lines
 LAST = 2  # of them for the line that tells where the rest is
-LEAST = 4  # tables, however long they are
+LEAST = 5  # tables, however long they are
 TARGET_COLUMNS = {  # of the table of the response at target displacements, with names for little room
     "target": "target",
     "roof drift [%]": "roof drift %",
@@ -123,7 +124,7 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         judged = read_judged(archive, groups)
         verdicts, *governing = verdicts_in_short(judge(study.criteria, study.objectives, judged, study.base, study))
         tables.append(verdicts)
-    tables += [response_in_short(not_swept(study, sets)), *governing]
+    tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]
     tables += _targets(study.base, groups, study)
     return tables + incremental_tables(archive, groups)
@@ -138,6 +139,7 @@ def _of_project(archive: Archive, groups: dict[str, Group]) -> list[Table]:
     tables = [_periods(groups)]
     tables += _targets(archived_project(archive) if targets else None, groups)
     tables += [response_in_short(sets) if sets or targets else _measures(entries[:ANALYSES_SHOWN])]
+    tables.append(changes_in_short(sets))
     tables += [isolation_table(groups)]
     tables += [isolation_estimate_table(name, group) for name, group in groups.items()]
     footings = first_mode_table(groups)

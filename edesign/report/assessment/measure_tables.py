@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from edesign.assess.changes import in_common
 from edesign.assess.sets import HistorySet, measure_statistics
 from edesign.assess.statistics import STATISTICS, Statistics
 from edesign.report.assessment.measure_columns import MEASURE_COLUMNS, MEASURE_ROWS, ROUNDING
@@ -34,6 +35,9 @@ MAIN = (
 """Measures of which the means are told where there is room for few."""
 DIFFERENCE = "diff. [%]"
 """Header of the column beside a variant: how far it is from the first variant of its level."""
+LARGEST = (
+    "Each value is the largest of all storeys, floors or members, wherever it stands; what grows most is another table."
+)
 
 
 def label(found: HistorySet) -> str:
@@ -74,10 +78,10 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
 
     Source: form of thesis Tables 5.8 (mean) and 5.9 (maximum).
     """
-    levels = list(dict.fromkeys(found.level for found in sets))
-    ordered = [found for level in levels for found in sets if found.level == level and found.completed]
+    of_levels = first_of_level(sets)
+    ordered = [found for _, found in of_levels]
     over = [measure_statistics(found) for found in ordered]
-    pairs = [_pair(ordered[_first(ordered, at)], found) for at, found in enumerate(ordered)]
+    pairs = [_pair(first, found) for first, found in of_levels]
     shown = [row for row in MEASURE_ROWS if any(each[row[1]].count for each in over)]
     tables = []
     single = all(len(found.completed) == 1 for found in ordered)
@@ -98,10 +102,24 @@ def statistics_tables(sets: Sequence[HistorySet]) -> list[Table]:
             table.rows.append([name, *cells])
         counts = "; ".join(f"{label(found)}: {len(found.completed)} of {len(found.histories)}" for found in ordered)
         table.notes.append(f"Histories: {counts}")
+        table.notes += [LARGEST] if any(pairs) else []
         table.notes += [pair.note for pair in pairs if pair is not None and pair.note]
         table.notes += missing_notes(sets)
         tables.append(table)
     return tables
+
+
+def first_of_level(sets: Sequence[HistorySet]) -> list[tuple[HistorySet, HistorySet]]:
+    """Return each set with completed histories behind the first such set of its level, level by level.
+
+    Args:
+        sets: the histories by variant and level.
+    """
+    found: list[tuple[HistorySet, HistorySet]] = []
+    for level in dict.fromkeys(one.level for one in sets):
+        there = [one for one in sets if one.level == level and one.completed]
+        found += [(there[0], one) for one in there]
+    return found
 
 
 def missing_notes(sets: Sequence[HistorySet], labelled: bool = True) -> list[str]:
@@ -135,21 +153,14 @@ def _pair(first: HistorySet, found: HistorySet) -> _Pair | None:
     """What a difference is taken of; None: the first itself, or no record in common."""
     if found is first:
         return None
-    records, others = _records(found), _records(first)
-    common = set(records.values()) & set(others.values())
-    if not common:
+    before, after = in_common(first, found)
+    if not before:
         return None
     note = ""
-    if set(records.values()) != common or set(others.values()) != common:
-        count = "1 record" if len(common) == 1 else f"{len(common)} records"
+    if len(before) < len(first.completed) or len(after) < len(found.completed):
+        count = "1 record" if len(after) == 1 else f"{len(after)} records"
         note = f"diff. of {label(found)}: over the {count} that {label(first)} has too"
-    base = measure_statistics(first, {name for name, record in others.items() if record in common})
-    return _Pair(base, measure_statistics(found, {name for name, record in records.items() if record in common}), note)
-
-
-def _records(found: HistorySet) -> dict[str, str]:
-    """The record of each completed history."""
-    return {name: str(group.attributes.get("record") or name) for name, group in found.completed.items()}
+    return _Pair(measure_statistics(first, before), measure_statistics(found, after), note)
 
 
 def _headers(ordered: Sequence[HistorySet], pairs: Sequence[_Pair | None]) -> list[str]:
@@ -163,8 +174,3 @@ def _difference(base: float | None, value: float | None) -> str:
     if value is None or base is None or abs(base) < ROUNDING:
         return "-"
     return formatted(100.0 * (value / base - 1.0), "+.1f")
-
-
-def _first(ordered: Sequence[HistorySet], at: int) -> int:
-    """Position of the first variant at the level of a set."""
-    return next(i for i, found in enumerate(ordered) if found.level == ordered[at].level)

@@ -12,12 +12,12 @@ from edesign.report.tables.table import Table, number, whole
 
 COLUMNS = (  # header, measures of which the largest counts, unit of the header in SI, what it is
     ("drift %", ("interstorey_drift",), 0.01, ""),
-    ("resid. %", ("residual_interstorey_drift",), 0.01, "resid.: residual drift"),
+    ("residual %", ("residual_interstorey_drift",), 0.01, ""),
     ("V kN", ("base_shear_N",), 1e3, "V: base shear"),
     ("a m/s2", ("roof_acceleration_m_s2",), 1.0, "a: roof"),
     ("rot. mrad", ("beam_plastic_rotation_rad", "column_plastic_rotation_rad"), 1e-3, "rot.: plastic rotation"),
     ("ductility", ("brace_ductility",), 1.0, "ductility: of a brace"),
-    ("damper mm", ("damper_deformation_m",), 1e-3, "damper: deformation"),
+    ("damper mm", ("damper_deformation_m",), 1e-3, ""),
 )
 MOST_ROWS = 12
 

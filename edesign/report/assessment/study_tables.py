@@ -13,6 +13,7 @@ from edesign.assess.sets import HistorySet, history_sets
 from edesign.project.dampers.placement import PlacementDesign
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_study
+from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.derived_results import not_swept
 from edesign.report.assessment.derived_tables import derived_tables
 from edesign.report.assessment.measure_tables import statistics_tables
@@ -51,6 +52,7 @@ def study_tables(archive: Archive) -> list[Table]:
         *designs_tables(archive, study, sets),
         *(isolation_estimate_table(name, group) for name, group in groups.items()),
         *statistics_tables(not_swept(study, sets)),
+        changes_table(not_swept(study, sets)),
         isolation_statistics_table(sets),
     ]
     tables += derived_tables(study, sets)

@@ -14,6 +14,7 @@ from edesign.project.criteria.criteria import Criterion, Objectives
 from edesign.project.project import Project
 from edesign.project.study.study import Study
 from edesign.report.archived import archived_project, archived_study, is_study_archive
+from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.verdict_tables import objectives_table, performance_tables, verdicts_tables
 from edesign.report.summary import all_results
@@ -73,7 +74,7 @@ def tables_of_histories(
         return []
     members = VariantMembers(project, study)
     tables = [record_measures_table(found) for found in sets]
-    tables += statistics_tables(sets)
+    tables += [*statistics_tables(sets), *([changes] if (changes := changes_table(sets)).rows else [])]
     verdicts = judge(criteria, (), histories, project, study)
     if verdicts:
         tables += verdicts_tables(verdicts)

@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
+from edesign.assess.changes import EQUILIBRIUM
 from edesign.report.drawing.captions import at_level, file_name, plain
 from edesign.report.drawing.style import MEAN, grid_figure, label_outer, legend_label, some_of, styled
 from edesign.report.response.histories import by_level, histories, missing_text, names_of, variant_colors
@@ -148,5 +149,9 @@ def _numbers(variants: Sequence[AxialForces]) -> str:
         count = one.smallest[worst].size
         text = f"largest compression {plain(-1e-3 * force)} kN ({where})"
         text += f", mean of {count} records, in one record {plain(-1e-3 * most)} kN" if count > 1 else ""
+        pulled = max(one.largest, key=lambda place: float(np.max(one.largest[place])))
+        tension = float(np.max(one.largest[pulled]))
+        if tension > EQUILIBRIUM * -most:
+            text += f"; largest tension {plain(1e-3 * tension)} kN (line {pulled[0]}, storey {pulled[1]})"
         texts.append(f"{one.label}: {text}" if one.label else text)
     return f"{'; '.join(texts)}."

@@ -90,6 +90,9 @@ def test_result_of_the_readme_is_that_of_the_tutorial() -> None:
         for cell, value in zip(cells, (factor * float(bare), factor * float(damped), float(change)), strict=True):
             half = 0.5 * 10.0 ** -len(cell.partition(".")[2])
             assert abs(float(cell) - value) <= 1.001 * half, (shown, cell, value)
+    grown, pulled = re.search(r"^damped, DBE +\S+ % storey \d +\+(\S+) % \w+ +(\w+)$", tutorial, re.M).groups()
+    assert f"carries {float(grown):.0f} % more" in readme.replace("\n", " ")
+    assert pulled == "none" and "no column goes into tension" in readme.replace("\n", " ")
 
 
 def test_links_say_where_they_lead() -> None:

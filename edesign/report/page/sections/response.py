@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from edesign.report.archive_tables import measures_table
+from edesign.report.assessment.change_tables import changes_table
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.drawing.captions import at_level
 from edesign.report.page.section import Folded, Part, Section
@@ -20,6 +21,8 @@ def response(source: Source) -> Section:
     if sets:
         tables = statistics_tables(source.sets)
         parts += tables[:SHOWN]
+        changes = changes_table(source.sets)
+        parts += [changes] if changes.rows else []
         if tables[SHOWN:]:
             parts.append(Folded("Median, and 84 % percentile", tuple(tables[SHOWN:])))
         each = tuple(record_measures_table(found) for found in sets)

@@ -8,6 +8,7 @@ from typing import Any
 from edesign.assess.measures import located_measure
 from edesign.assess.sets import HistorySet
 from edesign.assess.statistics import Statistics
+from edesign.report.assessment.change_tables import changes_in_short
 from edesign.report.assessment.measure_columns import ROUNDING
 from edesign.report.assessment.measure_tables import missing_notes
 from edesign.report.drawing.captions import at_level, plain, record_label
@@ -50,8 +51,8 @@ def summary(source: Source) -> Section:
         *map(incremental_tiles, source.incremental),
     )
     parts += [Headlines(tiles) for tiles in rows if tiles]
-    governing = governing_table(source.statistics)
-    parts += [governing] if governing.rows else []
+    tables = (governing_table(source.statistics), changes_in_short([found for found, _ in source.statistics]))
+    parts += [table for table in tables if table.rows]
     return Section("summary", "Summary", (_asked(source),), tuple(parts))
 
 
