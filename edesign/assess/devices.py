@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
 from edesign.assess.sets import HistorySet
 
 
@@ -75,7 +76,8 @@ def device_demand(design: Group, found: HistorySet, property_factor: float = 1.0
 
 def _largest(group: Group, name: str, storeys: Sequence[int] | np.ndarray) -> np.ndarray:
     """Largest size of a quantity of the dampers of each storey, (s,)."""
-    size = np.maximum(np.abs(group.variables[f"{name}_max"].values), np.abs(group.variables[f"{name}_min"].values))
+    size = peak(group, name)
+    assert size is not None, "histories of dampers have their extremes"
     return _of_storeys(group, size, storeys)
 
 

@@ -55,6 +55,16 @@ class FrameMember:
             return self._of_beam
         return column_rotations(self.section, self.length, compression, self.strength)
 
+    def allowed(self, level: str, compression: float) -> float:
+        """Return the plastic rotation that a performance level allows, rad; a force-controlled column stays elastic.
+
+        Args:
+            level: IO, LS or CP.
+            compression: P, N; not negative.
+        """
+        limits = self.limits(compression)
+        return ELASTIC_ROTATION if limits is None else limits.allowed(level)
+
     @cached_property
     def _of_beam(self) -> RotationLimits:
         return beam_rotations(self.section, self.length)
@@ -175,8 +185,7 @@ def member_usages(
 
 
 def _usage(member: FrameMember, rotation: float, compression: float, level: str) -> MemberUsage:
-    limits = member.limits(compression)
-    allowed = ELASTIC_ROTATION if limits is None else limits.allowed(level)
+    allowed = member.allowed(level, compression)
     ratio = compression / member.strength if member.kind == "column" else 0.0
     usage = rotation / allowed if allowed > 0.0 else math.inf if rotation > 0.0 else 0.0
     return MemberUsage(member, usage, rotation, allowed, ratio)

@@ -16,7 +16,7 @@ from edesign.archive.dataset import Group
 from edesign.assess.energy import BEFORE, energies, energy_share, final_energies
 from edesign.assess.quantities import located_quantity
 from edesign.building.sections.profiles import profile_names
-from edesign.project import Project, parse_project
+from edesign.project import Project, load_project, parse_project
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.report.response.damper_results import dampers_table
 from edesign.report.response.energy_figures import _numbers
@@ -117,3 +117,16 @@ def test_archives_with_gravity_in_their_energies_are_read_since_the_motion_began
     del old.variables["energy"]
     assert energy_share(old, "dampers") is None
     assert energy_share(group, "dampers") is not None
+
+
+def test_braces_that_carry_gravity_count_their_work_since_the_motion_began() -> None:
+    """Restrained braces work under gravity; the work of each and that of all leave this out alike."""
+    one = load_project(Path(__file__).parents[1] / "cases" / "brb_pinned" / "project.yaml")
+    (spec,) = (spec for spec in one.analyses if spec.kind == "history")
+    group = run_analysis(one, spec)
+    terms = final_energies(group)
+    assert terms is not None
+    before = dict(zip(terms, group.variables[BEFORE].values, strict=True))
+    assert before["dampers"] > 1e-3 * terms["dampers"]
+    # sums of the same works in another order
+    assert group.variables["damper_work_final"].values.sum() == pytest.approx(terms["dampers"], rel=1e-9)

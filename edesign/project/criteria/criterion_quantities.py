@@ -73,7 +73,9 @@ QUANTITIES: dict[str, ArchivedQuantity] = {
         kept="floors",
     ),
     "storey_drift": ArchivedQuantity(RATIO, "storey", "drift ratio of the worst column line"),
-    "residual_storey_drift": ArchivedQuantity(RATIO, "storey", "mean over the last fundamental period"),
+    "residual_storey_drift": ArchivedQuantity(
+        RATIO, "storey", "mean over the last fundamental period and over the column lines"
+    ),
     "storey_shear": ArchivedQuantity(FORCE, "storey", "of the columns and braces, without dampers"),
     "storey_damper_force": ArchivedQuantity(FORCE, "storey", "horizontal, of the dampers of the storey together"),
     "column_axial_force": ArchivedQuantity(FORCE, "column", "gravity included", sides=True),

@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions
+from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.report.archived import archived_project, archived_study, is_study_archive
 from edesign.report.motion.geometry import moving_frame
 from edesign.report.motion.moving import Moving, nearest, read_moving
@@ -152,8 +153,7 @@ def _accepted(of: VariantMembers, variant: str, group: Group) -> dict[End, tuple
     """Plastic rotations from which an end is in each class of `ACCEPTANCE` but the first, rad."""
     compression, found = compressions(group), {}
     for name, member in of(variant).items():
-        limits = member.limits(compression.get(name, 0.0))
-        allowed = [0.0] * 3 if limits is None else [limits.allowed(level) for level in ("IO", "LS", "CP")]
+        allowed = [member.allowed(level, compression.get(name, 0.0)) for level in PERFORMANCE_LEVELS]
         for end in (0, 1):
             found[name, end] = (ELASTIC_ROTATION, *(max(ELASTIC_ROTATION, limit) for limit in allowed))
     return found

@@ -13,6 +13,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.reader import Archive
 from edesign.assess.envelopes import peak
 from edesign.assess.members import ELASTIC_ROTATION, VariantMembers, compressions, frame_members
+from edesign.codes.fema356.drift import PERFORMANCE_LEVELS
 from edesign.project.frame.frame import Frame
 from edesign.project.project import Project
 from edesign.report.archived import archived_project, archived_study, is_study_archive
@@ -123,9 +124,8 @@ def acceptance(project: Project, groups: Sequence[Group]) -> dict[End, float]:
         if member is None:
             continue
         rotation = float(np.mean([one[end] for one in rotations]))
-        limits = member.limits(float(np.mean([one.get(end[0], 0.0) for one in compression])))
-        allowed = [0.0] * 3 if limits is None else [limits.allowed(level) for level in ("IO", "LS", "CP")]
-        beyond = sum(rotation > limit for limit in allowed)
+        force = float(np.mean([one.get(end[0], 0.0) for one in compression]))
+        beyond = sum(rotation > member.allowed(level, force) for level in PERFORMANCE_LEVELS)
         found[end] = float(1 + beyond) if rotation > ELASTIC_ROTATION else 0.0
     return found
 

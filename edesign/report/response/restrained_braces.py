@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
 from edesign.project.notation.names import line_name
 from edesign.report.drawing.captions import some_names
 from edesign.report.response.histories import groups_alike, names_of
@@ -66,7 +67,7 @@ def demand_table(groups: Mapping[str, Group]) -> Table:
         return np.max([of(group) for group in groups.values()], axis=0)
 
     def size(name: str) -> np.ndarray:
-        return largest(lambda group: np.maximum(_values(group, f"{name}_max"), -_values(group, f"{name}_min")))
+        return largest(lambda group: np.asarray(peak(group, name)))
 
     one = next(iter(groups.values()))
     tension = np.maximum(largest(lambda group: _values(group, "damper_force_max")), 0.0)

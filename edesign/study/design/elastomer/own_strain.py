@@ -10,6 +10,7 @@ from typing import Generic, TypeVar
 import numpy as np
 
 from edesign.archive.dataset import Group
+from edesign.assess.envelopes import peak
 from edesign.errors import InputError
 from edesign.project.dampers.designs import ElastomerDesign
 from edesign.study.design.building import Building
@@ -83,9 +84,10 @@ def history_strain(k_D: np.ndarray, histories: Iterable[Group]) -> float:
         The strain; nan if no history was completed.
     """
     peaks = [
-        np.maximum(group.variables["damper_strain_max"].values, -group.variables["damper_strain_min"].values)
+        found
         for group in histories
-        if group.attributes.get("status", "completed") == "completed" and "damper_strain_max" in group.variables
+        if group.attributes.get("status", "completed") == "completed"
+        and (found := peak(group, "damper_strain")) is not None
     ]
     return effective_strain(k_D, np.mean(peaks, axis=0)) if peaks else math.nan
 
