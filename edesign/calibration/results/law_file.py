@@ -18,6 +18,7 @@ from edesign.calibration.dampers.acts import Amendment as AmendmentAct
 from edesign.calibration.dampers.acts import LastingExtremes, LawParameters, Rest
 from edesign.calibration.dampers.effect import EffectForm
 from edesign.calibration.dampers.effects.condition import CONDITION
+from edesign.calibration.dampers.effects.temperature_law import lost
 from edesign.calibration.dampers.problem import DamperProblem
 from edesign.calibration.form import FormInCampaign
 from edesign.calibration.residual.series import Stage
@@ -140,8 +141,7 @@ def _in_temperature_law(problem: DamperProblem, of: FormInCampaign, p: Mapping[s
     grid = np.arange(degrees[0], degrees[-1], _APART).tolist() if len(degrees) > 1 else []
     rows = []
     for t in sorted({*degrees, *grid}):
-        warmer = t - REFERENCE_C
-        gamma = math.exp(-b * warmer / (1.0 + c * warmer))
+        gamma = math.exp(-lost(p, t))
         rows.append((t, gamma if table is None else gamma * table.gamma(t)))
     return (
         Carried(temperature=GammaT(tuple(rows), "force" if table is None else "parameters")) if len(rows) > 1 else None

@@ -10,6 +10,7 @@ import numpy as np
 
 from edesign.calibration.residual.series import Series
 from edesign.calibration.results.result import Effect
+from edesign.damper.temperature import REFERENCE_C
 from edesign.report.calibration.view import COLOURS, View
 from edesign.report.drawing.style import grid_figure, styled
 
@@ -78,7 +79,20 @@ def _threshold(p: Values, u: np.ndarray) -> np.ndarray:
     return np.asarray(p["k"] * np.maximum(np.abs(u) - p["u0"], 0.0) * np.sign(u))
 
 
+def _one_sided_spring(p: Values, u: np.ndarray) -> np.ndarray:
+    return np.asarray(p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"])
+
+
+def _falls(p: Values, t: np.ndarray) -> np.ndarray:
+    warmer = t - REFERENCE_C
+    return np.asarray(np.exp(-p["b"] * warmer / (1.0 + p.get("c", 0.0) * warmer)))
+
+
+_SIDES = ("positive", "negative")
 _AMPLITUDE, _U, _PATH = "recent amplitude (mm)", "displacement (mm)", "path travelled (m)"
+_FALL = _Shape("temperature (°C)", 1.0, _temperature, _falls)
+_SPRING = _Shape(_U, 1e-3, _deformation, _one_sided_spring, force=True)
+_FACTOR = _Shape(_U, 1e-3, _deformation, lambda p, u: 1.0 + p["b"] * (p["side"] * u > 0.0))
 _SHAPES: dict[tuple[str, str], _Shape] = {
     ("payne", "whole"): _Shape(_AMPLITUDE, 1e-3, _envelope, lambda p, a: 1.0 - p["d"] * _broken(p, a)),
     ("payne", "elastic"): _Shape(_AMPLITUDE, 1e-3, _envelope, lambda p, a: -p["k"] * a * _broken(p, a), force=True),
@@ -87,26 +101,19 @@ _SHAPES: dict[tuple[str, str], _Shape] = {
         "work done (J)", 1.0, _work, lambda p, e: 1.0 - p["d"] * (1.0 - np.exp(-np.maximum(e, 0.0) / p["E0"]))
     ),
     ("degradation", "path"): _Shape(_PATH, 1.0, _path, lambda p, s: 1.0 - p["d"] * (1.0 - np.exp(-s / p["s0"]))),
-    ("temperature_law", "exponential"): _Shape(
-        "temperature (°C)", 1.0, _temperature, lambda p, t: np.exp(-p["b"] * (t - p["T0"]))
-    ),
+    ("temperature_law", "exponential"): _FALL,
+    ("temperature_law", "wlf"): _FALL,
     ("hardening", "power"): _Shape(
         _U, 1e-3, _deformation, lambda p, u: p["k"] * u * (np.abs(u) / p["r"]) ** (p["p"] - 1.0), force=True
     ),
     ("hardening", "threshold"): _Shape(_U, 1e-3, _deformation, _threshold, force=True),
-    ("one_sided", "spring"): _Shape(
-        _U,
-        1e-3,
-        _deformation,
-        lambda p, u: p["k"] * np.maximum(p["side"] * u - p["u0"], 0.0) * p["side"],
-        force=True,
-    ),
-    ("one_sided", "factor"): _Shape(_U, 1e-3, _deformation, lambda p, u: 1.0 + p["b"] * (p["side"] * u > 0.0)),
+    **{("one_sided", f"spring_{side}"): _SPRING for side in _SIDES},
+    **{("one_sided", f"factor_{side}"): _FACTOR for side in _SIDES},
     ("velocity_exponent", "dashpot"): _Shape(
         "velocity (mm/s)",
         1e-3,
         _velocity,
-        lambda p, v: p["c"] * np.abs(v) ** p["alpha"] * np.sign(v),
+        lambda p, v: p["F_V"] * (np.abs(v) / p["V"]) ** p["alpha"] * np.sign(v),
         force=True,
     ),
 }

@@ -50,27 +50,32 @@ def _slowing_starts(b: float) -> Rows:
     return (b, 0.0), (b, 0.01)
 
 
-def _lost(p: Values, test: Experiment) -> float:
-    """Return b w/(1 + c w), w = T - T0; c = 0 where a form has none."""
-    warmer = test.temperature - REFERENCE_C
+def lost(p: Values, temperature_C: float) -> float:
+    """Return b w/(1 + c w), w = T - T0 with T0 = `REFERENCE_C`; c = 0 where a form has none.
+
+    Args:
+        p: parameters of the form, 1/K.
+        temperature_C: T, degC.
+    """
+    warmer = temperature_C - REFERENCE_C
     return p["b"] * warmer / max(1.0 + p.get("c", 0.0) * warmer, _NEAREST)
 
 
 def _shifted(p: Values, test: Experiment, law: Law, values: dict[str, float]) -> dict[str, float]:
     # a second becomes a_T seconds: units tell which power of a_T a parameter takes
-    slower = Scales(1.0, 1.0, math.exp(_lost(p, test)))
+    slower = Scales(1.0, 1.0, math.exp(lost(p, test.temperature)))
     return {one.name: values[one.name] * slower.of(one.unit, values) for one in law.all_parameters(values)}
 
 
 def _at_rate(p: Values, test: Experiment, law: Law, values: dict[str, float]) -> dict[str, float]:
-    return at_one_rate(values, math.exp(-_lost(p, test)))
+    return at_one_rate(values, math.exp(-lost(p, test.temperature)))
 
 
 def _unchanged(p: Values, test: Experiment, law: Law, values: dict[str, float]) -> dict[str, float]:
     return values
 
 
-_BY_FACTOR = Amendment("constant", factor=lambda p, test: math.exp(-_lost(p, test)))
+_BY_FACTOR = Amendment("constant", factor=lambda p, test: math.exp(-lost(p, test.temperature)))
 
 _EXPONENTIAL = EffectForm(
     "temperature_law",
