@@ -118,7 +118,8 @@ def _rival(base: FittedModel, observed: Observed, name: str) -> _Rival | None:
     assert isinstance(problem, DamperProblem)
     try:
         begun = start_values(law, observed, branches=_BRANCHES if law.branch else 1)
-        own = replace(problem, law=law, declared=law.complete(begun), refit=True)
+        # `alone` is of the declared law, whose parameters of the same name are other ones
+        own = replace(problem, law=law, declared=law.complete(begun), refit=True, alone={})
         model = _Flat(own.model(()))
         spread = _APART / np.array([one.spread if one.logarithmic else np.inf for one in model.parameters])
         starts = spread * np.random.default_rng(_SEED).standard_normal((_STARTS, spread.size))
