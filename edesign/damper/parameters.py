@@ -160,19 +160,29 @@ def write_parameters(law: Law, values: Mapping[str, float]) -> dict[str, str]:
         InputError: a parameter is unknown, missing or out of its bounds.
     """
     complete = law.complete(values)
-    plain = {p.name: f"{complete[p.name]:.{_DIGITS}g}" for p in law.all_parameters(complete) if not p.unit}
+    return {
+        name: f"{complete[name] / one:.{_DIGITS}g} {unit}".rstrip()
+        for name, (one, unit) in practical_units(law, complete).items()
+    }
+
+
+def practical_units(law: Law, values: Mapping[str, float]) -> dict[str, tuple[float, str]]:
+    """Return the units in which `write_parameters` writes, by parameter: one of each in SI, and its name.
+
+    Args:
+        law: the law.
+        values: all parameters by name, SI.
+    """
+    plain = {p.name: f"{values[p.name]:.{_DIGITS}g}" for p in law.all_parameters(values) if not p.unit}
     exponents = {name: float(text) for name, text in plain.items()}
-    written = {}
-    for parameter in law.all_parameters(complete):
-        if parameter.unit == _CELSIUS:
-            written[parameter.name] = f"{complete[parameter.name]:.{_DIGITS}g} {_CELSIUS}"
-        elif parameter.unit:
+    found = {}
+    for parameter in law.all_parameters(values):
+        one, unit = 1.0, parameter.unit
+        if unit and unit != _CELSIUS:
             unit = practical_unit(parameter, plain)
             one = parse_quantity(f"1 {unit}", _kind(parameter, exponents))
-            written[parameter.name] = f"{complete[parameter.name] / one:.{_DIGITS}g} {unit}"
-        else:
-            written[parameter.name] = plain[parameter.name]
-    return written
+        found[parameter.name] = one, unit
+    return found
 
 
 def practical_unit(parameter: Parameter, exponents: Mapping[str, object] | None = None) -> str:

@@ -10,7 +10,7 @@ import yaml
 
 from edesign.damper.fitting.fit import Fit, mean_nrms
 from edesign.damper.fitting.thermal import gamma_name
-from edesign.damper.parameters import practical_unit, write_parameters
+from edesign.damper.parameters import practical_unit, practical_units, write_parameters
 from edesign.damper.testing.specimen import Specimen
 
 _DIGITS = 9
@@ -94,13 +94,11 @@ def practical_errors(fit: Fit, errors: Mapping[str, float]) -> dict[str, str | f
         fit: the fit.
         errors: by parameter, SI.
     """
-    shown = practical(fit)
-    found = {}
-    for name, error in errors.items():
-        number, unit = shown[name]
-        value = fit.all_values[name]
-        found[name] = _text(error * (number / value if value else 1.0), unit, _ERROR_DIGITS)
-    return found
+    shown, units = practical(fit), practical_units(fit.law, fit.values)
+    return {
+        name: _text(error / units.get(name, (1.0, ""))[0], shown[name][1], _ERROR_DIGITS)
+        for name, error in errors.items()
+    }
 
 
 def practical(fit: Fit) -> dict[str, tuple[float, str]]:

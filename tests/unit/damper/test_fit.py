@@ -13,6 +13,7 @@ from edesign.damper.damper import Damper
 from edesign.damper.fitting import cross_validate, fit_forces
 from edesign.damper.fitting.compare import compare_laws
 from edesign.damper.fitting.loading import Loading
+from edesign.damper.fitting.write import practical_errors
 from edesign.damper.history import spline_velocity
 from edesign.damper.laws import LAWS
 from edesign.damper.testing.measured_histories import DamperTest
@@ -285,3 +286,12 @@ def test_what_went_before_a_test_in_motion_is_left_out_of_a_fit() -> None:
         for t, rms in zip(tests, fit.rms_error.values(), strict=True)
     )
     assert [doubt for doubt in fit.doubts if "starts away from rest" in doubt and "not judged" in doubt]
+
+
+def test_the_standard_error_of_a_parameter_of_zero_has_its_unit() -> None:
+    """40 000 N/m are 0.04 kN/mm; 7 000 N (s/m)^0.5 are 7 kN over the root of 1000, as a s/mm is 1000 s/m."""
+    fit = fit_forces(KELVIN, histories_with(), starts=1)
+    at_zero = replace(fit, values={"k": 0.0, "c": C})
+    assert practical_errors(at_zero, {"k": 4e4, "c": 2e3}) == {"k": "0.04 kN/mm", "c": "0.002 kN*s/mm"}
+    dashpot = replace(fit, law=POWER, values={"c": 7e4, "alpha": 0.5})
+    assert practical_errors(dashpot, {"c": 7e3, "alpha": 0.01}) == {"c": "0.221 kN*(s/mm)^alpha", "alpha": 0.01}
