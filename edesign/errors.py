@@ -27,6 +27,12 @@ class ArchiveError(EdesignError):
     exit_code = 4
 
 
+class StageFailed(EdesignError):
+    """A stage that follows the results failed, such as a figure; the results are written."""
+
+    exit_code = 5
+
+
 class Interrupted(EdesignError):
     """The user stopped the run; the message says what was kept."""
 

@@ -7,12 +7,15 @@ import sys
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from edesign.cli.shared.pdf_options import PaperOption, print_options
+from edesign.cli.shared.streams import progress_line
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.calibration.search.settings import SearchSettings
@@ -68,20 +71,24 @@ def calibrate(
 
     def tell(what: str) -> None:
         if not quiet:
-            print(told(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr), file=sys.stderr, flush=True)
+            progress_line(told(f"{time.monotonic() - begin:6.1f} s  ", what, sys.stderr))
 
     tell("reading the tests")
     found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))
     written = found.write(folder)
+    kept = f"what was found is in {folder}"
     if page or pdf:
         tell("drawing the report")
-        written += _reports(found.report(), folder, page, options if pdf else None)
+        with optional("the report", kept):
+            written += _reports(found.report(), folder, page, options if pdf else None)
     if json_output:
         print(json.dumps(found.json(), indent=1, allow_nan=False))
     elif not quiet:
-        print_tables(found.tables())
-        for paragraph in found.verdict().splitlines():
-            print(f"\n{filled(paragraph)}")
+        with optional("the tables", kept):
+            print_tables(found.tables())
+        with optional("the verdict", kept):
+            for paragraph in found.verdict().splitlines():
+                print(f"\n{filled(paragraph)}")
         print()
         for path in written:
             print(f"written: {path}")
@@ -90,13 +97,17 @@ def calibrate(
 
 
 def _reports(report: Page, folder: Path, page: bool, pdf: PrintOptions | None) -> list[Path]:
-    """Write a report as a page, a PDF or both."""
+    """Write a report as a page, a PDF or both, of which one does without the other."""
     from edesign.report.page.document import write_html
     from edesign.report.pdf.document import write_page_as_pdf
 
-    written = [write_html(report, folder / "calibration.html")] if page else []
+    written = []
+    if page:
+        with optional("calibration.html"):
+            written.append(write_html(report, folder / "calibration.html"))
     if pdf is not None:
-        written.append(write_page_as_pdf(report, folder / "calibration.pdf", options=pdf))
+        with optional("calibration.pdf"):
+            written.append(write_page_as_pdf(report, folder / "calibration.pdf", options=pdf))
     return written
 
 
@@ -178,8 +189,9 @@ def _structure(campaign: Path, search: _Search) -> _Found:
     loaded = load_structure_campaign(campaign)
     check_files(campaign, loaded.title or loaded.name, search.folder, search.overwrite, FILES)
     found = calibrate_structure(loaded, search.settings, search.workers, search.tell)
+    texts = partial(corrected_texts, found, loaded)
     return _Found(
-        lambda folder: write_calibration(found, loaded.path, loaded.text, corrected_texts(found, loaded), folder),
+        lambda folder: write_calibration(found, loaded.path, loaded.text, texts, folder),
         lambda: calibration_page(found, document=loaded.document),
         lambda: calibration_json(found),
         lambda: tables_of(found),

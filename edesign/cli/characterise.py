@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.damper.testing.campaign import Campaign
@@ -80,6 +81,9 @@ def characterise(
         raise InputError("\n".join(notes))
     rows, left_out = usable(found)
     notes += left_out
+    table = from_properties(rows, str(output or inputs[0])) if rows else None
+    if output is not None and table is not None:
+        write_property_table(table, output)
     if as_json:
         data = {**properties_data(found, each), "notes": notes}
         print(json.dumps(data, indent=2, allow_nan=False, ensure_ascii=False))
@@ -90,13 +94,11 @@ def characterise(
         )
         tables = [properties_table(title, found, notes)]
         print_tables([*tables, *(cycle_properties_table(name, columns) for name, columns in each.items())])
-    table = from_properties(rows, str(output or inputs[0])) if rows else None
-    if output is not None:
-        if table is None:
-            raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes))
-        write_property_table(table, output)
+    if output is not None and table is None:
+        raise InputError(f"{output}: there are no properties to write\n" + "\n".join(notes))
     if figures is not None:
-        draw_tests(campaign, table, figures, figure_format)
+        with optional("the figures", "the properties stand"):
+            draw_tests(campaign, table, figures, figure_format)
 
 
 def _cycles(text: str) -> tuple[int, int]:

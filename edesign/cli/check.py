@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated, TypeVar
 
 import typer
 
+from edesign.optional_stages import optional
+
 if TYPE_CHECKING:
     from edesign.project.reading.file_model import FileModel
 
@@ -96,8 +98,10 @@ def _summary(file: Path, target: Path | None) -> dict[str, str]:
 def _drawn(model: Drawable, target: Path | None) -> Drawable:
     """Draw a model before it is checked: what is wrong with it may be seen there first."""
     if target is not None:
+        from edesign.errors import InputError
         from edesign.report.model.drawings import draw_model
 
-        for path in draw_model(model, target):
-            print(f"{'figure:':<11} {path}")
+        with optional("the drawing of the model", passing=(InputError,)):  # which the check would tell of too
+            for path in draw_model(model, target):
+                print(f"{'figure:':<11} {path}")
     return model

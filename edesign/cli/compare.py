@@ -55,12 +55,12 @@ def compare(
             raise DamagedArchive(damage)
         return
     comparison, damage = read_archive(archive, lambda opened: compare_archive(opened, loaded))
+    if csv is not None:
+        write_comparison(comparison, csv)
     if as_json:
         print(json.dumps(comparison_data(comparison), indent=2, allow_nan=False, ensure_ascii=False))
     else:
         print_tables(block_tables(comparison, bars))
-    if csv is not None:
-        write_comparison(comparison, csv)
     if damage:
         raise DamagedArchive(damage)
     if check and comparison.outside:

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import shlex
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
+from edesign.cli.shared.streams import progress_line
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 
 NAME = "designed.yaml"
 
@@ -42,7 +43,7 @@ def design(
 
     def tell(line: str) -> None:
         if not quiet:
-            print(visible_line(line), file=sys.stderr, flush=True)
+            progress_line(visible_line(line))
 
     path = building.with_name(NAME) if output is None else output
     read = load_building(building)
@@ -56,5 +57,6 @@ def design(
     write_yaml(said + found.building.text, path, building)
     write_building(load_building(path), found.design, archive, selection_group(found))
     if not quiet:
-        print_tables(selection_tables(found))
+        with optional("the tables", f"{path} and {archive} are written"):
+            print_tables(selection_tables(found))
         print(f"{path} and {archive} written. Next: edesign report {shlex.quote(str(archive))}")

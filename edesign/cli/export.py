@@ -7,6 +7,9 @@ from typing import Annotated
 
 import typer
 
+from edesign.errors import EdesignError
+from edesign.optional_stages import optional
+
 
 def export(
     archive: Annotated[Path, typer.Argument(help="The archive, complete or partial.", show_default=False)],
@@ -74,13 +77,17 @@ def export(
         shown.rows = [[t.name, whole(t.rows), whole(len(t.columns))] for t in found]
         print_tables([shown])
     else:
+        kept = f"the results are in {archive}"  # and each form of the tables does without the others
         if xlsx is not None:
-            write_workbook(found, facts, xlsx)
-            print(f"{xlsx}: {len(found)} tables")
+            with optional(str(xlsx), kept, passing=(EdesignError,)):
+                write_workbook(found, facts, xlsx)
+                print(f"{xlsx}: {len(found)} tables")
         if csv is not None:
-            print(f"{csv}: {len(write_csv_folder(found, facts, csv))} tables, listed in contents.csv")
+            with optional(str(csv), kept, passing=(EdesignError,)):
+                print(f"{csv}: {len(write_csv_folder(found, facts, csv))} tables, listed in contents.csv")
         if parquet is not None:
-            print(f"{parquet}: {len(write_parquet_folder(found, facts, parquet))} tables, listed in contents.csv")
+            with optional(str(parquet), kept, passing=(EdesignError,)):
+                print(f"{parquet}: {len(write_parquet_folder(found, facts, parquet))} tables, listed in contents.csv")
     if damage:
         raise DamagedArchive(damage)
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 import json
-import sys
-from dataclasses import dataclass
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from edesign.cli.shared.complete import law_names
+from edesign.cli.shared.streams import progress_line
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.cli.shared.fit_inputs import FitInput
@@ -80,7 +82,7 @@ def fit(
     from edesign.archive.files import check_folder, check_own_yaml, make_folder
     from edesign.cli.shared import fit_inputs as read
     from edesign.damper.fitting import compare
-    from edesign.errors import InputError
+    from edesign.errors import ArchiveError, InputError, Interrupted
     from edesign.input_files import spare_inputs
     from edesign.report.damper.fit_figures import draw_fits
     from edesign.report.damper.fit_tables import tables_of
@@ -101,7 +103,7 @@ def fit(
             check_folder(folder)  # rather than after a long fit
     if not quiet:
         for note in given.notes:
-            print(f"note: {note}", file=sys.stderr, flush=True)
+            progress_line(f"note: {note}")
     laws = read.read_laws(law or [], given.law)
     alone = len(laws) == 1
     places = {item.name: output if alone else output / item.name for item in laws} if output is not None else {}
@@ -110,7 +112,7 @@ def fit(
         check_own_yaml(place / "law.yaml", source, overwrite)
     options: dict[str, Any] = {"starts": starts, "seed": seed, "loss": loss, "workers": workers}
     options["temperature"] = temperature
-    results = []
+    plans = []  # mistakes in any of them are told before the first fit
     for item in laws:
         begin = read.read_starts(item, start or [], given.law, alone)
         own = options | {
@@ -118,23 +120,57 @@ def fit(
             "fit_also": [name for name in free or [] if alone or name in {p.name for p in item.parameters}],
             "branches": branches if item.branch else 1,
         }
-        results.append(_fit(item, given, begin, own, cross_validate, folds, quiet))
+        plans.append((item, begin, own))
+    results: dict[str, _Result] = {}
+    refused: dict[str, Exception] = {}  # of several laws, those that cannot be fitted
+    unwritten: list[ArchiveError] = []
+
+    def fit_one(law: Law, begin: dict[str, float], own: dict[str, Any]) -> None:
+        for result in _fit(law, given, begin, own, cross_validate, folds, quiet):
+            results[law.name] = result
+            if law.name in places:
+                try:
+                    _write(result, given, places[law.name], source)
+                except ArchiveError as error:  # a full disk does not take the result of a long fit with it
+                    unwritten.append(error)
+
     try:
-        for result in results if places else ():
-            _write(result, given, places[result.fit.law.name], source)
-    finally:  # a full disk does not take the result of a long fit with it
-        if json_output:
-            found = [_json(result) for result in results]
-            print(json.dumps(found[0] if alone else found, indent=1, allow_nan=False))
-        elif not quiet:
-            fits, outs = [result.fit for result in results], [result.held_out for result in results]
-            comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
-            print_tables(tables_of(fits, comparison, [result.validated for result in results]))
-            for place in places.values():
-                print(f"written: {place / 'law.yaml'}, fit.json")
+        for plan in plans:
+            if alone:
+                fit_one(*plan)
+                continue
+            done = f"fitted before it: {', '.join(results)}" if results else ""
+            try:
+                with optional(f"the fit of {plan[0].name}", done, passing=(Exception,)):
+                    fit_one(*plan)
+            except Exception as error:
+                if isinstance(error, Interrupted):
+                    raise
+                refused[plan[0].name] = error
+        for name, reason in refused.items():
+            if not results:
+                raise reason
+            with optional(f"the fit of {name}"):
+                raise reason
+    finally:  # an interrupt does not take what is fitted by then with it
+        found = list(results.values())
+        if json_output and found:
+            told = [_json(result) for result in found]
+            print(json.dumps(told[0] if alone else told, indent=1, allow_nan=False))
+        elif found and not quiet:
+            with optional("the tables"):
+                fits, outs = [result.fit for result in found], [result.held_out for result in found]
+                comparison = compare.comparison(fits, outs) if cross_validate or not alone else None
+                print_tables(tables_of(fits, comparison, [result.validated for result in found]))
+            for name in () if unwritten else results if places else ():
+                print(f"written: {places[name] / 'law.yaml'}, fit.json")
+    if unwritten:
+        raise unwritten[0]
     if figures is not None:
-        make_folder(figures)
-        draw_fits([result.fit for result in results], [*given.tests, *given.validation], figures, figure_format)
+        where = f"; what was fitted is in {output}" if output is not None else ""
+        with optional("the figures", f"the fits are printed above{where}"):
+            make_folder(figures)
+            draw_fits([one.fit for one in found], [*given.tests, *given.validation], figures, figure_format)
 
 
 @dataclass(frozen=True)
@@ -154,27 +190,33 @@ def _fit(
     out: bool,
     folds: int | None,
     quiet: bool,
-) -> _Result:
+) -> Iterator[_Result]:
+    """Yield the fit, then what more was found about it."""
     from edesign.damper.fitting import cross_validate, fit_forces, fit_properties, prediction_errors
 
     progress = None if quiet else _progress(law.name)
     if given.table is not None:
         assert given.specimen is not None  # moduli are of layers
-        return _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
+        yield _Result(fit_properties(law, given.table, given.specimen, begin, progress=progress, **options), None, {})
+        return
     found = fit_forces(law, given.tests, begin, specimen=given.specimen, progress=progress, **options)
+    result = _Result(found, None, {})
+    yield result
     low, high = found.tested.temperature_C
     for test in () if quiet else given.validation:
         if not low <= test.temperature_C <= high:
             span = f"{low:g} degC" if low == high else f"{low:g} to {high:g} degC"
-            print(
-                f"note: test {test.name} is at {test.temperature_C:g} degC, those fitted at {span}",
-                file=sys.stderr,
-                flush=True,
-            )
-    held_out = None
+            progress_line(f"note: test {test.name} is at {test.temperature_C:g} degC, those fitted at {span}")
+    kept = f"{law.name} is fitted"
+    if given.validation:
+        with optional(f"the prediction of tests for validation by {law.name}", kept):
+            result = replace(result, validated=prediction_errors(found, given.validation))
+        yield result
     if out:
-        held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, told=progress, **options)
-    return _Result(found, held_out, prediction_errors(found, given.validation) if given.validation else {})
+        with optional(f"the cross-validation of {law.name}", kept):
+            held_out = cross_validate(law, given.tests, begin, folds=folds, whole=found, told=progress, **options)
+            result = replace(result, held_out=held_out)
+        yield result
 
 
 def _json(result: _Result) -> dict[str, Any]:
@@ -201,6 +243,6 @@ def _progress(name: str) -> Progress:
     """Tell on standard error which start of which law is done."""
 
     def tell(what: str, done: int, of: int) -> None:
-        print(f"{name}: {what} {done}/{of}", file=sys.stderr, flush=True)
+        progress_line(f"{name}: {what} {done}/{of}")
 
     return tell

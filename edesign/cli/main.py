@@ -8,6 +8,7 @@ import os
 import sys
 import traceback
 from collections.abc import Sequence
+from contextlib import suppress
 from typing import Annotated, Any
 
 import typer
@@ -39,12 +40,14 @@ from edesign.cli.show import show
 from edesign.cli.spectrum import spectrum
 from edesign.cli.test import test
 from edesign.cli.translate import translate
-from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted
+from edesign.errors import ArchiveError, EdesignError, InputError, Interrupted, StageFailed
 from edesign.input_files import noting_inputs
+from edesign.optional_stages import noting_failures, told, words_of_mistake
 
 EPILOG = (
     "Exit codes: 0 done; 2 something in the input is wrong; 3 an analysis failed (the others are archived); "
-    "4 an archive cannot be read or written; 130 interrupted; 1 an error in edesign itself."
+    "4 an archive cannot be read or written; 5 the results are written, but not all that follows them, such as a "
+    "figure; 130 interrupted; 1 an error in edesign itself."
 )
 
 _WRONG_USAGE: Any = next(kind for kind in typer.BadParameter.__mro__ if kind.__name__ == "ClickException")
@@ -113,6 +116,19 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(words: list[str], debug: bool) -> int:
+    """Return the exit code of a command, and tell of stages that failed after its results."""
+    with noting_failures() as failures:
+        code = _called(words, debug)
+    if not failures:
+        return code
+    if debug:
+        for failure in failures:
+            with suppress(OSError):  # the exit code must do
+                traceback.print_exception(failure.error)
+    return _fail(told(failures), code or StageFailed.exit_code, debug=False)
+
+
+def _called(words: list[str], debug: bool) -> int:
     try:
         with noting_inputs():
             code = app(words, prog_name="edesign", standalone_mode=False)  # which leaves errors and exit codes to this
@@ -169,7 +185,7 @@ def _name(path: object) -> str:
 
 
 def _unexpected(error: Exception) -> str:
-    return f"an error in edesign itself ({type(error).__name__}: {error}); please report it with the output of --debug"
+    return f"{words_of_mistake(error)}; please report it with the output of --debug"
 
 
 def _give_up_output() -> None:

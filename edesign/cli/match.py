@@ -9,6 +9,7 @@ import typer
 
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
+from edesign.optional_stages import optional
 
 
 def match(
@@ -123,16 +124,19 @@ def match(
             inputs[0],
             overwrite,
         )
-    if not quiet:
-        print_tables([*tables, *record_tables(summary.archive)])
-        print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
+    kept = f"the results are in {summary.archive}"
     if csv is not None:
         make_folder(csv)
         for motion in summary.motions.values():
             if not motion.failure:
                 write_csv(motion.record, csv / f"{motion.name}.csv")
+    if not quiet:
+        with optional("the tables", kept):
+            print_tables([*tables, *record_tables(summary.archive)])
+        print(f"archive: {summary.archive} ({summary.seconds:.1f} s)")
     if figures is not None:
-        draw_figures(summary.archive, figures, figure_format)
+        with optional("the figures", kept):
+            draw_figures(summary.archive, figures, figure_format)
     if summary.failed:
         reasons = "".join(f"\n  {motion.failure}" for motion in summary.failed)
         raise AnalysisError(f"{len(summary.failed)} of {len(summary.motions)} recordings could not be fitted{reasons}")

@@ -76,9 +76,9 @@ def records(
     if folder and not hasattr(source, "folders"):
         raise InputError("--folder: only with a suite, whose recordings are looked for there")
     found, refused = found_in.listing(source)
+    if csv is not None:
+        shown.write_listing(found, csv)
     if as_json:
         print(json.dumps(shown.listing_data(found, refused), indent=2, allow_nan=False, ensure_ascii=False))
     else:
         print_tables(shown.listing_tables(where, found, refused))
-    if csv is not None:
-        shown.write_listing(found, csv)

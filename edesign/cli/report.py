@@ -10,6 +10,7 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.pdf_options import AppendixOption, PaperOption, print_options
+from edesign.cli.shared.streams import progress_line
 
 LINE_AFTER = 1.0  # s between lines on how far it is, on a terminal
 LINE_EVERY = 10  # of what it tells elsewhere; the largest reports tell of some hundred figures
@@ -57,4 +58,4 @@ class PageProgress:
         due = now - self._last >= LINE_AFTER if self._by_time else self._count % LINE_EVERY == 0
         if due:
             self._last = now
-            print(line, file=sys.stderr, flush=True)
+            progress_line(line)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import Annotated
@@ -10,7 +9,9 @@ from typing import Annotated
 import typer
 
 from edesign.cli.shared.complete import analysis_names
+from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
+from edesign.optional_stages import optional
 
 
 def run(
@@ -145,17 +146,18 @@ def _end(archive: Path, took: str, end: _End) -> None:
     from edesign.report.short_tables import short_tables
     from edesign.report.tables.text import PAPER, print_tables
 
-    page = None
+    page, kept = None, f"the results are in {archive}"
     if end.report:
         from edesign.cli.report import PageProgress
         from edesign.report.page.document import write_page
 
         if not end.quiet:
-            print("writing the report ...", file=sys.stderr, flush=True)
-        page = write_page(archive, None, (lambda line: None) if end.quiet else PageProgress())
+            progress_line("writing the report ...")
+        with optional("the report", kept):
+            page = write_page(archive, None, (lambda line: None) if end.quiet else PageProgress())
     if end.quiet:
         return
-    with open_archive(archive) as opened:
+    with optional("the tables", kept), open_archive(archive) as opened:
         if end.whole:
             print_tables(overview(opened))
         else:

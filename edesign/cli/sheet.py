@@ -10,6 +10,7 @@ import typer
 
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.damper.damper import Damper
@@ -79,6 +80,9 @@ def sheet(
     if not runs:
         raise InputError("\n".join(notes))
     judged = judge(runs, designs, asked)
+    if output is not None:
+        headers, rows = tables.csv_rows(runs)
+        write_csv_file(headers, rows, output, digits=7)
     if as_json:
         print(json.dumps(tables.sheet_json(runs, judged, notes), indent=1, allow_nan=False, ensure_ascii=False))
     else:
@@ -88,21 +92,23 @@ def sheet(
         print_tables([own, *each, tables.acceptance_table(judged, runs)])
         print(tables.verdict_text(judged, runs))
     if output is not None:
-        headers, rows = tables.csv_rows(runs)
-        write_csv_file(headers, rows, output, digits=7)
         _told(output, as_json)
-    if page is not None or pdf is not None:
+    if page is None and pdf is None:
+        return
+    with optional("the report", "the sheet stands"):
         from edesign.report.page.sheet import sheet_page
 
         report = sheet_page(title, tests, runs, judged, asked, notes, document)
         if page is not None:
-            write_html(report, page)
-            _told(page, as_json)
+            with optional(str(page)):
+                write_html(report, page)
+                _told(page, as_json)
         if pdf is not None:
             from edesign.report.pdf.document import write_page_as_pdf
 
-            write_page_as_pdf(report, pdf, options=options)
-            _told(pdf, as_json)
+            with optional(str(pdf)):
+                write_page_as_pdf(report, pdf, options=options)
+                _told(pdf, as_json)
 
 
 def _told(path: Path, as_json: bool) -> None:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from edesign.cli.shared.complete import archived_names
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.archive.reader import Archive
@@ -90,8 +91,10 @@ def show(
     if figures is not None:
         from edesign.report.archive_figures import draw_figures
 
-        drawn, damage = read_archive(archive, lambda opened: draw_figures(opened, figures, figure_format))
-        if not drawn:
+        drawn: tuple[Path, ...] | None = None
+        with optional("the figures", "what the archive holds is printed above"):
+            drawn, damage = read_archive(archive, lambda opened: draw_figures(opened, figures, figure_format))
+        if drawn == ():
             nothing = "nothing to draw: no record is fitted or of a suite, and no history of dampers was kept"
             print(nothing, file=sys.stderr, flush=True)
     if damage:

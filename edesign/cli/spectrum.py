@@ -9,6 +9,7 @@ import typer
 
 from edesign.cli.shared import hazard_options as action
 from edesign.cli.shared import recordings as source
+from edesign.optional_stages import optional
 
 if TYPE_CHECKING:
     from edesign.ground_motion.sources import Found
@@ -95,8 +96,9 @@ def spectrum(
     columns = spectrum_columns(elastic, records, grid, None if design is None else design.acceleration(grid))
     table = spectrum_table(elastic.label, columns)
     table.notes = ([] if design is None else [f"Sd: {design.label}"]) + record_notes(found)
-    print_tables([table])
     if csv is not None:
         write_columns(columns, csv)
+    print_tables([table])
     if figure is not None:
-        draw_spectra(elastic, records, (first, last), figure, design)
+        with optional("the figure", "the table stands"):
+            draw_spectra(elastic, records, (first, last), figure, design)

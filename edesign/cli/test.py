@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from edesign.optional_stages import optional
+
 if TYPE_CHECKING:
     from edesign.study.run.progress import Listener
 
@@ -55,14 +57,17 @@ def test(
             check_folder(written)
     with listener(quiet) as listen:
         run = run_programme(plan, folder, _reporter(listen))
+    kept = f"the tests are in {run.campaign.path}"
     if not quiet:
         title = f"{len(run.campaign.tests)} tests of {run.campaign.specimen_name}"
-        print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
+        with optional("the table", kept):
+            print_tables([properties_table(title, run.properties, [f"note: {text}" for text in run.warnings])])
         print(f"campaign: {run.campaign.path}")
     if figures is not None:
-        rows = usable(run.properties)[0]
-        table = from_properties(rows) if rows else None
-        draw_tests(run.campaign, table, figures, figure_format)
+        with optional("the figures", kept):
+            rows = usable(run.properties)[0]
+            table = from_properties(rows) if rows else None
+            draw_tests(run.campaign, table, figures, figure_format)
 
 
 def _reporter(listen: Listener) -> Callable[[int, int, str], None]:

@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 
 from edesign.archive.files import make_folder
 from edesign.archive.reader import Archive, open_archive
+from edesign.errors import EdesignError
+from edesign.optional_stages import optional
 from edesign.report.archived import is_building_archive, is_substructure_archive
 from edesign.report.assessment.vary_figures import vary_figures
 from edesign.report.building.curves import mode_shapes, spectra, storey_curves
@@ -122,11 +124,14 @@ def draw_figures(
     written: list[Path] = []
     unique = UniqueNames()
     with garbage_between_figures() as collect:
-        for name, _, figure in all_figures(archive):
-            if not written:
-                make_folder(folder)
-            written.append(folder / f"{unique(name)}.{suffix}")
-            save(figure, written[-1])
-            del figure
-            collect()
+        for figures in FIGURES:
+            with optional(figures.__name__.replace("_", " "), passing=(EdesignError,)):
+                for name, _, figure in figures(archive):
+                    if not written:
+                        make_folder(folder)
+                    path = folder / f"{unique(name)}.{suffix}"
+                    save(figure, path)
+                    written.append(path)
+                    del figure
+                    collect()
     return tuple(written)

@@ -12,6 +12,7 @@ from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter
 from edesign.errors import ArchiveError
+from edesign.optional_stages import optional
 from edesign.project.building.building import Building
 from edesign.space.archived import PLACE, SELECTION, groups
 from edesign.space.check import building_warnings
@@ -82,7 +83,12 @@ def write_building(building: Building, design: ElasticDesign, path: Path, select
     """
     root = _root(building, building.path, path)
     name = f"{building.path.name}:"  # wherever the file stands
-    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in building_warnings(building)]
+    doubts: list[str] = []
+    with optional("what is doubtful about the building") as attempt:
+        doubts = list(building_warnings(building))
+    if attempt.failure is not None:
+        doubts = [str(attempt.failure)]
+    root.attributes[ATTRIBUTE] = [text.replace(f"{building.path}:", name) for text in doubts]
     with ArchiveWriter(path, root, extra={"provenance": circumstances()}) as writer:
         for place, group in groups(design):
             writer.write(place, group)

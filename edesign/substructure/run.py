@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,8 @@ from edesign.archive.dataset import Group
 from edesign.archive.files import make_folder, source_file
 from edesign.archive.owner import check_owner
 from edesign.archive.writer import ArchiveWriter
-from edesign.errors import InputError
+from edesign.errors import ArchiveError, InputError
+from edesign.optional_stages import optional
 from edesign.project.document import Document
 from edesign.project.reading.problems import listed
 from edesign.project.substructure.programme import RtsTest
@@ -78,7 +80,7 @@ def run_tests(
             tell(line)
 
         try:
-            for results in (with_unstable_loops(laboratory, one) for one in laboratory.run(begin, stop.is_set)):
+            for results in (_asked(laboratory, one) for one in laboratory.run(begin, stop.is_set)):
                 for place, group in groups(results, file.outputs.histories):
                     writer.write(place, group)
                 for run in results.runs:
@@ -91,7 +93,8 @@ def run_tests(
                 if csv_folder is not None and other.record is not None:
                     _write_method(other.record, time, csv_folder / names[other.name, ""])
                 others.append(other)
-            writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
+            with optional("the indicators", passing=(ArchiveError,)):
+                writer.write(INDICATORS, indicators([run for results in found for run in results.runs]))
             warnings += dict.fromkeys(text for results in found for run in results.runs for text in run.warnings)
             writer.finish({"status": "completed", "warnings": warnings})
         except BaseException:  # tests take seconds: the next run begins anew, and nothing half done is left
@@ -99,6 +102,14 @@ def run_tests(
             writer.partial.unlink(missing_ok=True)
             raise
     return path, tuple(found), tuple(others)
+
+
+def _asked(laboratory: VirtualLaboratory, results: TestResults) -> TestResults:
+    """Return results with what the linearised loop says of them; where it cannot be asked, runs are doubtful."""
+    with optional(f"whether the loops of {results.name} are stable") as attempt:
+        return with_unstable_loops(laboratory, results)
+    told = str(attempt.failure)
+    return replace(results, runs=tuple(replace(run, warnings=(*run.warnings, told)) for run in results.runs))
 
 
 def write_run(run: VirtualTest, path: Path) -> None:

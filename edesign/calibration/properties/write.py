@@ -22,6 +22,7 @@ from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.measured_histories import USES, Use
+from edesign.optional_stages import optional
 
 
 def property_calibration_json(calibration: PropertyCalibration) -> dict[str, Any]:
@@ -98,7 +99,12 @@ def write_property_files(calibration: PropertyCalibration, folder: Path) -> list
     make_folder(folder)
     told = json.dumps(property_calibration_json(calibration), indent=1, allow_nan=False) + "\n"
     write_text(told, folder / JSON)
-    write_yaml(property_law_text(calibration), folder / LAW, calibration.campaign.path)
+    law = ""
+    with optional("the corrected law", f"{folder / JSON} is written"):
+        law = property_law_text(calibration)
+    if not law:
+        return [folder / JSON]
+    write_yaml(law, folder / LAW, calibration.campaign.path)
     return [folder / JSON, folder / LAW]
 
 

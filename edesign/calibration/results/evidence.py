@@ -14,6 +14,7 @@ from edesign.calibration.results.floor import only_noise
 from edesign.calibration.results.models import Posterior, without
 from edesign.calibration.results.result import (
     Calibration,
+    ComparedModel,
     Effect,
     Hypothesis,
     NextTest,
@@ -28,6 +29,11 @@ from edesign.calibration.search.settings import SearchSettings
 from edesign.damper.testing.measured_histories import Use
 
 T = TypeVar("T")
+MODELS = "comparing the models of the search"
+NEXT_TEST = "asking which further test would tell more"
+OTHER_LAW = "asking whether another law does better"
+"""Steps of a calibration that it can do without."""
+NOT_DESCRIBED = "more than noise, which could not be described"
 
 
 @dataclass(frozen=True, eq=False)
@@ -113,9 +119,13 @@ class Evidence:
         verdict = verdict_of(reached, bool(effects), steps.ending)
         further = better = None
         if next_test is not None:
-            further = steps.take("asking which further test would tell more", next_test, None)
+            further = steps.take(NEXT_TEST, next_test, None)
         if other_law is not None and not reached:
-            better = steps.take("asking whether another law does better", other_law, None)
+            better = steps.take(OTHER_LAW, other_law, None)
+        left = "" if reached else steps.guard("describing what is left", shape, NOT_DESCRIBED)
+        compared: tuple[ComparedModel, ...] = ()
+        if steps.ending != "interrupted":
+            compared = steps.guard(MODELS, lambda: self.posterior.compared(), ())
         return Calibration(
             verdict=verdict,
             ending=steps.ending,
@@ -125,8 +135,8 @@ class Evidence:
             effects=effects,
             hypotheses=hypotheses,
             unexplained_share=0.0 if reached else _unexplained_share(errors, floor["validate"]),
-            unexplained_shape="" if reached else shape(),
-            models=self.posterior.compared() if steps.ending != "interrupted" else (),
+            unexplained_shape=left,
+            models=compared,
             depths=_depths_of(self.found),
             forms=len(self.fitter.problem.effects),
             effort=self.found.effort,
@@ -134,6 +144,7 @@ class Evidence:
             next_test=further,
             other_law=better,
             worst=worst,
+            failed=dict(steps.failed),
             **facts,
         )
 
@@ -154,14 +165,14 @@ class Evidence:
         model, corrected = self.kept.model, self.every_error["corrected"].validate
         every = range(len(model.effects))
         found = steps.take(
-            "comparing the models of the search",
+            MODELS,
             lambda: tuple(self._effect(self.posterior, model, i, i, corrected) for i in every),
             None,
             True,
         )
         posterior = self.posterior if found is not None else None
         dropped = [Hypothesis(self._effect(posterior, m, i, None, corrected), why) for m, i, why in self.kept.dropped]
-        if found is None:  # interrupted
+        if found is None:  # interrupted, or failed
             found = tuple(self._effect(None, model, i, i, corrected) for i in every)
         if self.withheld:
             return (), (*(Hypothesis(one, self.withheld) for one in found), *dropped)

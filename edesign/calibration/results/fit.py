@@ -17,6 +17,7 @@ from edesign.calibration.search.settings import SearchSettings
 from edesign.estimation.model import PredictionError
 from edesign.estimation.noise import Noise
 from edesign.estimation.uncertainty import at_bounds, uncertainty
+from edesign.optional_stages import optional
 
 _STEPS = 8  # of a fit that begins near its end
 
@@ -143,7 +144,16 @@ def _size(model: FittedModel, index: int) -> Estimate | None:
 
 
 def estimates(model: FittedModel) -> list[Estimate]:
-    """Return all parameters of a model with their 95 % intervals, SI."""
+    """Return all parameters of a model with their 95 % intervals, SI; without these where they cannot be computed."""
+    with optional(f"the intervals of {model.label}") as attempt:
+        return _estimates(model)
+    assert attempt.failure is not None
+    unknown, why = (math.nan, math.nan), f"its interval could not be computed: {attempt.failure.reason}"
+    each = zip(model.fit.model.parameters, model.fit.values.tolist(), strict=True)
+    return [Estimate(value, math.inf, one.unit, unknown, why) for one, value in each]
+
+
+def _estimates(model: FittedModel) -> list[Estimate]:
     sure, found = uncertainty(model.fit, model.noise), list[Estimate]()
     for i, (one, bound) in enumerate(zip(model.fit.model.parameters, at_bounds(model.fit), strict=True)):
         value, alone = float(model.fit.values[i]), np.eye(sure.z.size)[i]

@@ -83,11 +83,18 @@ class Outcome:
             placed = replace(sure, model=told_by_validation(sure.model, error))
             return refit, validated(fitter, placed, error(refit), error)
 
-        try:
-            refit, final = steps.take("fitting all samples", fitted, (found.base, kept(thin, found.best)), True)
-        except PredictionError:  # larger steps hid that the model has no prediction; at those it has one
+        def at_all_samples() -> tuple[FittedModel, Kept] | None:
+            try:
+                return fitted()
+            except PredictionError:  # larger steps hid that the model has no prediction; at those it has one
+                return None
+
+        sure = steps.guard("weighing effects", lambda: kept(thin, found.best), Kept(found.best, ()))
+        instead: tuple[FittedModel, Kept] | None = (found.base, sure)
+        full = steps.take("fitting all samples", at_all_samples, instead, True)
+        if full is None:
             whole = problem
-            refit, final = found.base, kept(thin, found.best)
+        refit, final = full or (found.base, sure)
         declared = np.array([one.centre for one in problem.base])
         models: dict[Stage, tuple[Sequence[object], np.ndarray]] = {
             "declared": ((), declared),

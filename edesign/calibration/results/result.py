@@ -247,6 +247,7 @@ class Calibration:
         gamma_of: what gamma_T of an MGMM multiplies.
         fitted_first: whether the declared parameters were fitted to the tests, as the campaign names none.
         subject: what was measured.
+        failed: steps after the search that failed, by what they do, with the reason, for people.
     """
 
     title: str
@@ -278,6 +279,7 @@ class Calibration:
     gamma_of: GammaOf = "parameters"
     fitted_first: bool = False
     subject: Subject = "damper"
+    failed: Mapping[str, str] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         return f"<{type(self).__name__} of {self.title}: {self.verdict_words}>"

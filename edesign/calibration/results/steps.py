@@ -15,6 +15,7 @@ from edesign.calibration.search.problem import Problem
 from edesign.calibration.search.search import Ending, Found, Progress, Search
 from edesign.calibration.search.settings import SETTINGS, SearchSettings
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 
 T = TypeVar("T")
 
@@ -23,13 +24,17 @@ T = TypeVar("T")
 class Steps:
     """Steps after a search: after an interrupt among them the rest is left out, after one before all that can be.
 
+    A step that fails has what stands instead of it.
+
     Attributes:
         progress: told what is done.
         ending: how the search ended; interrupted if a step was.
+        failed: steps that failed, with the reason, for people.
     """
 
     progress: Progress
     ending: Ending
+    failed: dict[str, str] = field(default_factory=dict)
     _left: bool = False
     _raising: Any = field(default=None, init=False)  # handler of interrupts outside of `held`; None: not in it
 
@@ -53,7 +58,7 @@ class Steps:
             self._raising = None
 
     def take(self, what: str, step: Callable[[], T], instead: T, needed: bool = False) -> T:
-        """Return what a step makes; what stands instead where it is interrupted or left out.
+        """Return what a step makes; what stands instead where it is interrupted, left out, or fails.
 
         Args:
             what: is done, for people.
@@ -66,13 +71,27 @@ class Steps:
         self.progress(what)
         holding = None if self._raising is None else signal.signal(signal.SIGINT, self._raising)
         try:
-            return step()
+            return self.guard(what, step, instead)
         except KeyboardInterrupt:
             self.ending, self._left = "interrupted", True
             return instead
         finally:
             if holding is not None:
                 signal.signal(signal.SIGINT, holding)
+
+    def guard(self, what: str, step: Callable[[], T], instead: T) -> T:
+        """Return what a short step makes, which is taken after interrupts too; what stands instead where it fails.
+
+        Args:
+            what: is done, for people.
+            step: makes it.
+            instead: of it.
+        """
+        with optional(what) as attempt:
+            return step()
+        assert attempt.failure is not None
+        self.failed[what] = attempt.failure.reason
+        return instead
 
 
 def searched(problem: Problem, settings: SearchSettings, progress: Progress, campaign: Path, model: str) -> Found:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import Any
@@ -21,6 +21,7 @@ from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile
 from edesign.damper.testing.campaign import Campaign
 from edesign.input_files import spare_inputs
+from edesign.optional_stages import optional
 
 JSON, LAW, ARCHIVE = "calibration.json", "law.yaml", "calibration.h5"
 _BESIDE = (JSON, "calibration.html", ARCHIVE)
@@ -67,19 +68,21 @@ def write_files(found: Calibration, campaign: Campaign, folder: Path) -> list[Pa
     Raises:
         ArchiveError: one cannot be written.
     """
-    return write_calibration(found, campaign.path, campaign.text, {LAW: law_text(found, campaign)}, folder)
+    return write_calibration(found, campaign.path, campaign.text, lambda: {LAW: law_text(found, campaign)}, folder)
 
 
 def write_calibration(
-    found: Calibration, campaign: Path, text: str, models: Mapping[str, str], folder: Path
+    found: Calibration, campaign: Path, text: str, models: Callable[[], Mapping[str, str]], folder: Path
 ) -> list[Path]:
     """Write calibration.json, files of the corrected model and calibration.h5; each appears when it is whole.
+
+    The first has all that was found: it stands where the others cannot be made.
 
     Args:
         found: by the calibration.
         campaign: the campaign file.
         text: of it.
-        models: text of each file of the corrected model by name.
+        models: makes the text of each file of the corrected model by name.
         folder: where the files go.
 
     Returns:
@@ -91,17 +94,25 @@ def write_calibration(
     make_folder(folder)
     told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
     write_text(told, folder / JSON)
-    for name, model in models.items():
+    texts: Mapping[str, str] = {}
+    with optional("the corrected model", kept := f"{folder / JSON} is written"):
+        texts = models()
+    for name, model in texts.items():
         write_yaml(model, folder / name, campaign)
+    groups = None
+    with optional(ARCHIVE, kept):
+        groups = archive_groups(found)
+    if groups is None:
+        return [folder / name for name in (JSON, *texts)]
     root = _root(campaign, found.title, folder)
     root.attributes |= {"verdict": found.verdict, "search": found.ending}
     root.add("calibration", (), told, "", JSON)
     root.add("campaign", (), text, "", "the campaign file")
     with ArchiveWriter(folder / ARCHIVE, root) as writer:
-        for name, group in archive_groups(found).items():
+        for name, group in groups.items():
             writer.write(name, group)
         writer.finish({"status": "completed"})
-    return [folder / name for name in (JSON, *models, ARCHIVE)]
+    return [folder / name for name in (JSON, *texts, ARCHIVE)]
 
 
 def _root(campaign: Path, title: str, folder: Path) -> Group:
@@ -142,6 +153,7 @@ def calibration_json(found: Calibration) -> dict[str, Any]:
         "verdict": found.verdict,
         "law_kind": {"fitted_first": found.fitted_first, "better": better},
         "search": found.ending,
+        "failed_steps": dict(found.failed),
         "coverage": {
             "forms": found.forms,
             "effort": found.effort,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
@@ -10,7 +9,9 @@ import typer
 
 from edesign.cli.rts.tests_file import load_tests
 from edesign.cli.shared.complete import compensator_names
+from edesign.cli.shared.streams import progress_line
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
 
@@ -39,7 +40,10 @@ def check(
     if figure is not None:
         from edesign.report.substructure.map_figures import draw_map
 
-        if not draw_map(laboratory, advice.recommended, figure):
+        drawn = True
+        with optional("the figure", "what was found is printed above"):
+            drawn = draw_map(laboratory, advice.recommended, figure)
+        if not drawn:
             raise InputError(f"{file}: --figure: no map without a test with a loop and a stable rig")
 
 
@@ -95,6 +99,6 @@ def serve(
         interface=(-1.0, 1.0) if between else (1.0,),
         allow_iterations=iterations,
         record=record,
-        on_event=lambda line: print(line, file=sys.stderr, flush=True),
+        on_event=progress_line,
     )
     print(found.text())

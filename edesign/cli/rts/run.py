@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-import sys
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 from edesign.cli.rts.tests_file import load_tests
+from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError
+from edesign.optional_stages import optional
 
 File = Annotated[Path, typer.Argument(help="The file of substructure tests.", show_default=False)]
 
@@ -36,11 +37,12 @@ def run(
 
     def tell(line: str) -> None:
         if not quiet:
-            print(f"{visible_line(line)} ...", file=sys.stderr, flush=True)
+            progress_line(f"{visible_line(line)} ...")
 
     path, found, others = run_tests(tests, archive, overwrite, tell, csv)
     if not quiet:
-        print_tables(overview(path))
+        with optional("the tables", f"the results are in {path}"):
+            print_tables(overview(path))
         print(f"archive: {path}")
     bad = [
         f"{one.test}, {one.compensator}"

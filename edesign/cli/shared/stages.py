@@ -7,9 +7,9 @@ import sys
 import threading
 import time
 from collections.abc import Callable
-from contextlib import suppress
 from typing import Any, TypeVar
 
+from edesign.cli.shared.streams import progress_line
 from edesign.report.tables.visible import visible_line
 from edesign.stopping import Stopped
 
@@ -72,5 +72,4 @@ def in_stages(work: Callable[[Tell], R], quiet: bool = False) -> R:
 
 
 def _tell(stage: str) -> None:
-    with suppress(OSError):  # nobody reads on: no reason to stop
-        print(f"{visible_line(stage)} ...", file=sys.stderr, flush=True)
+    progress_line(f"{visible_line(stage)} ...")

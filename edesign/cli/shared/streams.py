@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from typing import Any, TextIO
 
 from edesign.report.tables.visible import visible
@@ -40,6 +40,18 @@ class VisibleStream:
         if name == "buffer":  # of bytes, by which text would pass unseen
             raise AttributeError(name)
         return getattr(self.rich_proxied_file, name)
+
+
+def progress_line(text: str) -> None:
+    """Print a line of progress on standard error.
+
+    Nobody may read it on, or the disk of a log may be full: no reason to stop the work that it tells of.
+
+    Args:
+        text: the line.
+    """
+    with suppress(OSError):
+        print(text, file=sys.stderr, flush=True)
 
 
 def _encodable(text: str, encoding: str) -> str:

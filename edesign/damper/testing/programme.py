@@ -22,6 +22,7 @@ from edesign.damper.testing.properties import Properties, properties
 from edesign.damper.testing.property_table import from_properties, usable, write_property_table
 from edesign.damper.testing.specimen import Specimen
 from edesign.errors import AnalysisError, InputError
+from edesign.optional_stages import optional
 
 PROPERTIES_FILE = "properties.csv"
 Progress = Callable[[int, int, str], None]
@@ -80,7 +81,8 @@ def run_programme(programme: Programme, folder: Path | str, progress: Progress |
         tests.append(test.with_force(_measured(force, programme, i)))
         if isinstance(plan, SineTest) and specimen is not None:
             try:
-                found[test.name] = properties(tests[-1], specimen)
+                with optional(f"the properties of {test.name}", passing=(InputError,)):
+                    found[test.name] = properties(tests[-1], specimen)
             except InputError as error:
                 warnings[f"no properties: {error}"] = None
     title = programme.title or f"Virtual tests of {law.title}"

@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.calibration.dampers.sizes import APART
 from edesign.calibration.residual.series import STAGES
+from edesign.calibration.results.evidence import NEXT_TEST
 from edesign.calibration.results.result import Calibration, Effect, Subject
 from edesign.damper.testing.measured_histories import gaps
 from edesign.report.calibration.error_tables import LAW_FILES, MODELS
@@ -50,6 +51,7 @@ def verdict_paragraphs(calibration: Calibration) -> tuple[str, ...]:
         ],
         _open(calibration),
         _conditions(calibration),
+        [f"Left out: {what} failed: {why}." for what, why in calibration.failed.items()],
     ]
     return tuple(text for part in parts if (text := " ".join(filter(None, part))))
 
@@ -256,7 +258,8 @@ def no_next_test(calibration: Calibration) -> str:
         calibration: what was found.
     """
     alike = any(effect.indistinguishable_from for effect in calibration.effects)
-    if not alike or calibration.next_test or calibration.subject != "damper" or calibration.ending == "interrupted":
+    asked = calibration.subject == "damper" and calibration.ending != "interrupted"
+    if not alike or calibration.next_test or not asked or NEXT_TEST in calibration.failed:
         return ""
     return "No test within the amplitudes and frequencies of these would tell them apart better: look at the rig"
 

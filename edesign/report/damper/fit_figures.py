@@ -10,6 +10,8 @@ import numpy as np
 
 from edesign.damper.fitting import Fit
 from edesign.damper.testing.nrms import nrms
+from edesign.errors import ArchiveError
+from edesign.optional_stages import optional
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, new_figure, save, styled
 from edesign.report.tables.table import number
@@ -68,11 +70,12 @@ def draw_fits(fits: Sequence[Fit], tests: Sequence[DamperTest], folder: Path, su
     unique = UniqueNames()
     for fit in fits:
         for test in tests:
-            predicted = fit.damper(test.temperature_C).force(test.time, test.displacement)
-            kind = "" if test.name in fit.nrms else "; not fitted"
-            error = number(nrms(predicted, test.measured_force()), 3, 1e-2)
-            title = f"{fit.law.name}: {test.label}, {test.temperature_C:g} °C, NRMS {error} %{kind}"
             path = folder / f"{unique(file_name(fit.law.name, test.name.replace('/', '_')))}.{suffix}"
-            save(fit_figure(test, predicted, fit.law.name, title), path)
-            paths.append(path)
+            with optional(f"the figure {path.name}", passing=(ArchiveError,)):
+                predicted = fit.damper(test.temperature_C).force(test.time, test.displacement)
+                kind = "" if test.name in fit.nrms else "; not fitted"
+                error = number(nrms(predicted, test.measured_force()), 3, 1e-2)
+                title = f"{fit.law.name}: {test.label}, {test.temperature_C:g} °C, NRMS {error} %{kind}"
+                save(fit_figure(test, predicted, fit.law.name, title), path)
+                paths.append(path)
     return paths

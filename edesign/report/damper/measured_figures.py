@@ -13,6 +13,8 @@ from edesign.damper.testing.cycles import find_blocks
 from edesign.damper.testing.measured_histories import DamperTest
 from edesign.damper.testing.property_table import PropertyTable
 from edesign.damper.testing.specimen import Specimen
+from edesign.errors import ArchiveError
+from edesign.optional_stages import optional
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.drawing.style import AFTER, BEFORE, align_ordinates, logarithmic, new_figure, save, styled
 
@@ -45,12 +47,16 @@ def draw_tests(
     written = []
     unique = UniqueNames()
     for test in campaign.tests:
-        written.append(folder / f"{unique(file_name(test.name.replace('/', '_')))}.{figure_format}")
-        save(measured_figure(test, campaign.specimen), written[-1])
-    if table is not None:
-        for celsius in table.levels[0]:
-            written.append(folder / f"properties_{celsius:.3g}C.{figure_format}")
-            save(properties_figure(table, float(celsius)), written[-1])
+        path = folder / f"{unique(file_name(test.name.replace('/', '_')))}.{figure_format}"
+        with optional(f"the figure {path.name}", passing=(ArchiveError,)):
+            save(measured_figure(test, campaign.specimen), path)
+            written.append(path)
+    for celsius in table.levels[0] if table is not None else ():
+        path = folder / f"properties_{celsius:.3g}C.{figure_format}"
+        with optional(f"the figure {path.name}", passing=(ArchiveError,)):
+            assert table is not None
+            save(properties_figure(table, float(celsius)), path)
+            written.append(path)
     return tuple(written)
 
 

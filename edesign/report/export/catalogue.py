@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from edesign.archive.reader import Archive
 from edesign.errors import InputError
+from edesign.optional_stages import optional
 from edesign.project.reading.problems import did_you_mean, listed
 from edesign.report.archive_tables import details, overview
 from edesign.report.export.export_table import ExportTable, as_one, export_table
@@ -38,10 +39,14 @@ def archive_tables(archive: Archive, analysis: str | None = None) -> list[Export
         return named_tables([(table.title, table) for table in details(archive, analysis)])
     found = list(_page_tables(page_of(archive, tables_only=True)))
     have = [_content(table) for _, table in found]
-    for table in overview(archive)[1:]:  # the first tells of the archive itself, as the provenance does
-        if table.rows and _content(table) not in have:
-            found.append((table.title, table))
-    tables = [*named_tables(found), *value_tables(archive)]
+    shown: list[Table] = []
+    with optional("the tables of `edesign show`"):
+        shown = overview(archive)[1:]  # the first tells of the archive itself, as the provenance does
+    found += [(table.title, table) for table in shown if table.rows and _content(table) not in have]
+    values: list[ExportTable] = []
+    with optional("the tables of the archive's variables"):
+        values = value_tables(archive)
+    tables = [*named_tables(found), *values]
     names = unique_names([table.name for table in tables])
     return [replace(table, name=name) for table, name in zip(tables, names, strict=True)]
 

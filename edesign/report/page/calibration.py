@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from functools import partial
+
 from edesign._version import __version__
 from edesign.calibration.results.result import Calibration
 from edesign.project.document import Document
 from edesign.report.calibration.view import View
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
+from edesign.report.page.section import made
 from edesign.report.page.sections.calibration import SECTIONS
 
 NO_DOCUMENT = Document()
@@ -21,7 +24,7 @@ def calibration_page(calibration: Calibration, document: Document = NO_DOCUMENT)
         document: for the cover.
     """
     view = View(calibration)
-    sections = tuple(found for section in SECTIONS if (found := section(view)))
+    sections = tuple(found for section in SECTIONS if (found := made(section.__name__, partial(section, view))))
     tests = calibration.tests
     validated = sum(one.use == "validate" for one in tests)
     cover = Cover(

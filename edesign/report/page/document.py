@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 from edesign._version import __version__
@@ -14,7 +15,7 @@ from edesign.errors import ArchiveError, InputError
 from edesign.report.archived import input_checksum, is_building_archive, is_substructure_archive
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page, render
-from edesign.report.page.section import Section
+from edesign.report.page.section import Section, made
 from edesign.report.page.sections.assumptions import assumptions
 from edesign.report.page.sections.braces import braces
 from edesign.report.page.sections.building import building_sections
@@ -182,10 +183,10 @@ def page_of(
         from edesign.report.page.sections.substructure import substructure_sections
 
         own, others = substructure_sections(source), (provenance,)
-    made = [*own, *(section for make in others if (section := make(source)))]
+    shown = [*own, *(section for make in others if (section := made(make.__name__, partial(make, source))))]
     if not tables_only:
-        made = [in_words(section, source.words) for section in made]
-    return Page(_cover(source), tuple(made))
+        shown = [in_words(section, source.words) for section in shown]
+    return Page(_cover(source), tuple(shown))
 
 
 def _kind(source: Source) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from functools import partial
 
 from edesign._version import __version__
 from edesign.calibration.properties.run import PropertyCalibration
@@ -17,28 +17,14 @@ from edesign.report.calibration.verdict import verdict_paragraphs
 from edesign.report.calibration.words import searched
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
-from edesign.report.page.section import Picture, Section
-from edesign.report.page.source import picture_of
+from edesign.report.page.section import Part, Section, made
+from edesign.report.page.source import drawn
 
 
 def property_calibration_page(calibration: PropertyCalibration) -> Page:
     """Return the report as data."""
     campaign, found = calibration.campaign, calibration.found
-    pictures = dict(_pictures(calibration))
-    residuals = tuple(picture for name, picture in pictures.items() if name.startswith("residuals"))
-    properties = tuple(picture for name, picture in pictures.items() if name.startswith("properties"))
-    sections = (
-        Section("verdict", "Verdict", verdict_paragraphs(found), (property_errors_table(calibration),)),
-        Section(
-            "effects",
-            "Effects, and how sure they are",
-            (f"The search took {searched(found)}.",),
-            tuple(property_effect_tables(calibration)),
-        ),
-        Section("residuals", "Residuals before and after", (), (each_group_table(calibration), *residuals)),
-        Section("properties", "Properties", (), properties),
-        Section("law", "Parameters of the law", (), (law_table(found),)),
-    )
+    sections = [made(section.__name__, partial(section, calibration)) for section in _SECTIONS]
     cover = Cover(
         title=found.title,
         kind="Calibration report",
@@ -50,6 +36,33 @@ def property_calibration_page(calibration: PropertyCalibration) -> Page:
     return Page(cover, tuple(section for section in sections if section))
 
 
-def _pictures(calibration: PropertyCalibration) -> Iterator[tuple[str, Picture]]:
-    for name, caption, figure in property_calibration_figures(calibration):
-        yield name, picture_of(name, caption, figure)
+def _verdict(calibration: PropertyCalibration) -> Section:
+    errors = property_errors_table(calibration)
+    return Section("verdict", "Verdict", verdict_paragraphs(calibration.found), (errors,))
+
+
+def _effects(calibration: PropertyCalibration) -> Section:
+    text = (f"The search took {searched(calibration.found)}.",)
+    return Section("effects", "Effects, and how sure they are", text, tuple(property_effect_tables(calibration)))
+
+
+def _residuals(calibration: PropertyCalibration) -> Section:
+    parts = (each_group_table(calibration), *_pictures(calibration, "residuals"))
+    return Section("residuals", "Residuals before and after", (), parts)
+
+
+def _properties(calibration: PropertyCalibration) -> Section:
+    return Section("properties", "Properties", (), tuple(_pictures(calibration, "properties")))
+
+
+def _law(calibration: PropertyCalibration) -> Section:
+    return Section("law", "Parameters of the law", (), (law_table(calibration.found),))
+
+
+def _pictures(calibration: PropertyCalibration, name: str) -> list[Part]:
+    """Return the figures whose names begin so."""
+    every = property_calibration_figures
+    return drawn(f"figures of {name}", lambda: (one for one in every(calibration) if one[0].startswith(name)))
+
+
+_SECTIONS = (_verdict, _effects, _residuals, _properties, _law)

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from edesign.optional_stages import optional
 from edesign.report.tables.table import Table
 
 
@@ -121,3 +123,18 @@ class Section:
     def __bool__(self) -> bool:
         """Whether there is anything in it."""
         return bool(self.parts)
+
+
+def made(name: str, make: Callable[[], Section]) -> Section:
+    """Return a section; where it cannot be made, one that says why.
+
+    Args:
+        name: of the section, for people, and for its anchor where it cannot be made.
+        make: it.
+    """
+    words = name.strip("_").replace("_", " ")
+    with optional(f"the section `{words}` of the report") as attempt:
+        return make()
+    assert attempt.failure is not None
+    told = Warnings("This section could not be made", (attempt.failure.reason,))
+    return Section(words.replace(" ", "-"), words[:1].upper() + words[1:], (), (told,))

@@ -13,8 +13,8 @@ from edesign.report.damper.sheet_figures import run_figure
 from edesign.report.damper.sheet_tables import acceptance_table, cycles_table, name_of, tests_table, verdict_text
 from edesign.report.page.cover_facts import cover_lines
 from edesign.report.page.render import Cover, Page
-from edesign.report.page.section import Part, Section
-from edesign.report.page.source import picture_of
+from edesign.report.page.section import Part, Section, made
+from edesign.report.page.source import drawn
 
 NO_DOCUMENT = Document()
 
@@ -40,15 +40,9 @@ def sheet_page(
         document: for the cover.
     """
     sections = (
-        Section(
-            "acceptance",
-            "Acceptance",
-            (verdict_text(judged, runs),),
-            (acceptance_table(judged, runs),),
-            ("Limits and clauses are those of the campaign file, or the usual ones of edesign; check the standards.",),
-        ),
-        Section("tests", "Tests", (), (tests_table(runs),), tuple(notes)),
-        Section("cycles", "Cycles", (), tuple(_cycles(tests, runs, asked))),
+        made("acceptance", lambda: _acceptance(runs, judged)),
+        made("tests", lambda: Section("tests", "Tests", (), (tests_table(runs),), tuple(notes))),
+        made("cycles", lambda: Section("cycles", "Cycles", (), tuple(_cycles(tests, runs, asked)))),
     )
     kind = asked.device.replace("_", " ")
     cover = Cover(
@@ -62,9 +56,16 @@ def sheet_page(
     return Page(cover, tuple(section for section in sections if section))
 
 
+def _acceptance(runs: Sequence[Run], judged: Sequence[Judged]) -> Section:
+    text, table = (verdict_text(judged, runs),), (acceptance_table(judged, runs),)
+    notes = ("Limits and clauses are those of the campaign file, or the usual ones of edesign; check the standards.",)
+    return Section("acceptance", "Acceptance", text, table, notes)
+
+
 def _cycles(tests: Sequence[DamperTest], runs: Sequence[Run], asked: Acceptance) -> Iterator[Part]:
     named = {test.name: test for test in tests}
     for number, run in enumerate(runs, 1):
         yield cycles_table(run, runs)
         caption = f"{name_of(run, runs)}. Loops, and cycles beside the third one; dashed: allowed by EN 15129."
-        yield picture_of(f"run-{number}", caption, run_figure(named[run.test], run, asked))
+        name, test = f"run-{number}", named[run.test]
+        yield from drawn(f"figure {name}", lambda: [(name, caption, run_figure(test, run, asked))])  # noqa: B023

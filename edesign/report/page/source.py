@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 from collections.abc import Callable, Collection, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cached_property
@@ -15,6 +14,7 @@ from edesign.assess.quantities import HISTORY_OF
 from edesign.assess.sets import HistorySet, history_sets, measure_statistics, target_sets
 from edesign.assess.statistics import Statistics
 from edesign.errors import EdesignError
+from edesign.optional_stages import optional
 from edesign.project.building.building import Building
 from edesign.project.criteria.criteria import QuantityCriterion
 from edesign.project.project import Project
@@ -24,7 +24,7 @@ from edesign.report.assessment.tables import read_histories, read_judged
 from edesign.report.capacity.incremental_results import IncrementalResults, read_incremental
 from edesign.report.drawing.captions import UniqueNames, file_name
 from edesign.report.inputs.variant_frames import VariantFrames
-from edesign.report.page.section import Heading, Part, Picture
+from edesign.report.page.section import Heading, Part, Picture, Warnings
 from edesign.report.page.words import words_of
 from edesign.report.summary import entry, planned, results
 from edesign.study.results.kinds import RECORDS
@@ -33,7 +33,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Figures = Callable[[Archive], Iterator[tuple[str, str, "Figure"]]]
-log = logging.getLogger("edesign")
 ALONG_TIME = ("time", "motion_time", "matched_time", "step")
 
 
@@ -196,13 +195,25 @@ class Source:
     @contextmanager
     def or_left_out(self, what: str) -> Iterator[None]:
         """Note a figure that fails, and go on with the rest of the report."""
-        try:
+        with optional(what) as attempt:
             yield
-        except EdesignError as error:
-            self.left_out.append(f"{what}: {error}")
-        except Exception as error:
-            log.exception(what)
-            self.left_out.append(f"{what}: {type(error).__name__}: {str(error).strip().partition(chr(10))[0]}")
+        if attempt.failure is not None:
+            self.left_out.append(f"{what}: {attempt.failure.reason}")
+
+
+def drawn(name: str, figures: Callable[[], Iterable[tuple[str, str, Figure]]]) -> list[Part]:
+    """Return figures as pictures; where one cannot be drawn, a warning that says why is the last part.
+
+    Args:
+        name: of them, for people.
+        figures: gives name, caption and figure.
+    """
+    found, words = list[Part](), name.strip("_").replace("_", " ")
+    with optional(words) as attempt:
+        found.extend(picture_of(*item) for item in figures())
+    if attempt.failure is not None:
+        found.append(Warnings(f"Not drawn: {words}", (attempt.failure.reason,)))
+    return found
 
 
 def by_level(pictures: Iterable[Picture], levels: Iterable[str]) -> dict[str, list[Picture]]:

@@ -24,6 +24,7 @@ from edesign.ground_motion.record_choice import choice_facts
 from edesign.ground_motion.selection import Selection, select_records
 from edesign.ground_motion.selection_scaling import SelectionOptions
 from edesign.ground_motion.sources import Found
+from edesign.optional_stages import optional
 from edesign.study.motions.motions import Motion, fit, prepare_motions, raise_suite
 from edesign.study.results.records import criteria, suite_groups
 from edesign.study.run.interrupt import stop_on_signals
@@ -123,10 +124,15 @@ def match_recordings(
             if not fitted:
                 reasons = "".join(f"\n  {motion.failure}" for motion in motions.values())
                 raise AnalysisError(f"none of the recordings can be fitted:{reasons}")
-            verdicts = criteria(fitted, target, fundamental_period)
+            verdicts: tuple[Criterion, ...] = ()
             factors = {motion.name: motion.scale for motion in fitted}
             stand_ins = {motion.name for motion in fitted if motion.found.origin == "stand-in"}
-            warnings = unusual_scales(factors, stand_ins)
+            warnings: list[str] = []
+            with optional("what is doubtful about the factors") as doubts:
+                warnings += unusual_scales(factors, stand_ins)
+            with optional("the criteria of the code") as judged:
+                verdicts = criteria(fitted, target, fundamental_period)
+            warnings += [str(one.failure) for one in (doubts, judged) if one.failure is not None]
             for place, group in suite_groups(name, list(motions.values()), target, verdicts, warnings=warnings):
                 writer.write(place, group)
             writer.finish({"status": "completed" if len(fitted) == len(motions) else "failed"})

@@ -14,6 +14,7 @@ from edesign.archive.owner import check_owner
 from edesign.archive.reader import open_archive
 from edesign.archive.writer import ArchiveWriter, partial_path, renew_root
 from edesign.errors import EdesignError, Interrupted
+from edesign.optional_stages import optional
 from edesign.stopping import stoppable
 from edesign.study.analysis.modal import fundamental_period
 from edesign.study.check.suitability import scale_warnings, variant_periods
@@ -219,7 +220,9 @@ def _prepare_records(run: RunState) -> dict[str, Motion]:
 def _archive_records(run: RunState, prepared: Prepared) -> None:
     """Archive the records with what is doubtful about their use, which the periods of designed frames decide too."""
     project, motions = run.job.project, run.motions
-    warnings = scale_warnings(project, run.job.tasks, motions)
+    warnings: dict[str, list[str]] = {}
+    with optional("what is doubtful about the records"):
+        warnings = scale_warnings(project, run.job.tasks, motions)
     for name, texts in warnings.items():
         for text in texts:
             run.note(f"warning: records {name}: {text}")

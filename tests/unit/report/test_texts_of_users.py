@@ -14,6 +14,7 @@ from unit.report.figure_archive import RECORDS, history, small_archive
 
 from edesign.archive.reader import Archive, open_archive
 from edesign.damper.testing.property_table import PropertyTable
+from edesign.optional_stages import noting_failures
 from edesign.report import archive_figures
 from edesign.report.archive_figures import all_figures, draw_figures
 from edesign.report.damper.measured_figures import properties_figure
@@ -103,7 +104,11 @@ def test_one_figure_that_fails_is_named_and_the_rest_is_there(tmp_path: Path, mo
         raise ZeroDivisionError("no more")
 
     monkeypatch.setattr(response, "profile_figures", some_figures)
-    page = page_text(small_archive(tmp_path))
+    with noting_failures() as failures:
+        page = page_text(small_archive(tmp_path))
+    assert [one.stage for one in failures] == ["figure wrong", "some figures"]
     assert 'id="figure-right"' in page and 'id="figure-wrong"' not in page and "figure-response_DBE" in page
-    assert "figure wrong: ValueError" in page and "some figures: ZeroDivisionError: no more" in page
+    mistake = "an error in edesign itself"
+    assert f"figure wrong: {mistake} (ValueError" in page
+    assert f"some figures: {mistake} (ZeroDivisionError: no more)" in page
     assert "What could not be shown" in page

@@ -41,7 +41,7 @@ from edesign.report.building.tables import (
 )
 from edesign.report.drawing.captions import plain
 from edesign.report.page.project_facts import hazard_rows
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.sections.warnings import NONE, warning_table
 from edesign.report.page.source import Source
 from edesign.report.tables.table import Table, formatted
@@ -57,7 +57,7 @@ def building_sections(source: Source) -> list[Section]:
     results = BuildingResults(source.archive)
     results.group()
     missing = Table("Missing", name="missing")
-    sections = [_section(source, results, missing, *which) for which in _SECTIONS]
+    sections = [made(which[1], partial(_section, source, results, missing, *which)) for which in _SECTIONS]
     first, *others = sections
     lost = [Warnings("What cannot be read of the archive", tuple(missing.notes))] if missing.notes else []
     first = Section(first.id, first.title, first.intro, (*lost, *first.parts))

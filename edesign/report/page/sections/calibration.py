@@ -33,8 +33,8 @@ from edesign.report.calibration.units import percent, scale_of
 from edesign.report.calibration.verdict import no_next_test, verdict_paragraphs
 from edesign.report.calibration.view import View
 from edesign.report.calibration.words import name_of, searched
-from edesign.report.page.section import Facts, Headline, Headlines, Part, Picture, Section
-from edesign.report.page.source import picture_of
+from edesign.report.page.section import Facts, Headline, Headlines, Part, Section
+from edesign.report.page.source import drawn
 from edesign.report.tables.table import Table, formatted, number, whole
 
 _VERDICTS = {
@@ -211,9 +211,9 @@ def _tests_table(found: Calibration) -> Table:
     return table
 
 
-def _pictures(view: View, *makers: Figures) -> tuple[Picture, ...]:
+def _pictures(view: View, *makers: Figures) -> tuple[Part, ...]:
     """Return the figures of makers, in their order."""
-    return tuple(picture_of(*item) for maker in makers for item in maker(view))
+    return tuple(part for maker in makers for part in drawn(maker.__name__, lambda maker=maker: maker(view)))  # type: ignore[misc]
 
 
 SECTIONS: tuple[Callable[[View], Section], ...] = (

@@ -12,7 +12,7 @@ from edesign.archive.reader import Archive
 from edesign.damper.laws import LAWS
 from edesign.errors import ArchiveError
 from edesign.report.drawing.captions import plain
-from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings
+from edesign.report.page.section import Facts, Folded, Headline, Headlines, Part, Section, Warnings, made
 from edesign.report.page.source import Source
 from edesign.report.page.words import in_words
 from edesign.report.response.energy_figures import energy_figures
@@ -53,18 +53,26 @@ def substructure_sections(source: Source) -> list[Section]:
     results = SubstructureResults(source.archive)
     tables = _tables(results)
     others = [
-        _tested(source, results),
-        Section("rig", "The rig with and without compensation", (), _pictures(source, results, rig_figures)),
-        Section("stability", "Where the tests are stable", (), _pictures(source, results, map_figures)),
-        _tracking(source, results, tables),
-        _response(source, results, tables),
-        _building(source, results),
-        _coefficients(source, results, tables),
-        _other_methods(source, results, tables),
-        _limits(results),
-        _undetermined(results),
+        made("what was tested", lambda: _tested(source, results)),
+        _rig(source, results),
+        _stability(source, results),
+        made("tracking", lambda: _tracking(source, results, tables)),
+        made("response of the test", lambda: _response(source, results, tables)),
+        made("building", lambda: _building(source, results)),
+        made("coefficients", lambda: _coefficients(source, results, tables)),
+        made("other methods", lambda: _other_methods(source, results, tables)),
+        made("limits", lambda: _limits(results)),
+        made("undetermined", lambda: _undetermined(results)),
     ]
-    return [section for section in (_verdict(source, results), *others) if section]
+    return [section for section in (made("verdict", lambda: _verdict(source, results)), *others) if section]
+
+
+def _rig(source: Source, results: SubstructureResults) -> Section:
+    return Section("rig", "The rig with and without compensation", (), _pictures(source, results, rig_figures))
+
+
+def _stability(source: Source, results: SubstructureResults) -> Section:
+    return Section("stability", "Where the tests are stable", (), _pictures(source, results, map_figures))
 
 
 def _tables(results: SubstructureResults) -> list[Table]:
