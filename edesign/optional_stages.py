@@ -13,6 +13,7 @@ from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
+from pathlib import Path
 
 from edesign.errors import EdesignError, Interrupted
 
@@ -101,6 +102,16 @@ def optional(stage: str, kept: str = "", passing: tuple[type[Exception], ...] = 
             raise
         attempt.failure = Failure(stage, error, kept)
         _note(attempt.failure)
+
+
+def earlier(*paths: Path) -> str:
+    """Return what to say, behind what is kept, of files of an earlier run that a stage which fails leaves there.
+
+    Args:
+        *paths: that the stage replaces.
+    """
+    there = [str(path) for path in paths if path.exists()]
+    return f" ({', '.join(there)} {'is' if len(there) == 1 else 'are'} of an earlier run)" if there else ""
 
 
 def told(failures: Sequence[Failure]) -> str:

@@ -15,7 +15,7 @@ import typer
 
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.cli.shared.streams import progress_line
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
 
 if TYPE_CHECKING:
     from edesign.calibration.search.settings import SearchSettings
@@ -77,9 +77,10 @@ def calibrate(
     found = _run(campaign, _Search(workers, tell, effort, folder, overwrite))
     written = found.write(folder)
     kept = f"what was found is in {folder}"
-    if page or pdf:
+    pages = [name for name, asked in (("calibration.html", page), ("calibration.pdf", pdf)) if asked]
+    if pages:
         tell("drawing the report")
-        with optional("the report", kept):
+        with optional("the report", kept + earlier(*(folder / name for name in pages))):
             written += _reports(found.report(), folder, page, options if pdf else None)
     if json_output:
         print(json.dumps(found.json(), indent=1, allow_nan=False))
@@ -103,10 +104,10 @@ def _reports(report: Page, folder: Path, page: bool, pdf: PrintOptions | None) -
 
     written = []
     if page:
-        with optional("calibration.html"):
+        with optional("calibration.html", f"results are in {folder}{earlier(folder / 'calibration.html')}"):
             written.append(write_html(report, folder / "calibration.html"))
     if pdf is not None:
-        with optional("calibration.pdf"):
+        with optional("calibration.pdf", f"results are in {folder}{earlier(folder / 'calibration.pdf')}"):
             written.append(write_page_as_pdf(report, folder / "calibration.pdf", options=pdf))
     return written
 

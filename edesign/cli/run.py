@@ -11,7 +11,7 @@ import typer
 from edesign.cli.shared.complete import analysis_names
 from edesign.cli.shared.streams import progress_line
 from edesign.errors import AnalysisError, InputError
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
 
 
 def run(
@@ -149,11 +149,11 @@ def _end(archive: Path, took: str, end: _End) -> None:
     page, kept = None, f"the results are in {archive}"
     if end.report:
         from edesign.cli.report import PageProgress
-        from edesign.report.page.document import write_page
+        from edesign.report.page.document import default_page_path, write_page
 
         if not end.quiet:
             progress_line("writing the report ...")
-        with optional("the report", kept):
+        with optional("the report", kept + earlier(default_page_path(archive))):
             page = write_page(archive, None, (lambda line: None) if end.quiet else PageProgress())
     if end.quiet:
         return

@@ -10,7 +10,7 @@ import typer
 
 from edesign.cli.shared.pdf_options import PaperOption, print_options
 from edesign.errors import InputError
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
 
 if TYPE_CHECKING:
     from edesign.damper.damper import Damper
@@ -100,13 +100,13 @@ def sheet(
 
         report = sheet_page(title, tests, runs, judged, asked, notes, document)
         if page is not None:
-            with optional(str(page)):
+            with optional(str(page), f"the sheet stands{earlier(page)}"):
                 write_html(report, page)
                 _told(page, as_json)
         if pdf is not None:
             from edesign.report.pdf.document import write_page_as_pdf
 
-            with optional(str(pdf)):
+            with optional(str(pdf), f"the sheet stands{earlier(pdf)}"):
                 write_page_as_pdf(report, pdf, options=options)
                 _told(pdf, as_json)
 

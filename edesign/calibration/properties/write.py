@@ -22,7 +22,7 @@ from edesign.damper.effects_file import write_effects
 from edesign.damper.laws import law as law_of
 from edesign.damper.parameters import write_parameters
 from edesign.damper.testing.measured_histories import USES, Use
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
 
 
 def property_calibration_json(calibration: PropertyCalibration) -> dict[str, Any]:
@@ -100,7 +100,7 @@ def write_property_files(calibration: PropertyCalibration, folder: Path) -> list
     told = json.dumps(property_calibration_json(calibration), indent=1, allow_nan=False) + "\n"
     write_text(told, folder / JSON)
     law = ""
-    with optional("the corrected law", f"{folder / JSON} is written"):
+    with optional("the corrected law", f"{folder / JSON} is written{earlier(folder / LAW)}"):
         law = property_law_text(calibration)
     if not law:
         return [folder / JSON]

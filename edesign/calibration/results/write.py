@@ -21,9 +21,9 @@ from edesign.calibration.results.law_file import law_text
 from edesign.calibration.results.result import Calibration, Effect, Estimate, LawFile
 from edesign.damper.testing.campaign import Campaign
 from edesign.input_files import spare_inputs
-from edesign.optional_stages import optional
+from edesign.optional_stages import earlier, optional
 
-JSON, LAW, ARCHIVE = "calibration.json", "law.yaml", "calibration.h5"
+JSON, LAW, STRUCTURE, ARCHIVE = "calibration.json", "law.yaml", "structure.yaml", "calibration.h5"
 _BESIDE = (JSON, "calibration.html", ARCHIVE)
 NAMES = (*_BESIDE, LAW)
 """Files that are written with tests of a damper, in place of earlier ones of the same campaign."""
@@ -95,12 +95,13 @@ def write_calibration(
     told = json.dumps(calibration_json(found), indent=1, allow_nan=False) + "\n"
     write_text(told, folder / JSON)
     texts: Mapping[str, str] = {}
-    with optional("the corrected model", kept := f"{folder / JSON} is written"):
+    kept, models_there = f"{folder / JSON} is written", earlier(folder / LAW, folder / STRUCTURE)
+    with optional("the corrected model", kept + models_there):
         texts = models()
     for name, model in texts.items():
         write_yaml(model, folder / name, campaign)
     groups = None
-    with optional(ARCHIVE, kept):
+    with optional(ARCHIVE, kept + earlier(folder / ARCHIVE)):
         groups = archive_groups(found)
     if groups is None:
         return [folder / name for name in (JSON, *texts)]

@@ -350,14 +350,22 @@ def test_asking_for_another_law_fails(monkeypatch: pytest.MonkeyPatch, capsys: p
 
 
 def test_a_law_file_that_cannot_be_made_leaves_all_that_was_found(
-    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     words = _campaign(*CALIBRATE)()
     _break(monkeypatch, "edesign.calibration.results.write.law_text", KeyError("T0"))
     assert main(words) == 5
-    assert "the corrected model failed: an error in edesign itself (KeyError: 'T0')" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert "the corrected model failed: an error in edesign itself (KeyError: 'T0')" in said
+    assert "out/calibration.json is written, but not all" in said
     assert _whole(Path("out/calibration.json")) and _whole(Path("out/calibration.h5"))
     assert not Path("out/law.yaml").exists() and Path("out/calibration.html").exists()
+    monkeypatch.undo()
+    monkeypatch.chdir(tmp_path)
+    assert main([*words, "--no-page", "--quiet"]) == 0
+    _break(monkeypatch, "edesign.calibration.results.write.law_text", KeyError("T0"))
+    assert main([*words, "--no-page", "--quiet"]) == 5
+    assert "out/calibration.json is written (out/law.yaml is of an earlier run)" in capsys.readouterr().err
 
 
 def test_a_section_of_a_calibration_says_why_it_is_not_there(
