@@ -17,7 +17,7 @@ from edesign.assess.sets import HistorySet, history_sets, target_sets
 from edesign.assess.statistics import code_statistic
 from edesign.building.masses import STILL_BEAMS
 from edesign.codes.fema356.objectives import OBJECTIVES
-from edesign.project.criteria.checks_criteria import objective_level
+from edesign.ground_motion.hazard import objective_level
 from edesign.project.criteria.criteria import Criterion, Objectives, PerformanceCriterion
 from edesign.project.project import Project
 from edesign.project.reading.problems import listed

@@ -6,6 +6,9 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, overload
 
 from edesign.codes.ec8 import ElasticSpectrum, NationalParameters, VerticalSpectrum
+from edesign.codes.fema356.objectives import OBJECTIVES
+from edesign.codes.motion_sets import SetRules
+from edesign.codes.registry import find_code
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.seismic_action.action import SeismicAction
@@ -19,6 +22,8 @@ from edesign.project.project import Project
 
 if TYPE_CHECKING:
     from edesign.project.building.building import Building
+
+_SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
 
 _ACTIONS: dict[type[Hazard], Callable[..., SeismicAction]] = {
     EC8Hazard: EC8Action,
@@ -149,6 +154,37 @@ def factor_of_level(hazard: Hazard, level: str) -> float:
         InputError: there is no such level.
     """
     return action_of(hazard).factor(level)
+
+
+def objective_level(letter: str, hazard: Hazard | None) -> str | None:
+    """Return the name of the hazard level of an objective, None if the hazard has none.
+
+    A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
+    by a factor, an importance class or a risk have none.
+
+    Args:
+        letter: of the objective.
+        hazard: the seismic action; None: the project has none.
+    """
+    if hazard is None:
+        return None
+    wanted, action = OBJECTIVES[letter].probability, action_of(hazard)
+    for name in hazard.levels:
+        probability = action.probability(name)
+        if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
+            return name
+    return None
+
+
+def rules_in_force(hazard: Hazard | None) -> SetRules:
+    """Return what the code of an action asks of histories: how many there are, and from which number the mean counts.
+
+    Args:
+        hazard: block of the project; None: it has none, and the rules are those of EN 1998-1.
+    """
+    if hazard is None:
+        return find_code("ec8-2004").set_rules
+    return find_code(hazard.criteria if isinstance(hazard, UserHazard) else hazard.code).set_rules
 
 
 def national_of(hazard: EC8Hazard) -> NationalParameters:

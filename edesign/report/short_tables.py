@@ -122,7 +122,8 @@ def _of_study(archive: Archive, study: Study, groups: dict[str, Group]) -> list[
         tables += designs_tables(archive, study, sets)
     if study.criteria or study.objectives:
         judged = read_judged(archive, groups)
-        verdicts, *governing = verdicts_in_short(judge(study.criteria, study.objectives, judged, study.base, study))
+        found = judge(study.criteria, study.objectives, judged, study.base, study)
+        verdicts, *governing = verdicts_in_short(found, study.base.hazard)
         tables.append(verdicts)
     tables += [response_in_short(not_swept(study, sets)), changes_in_short(not_swept(study, sets)), *governing]
     tables += [isolation_statistics_table(sets), *derived_tables(study, sets)]

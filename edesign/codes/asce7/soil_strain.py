@@ -58,7 +58,7 @@ def damping_ratio(site_class: str, acceleration: float) -> float:
 def _read(row: tuple[float, ...], site_class: str, acceleration: float) -> float:
     last = ACCELERATIONS[len(row) - 1]
     if len(row) < len(ACCELERATIONS) and acceleration > last:
-        message = "give the ratio itself, `strain: {code: given, modulus_ratio: }`, from an analysis of the site"
+        message = "give `strain: {code: given, modulus_ratio: }` and `damping`, from an analysis of the site"
         raise InputError(
             f"site class {site_class} is in the table up to {last:g} g, not {acceleration:.4g} g; {message}"
         )

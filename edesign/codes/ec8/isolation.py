@@ -69,16 +69,16 @@ class EquivalentLinear:
         Source: EN 1998-1:2004, 10.9.2(5)a, b, d and 10.9.3(3)e. The other conditions are not of these quantities.
         """
         if self.stiffness_ratio < LEAST_STIFFNESS_RATIO:
-            yield f"10.9.2(5)a: K_eff is {self.stiffness_ratio:.2f} of that at 0.2 d_dc, less than 0.5"
+            yield f"EN 1998-1, 10.9.2(5)a: K_eff is {self.stiffness_ratio:.2f} of that at 0.2 d_dc, less than 0.5"
         if self.damping > MOST_DAMPING:
-            yield f"10.9.2(5)b: xi_eff is {100.0 * self.damping:.1f} %, more than 30 %"
+            yield f"EN 1998-1, 10.9.2(5)b: xi_eff is {100.0 * self.damping:.1f} %, more than 30 %"
         if self.restoring < LEAST_RESTORING:
             grown = f"{100.0 * self.restoring:.2f} % of the weight"
-            yield f"10.9.2(5)d: the force grows by {grown} from d_dc/2 to d_dc, less than 2.5 %"
+            yield f"EN 1998-1, 10.9.2(5)d: the force grows by {grown} from d_dc/2 to d_dc, less than 2.5 %"
         if self.period < LEAST_PERIOD_RATIO * fixed_period:
-            yield f"10.9.3(3)e: T_eff is {self.period / fixed_period:.2f} T_f, less than 3"
+            yield f"EN 1998-1, 10.9.3(3)e: T_eff is {self.period / fixed_period:.2f} T_f, less than 3"
         if self.period > LONGEST_PERIOD:
-            yield f"10.9.3(3)e: T_eff is {self.period:.2f} s, more than 3 s"
+            yield f"EN 1998-1, 10.9.3(3)e: T_eff is {self.period:.2f} s, more than 3 s"
 
 
 def equivalent_linear(loop: Loop, mass: float, spectrum: Spectrum, gravity: float) -> EquivalentLinear:

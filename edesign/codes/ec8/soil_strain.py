@@ -28,9 +28,7 @@ def soil_strain(acceleration: float) -> tuple[float, float]:
     Source: EN 1998-5:2004, Table 4.1, straight between its columns; below the first column the first one counts.
     """
     if acceleration > ACCELERATIONS[-1]:
-        message = (
-            "give the ratio itself, `strain: {code: given, modulus_ratio: }`, from a response analysis of the site"
-        )
+        message = "give `strain: {code: given, modulus_ratio: }` and `damping`, from a response analysis of the site"
         raise InputError(f"EN 1998-5, Table 4.1 ends at 0.3 g, and {acceleration:.4g} g is asked for; {message}")
     ratio, damping = (float(np.interp(acceleration, ACCELERATIONS, row)) for row in (MODULUS_RATIOS, DAMPING_RATIOS))
     return ratio, damping

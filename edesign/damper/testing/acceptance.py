@@ -53,6 +53,12 @@ class Acceptance(Model):
     least_share: PositiveRatio = 0.70
 
     @property
+    def from_third_by(self) -> tuple[str, ...]:
+        """Standards with the clauses that compare cycles with the third one, of this device."""
+        found = (one for one in self.criteria if one.reference == "third")
+        return tuple(dict.fromkeys(f"{STANDARDS[one.standard]}, {one.clause}" for one in found))
+
+    @property
     def criteria(self) -> tuple[Criterion, ...]:
         """Criteria that are applied, in the order of the standards."""
         makers: dict[Standard, Callable[[Acceptance], list[Criterion]]] = {

@@ -57,7 +57,7 @@ def read_test(
     start: StartKind = "unknown",
     start_ramp: float | None = None,
     said: TestReading | None = None,
-    unsaid: str = "a campaign says it by `temperature: 20 degC`",
+    unsaid: str = "the entry of this test in `tests` says it, by `temperature: 20 degC`, whatever its law",
 ) -> DamperTest:
     """Read a test.
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterator
 from typing import Protocol
 
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.errors import InputError
-from edesign.project.actions.hazard_base import Hazard
+from edesign.project.actions.hazard_base import YEAR, Hazard
 from edesign.project.reading.problems import unknown_name
 
 Check = tuple[tuple[str, ...], Callable[[], object]]
@@ -85,6 +86,13 @@ class SeismicAction(Protocol):
             The factor, dimensionless.
         """
 
+    def probability(self, level: str) -> float | None:
+        """Return the probability of exceedance of a level in 50 years; None where it is not known.
+
+        Args:
+            level: its name in the hazard.
+        """
+
     def facts(self, level: str) -> str:
         """Return how rare a level is and what it follows from, for people; empty where nothing is known.
 
@@ -108,3 +116,17 @@ def check_level(hazard: Hazard, level: str) -> None:
     """
     if level not in hazard.levels:
         raise InputError(f"hazard.levels: {unknown_name('level', level, hazard.levels)}")
+
+
+def in_50_years(probability: float | None, return_period: float | None) -> float | None:
+    """Return a probability in 50 years that a level states, or that of its return period; None: it states neither.
+
+    Args:
+        probability: of exceedance in 50 years.
+        return_period: T_R, s.
+
+    Source: EN 1998-1:2004, 2.1(1)P Note 4 and NTC 2018, Eq. 3.2.0, of 50 years: 1 - exp(-50 years / T_R).
+    """
+    if probability is not None:
+        return probability
+    return None if return_period is None else -math.expm1(-50.0 * YEAR / return_period)

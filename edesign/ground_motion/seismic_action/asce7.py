@@ -82,6 +82,13 @@ class AsceAction:
         check_level(self.hazard, level)
         return EARTHQUAKES[self.hazard.levels[level].earthquake]
 
+    def probability(self, level: str) -> None:
+        """Return None: earthquakes of ASCE/SEI 7 aim at a risk of collapse, so that their probability differs by site.
+
+        Args:
+            level: its name in the hazard.
+        """
+
     def facts(self, level: str) -> str:
         """Return the earthquake.
 

@@ -19,7 +19,7 @@ from edesign.codes.ec8.importance import factor_of_probability, factor_of_return
 from edesign.codes.ec8.national import parameters_of_file
 from edesign.codes.registry import find_code
 from edesign.errors import InputError
-from edesign.ground_motion.seismic_action.action import Check, check_level
+from edesign.ground_motion.seismic_action.action import Check, check_level, in_50_years
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.actions.hazard_base import YEAR
 from edesign.project.actions.national_file import read_national_file
@@ -171,6 +171,15 @@ class EC8Action:
         if given.gamma_I is not None:
             return given.gamma_I
         raise InputError(f"hazard.levels.{level}: give probability, return_period, importance_class or gamma_I")
+
+    def probability(self, level: str) -> float | None:
+        """Return the probability of exceedance of a level in 50 years; None for a level by class or factor.
+
+        Args:
+            level: its name in the hazard.
+        """
+        given = self.hazard.levels[level]
+        return in_50_years(given.probability, given.return_period)
 
     def facts(self, level: str) -> str:
         """Return probability or return period, and importance factor, of a level.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 
@@ -111,6 +112,17 @@ class NtcAction:
         check_level(self.hazard, level)
         return 1.0
 
+    def probability(self, level: str) -> float:
+        """Return the probability of exceedance of a limit state in 50 years, which need not be V_R.
+
+        Args:
+            level: its name in the hazard.
+
+        Source: NTC 2018, 3.2, Eq. 3.2.0.
+        """
+        period = return_period(self.hazard.levels[level].limit_state, self._life)
+        return -math.expm1(-50.0 / period)
+
     def facts(self, level: str) -> str:
         """Return limit state, probability, return period, and the parameters of the site on rock.
 
@@ -119,12 +131,17 @@ class NtcAction:
         """
         state = LIMIT_STATES[self.hazard.levels[level].limit_state]
         given = self.hazard.levels[level]
-        life = reference_life(self.hazard.nominal_life / YEAR, self.hazard.class_of_use)
+        life = self._life
         return (
             f"{given.limit_state}, {100 * state.probability:g} % in V_R = {life:g} years, T_R = "
             f"{return_period(given.limit_state, life):.0f} years, a_g = {given.a_g / STANDARD_GRAVITY:.4g} g, "
             f"F_0 = {given.F_0:g}, T_C* = {given.T_C_star:g} s"
         )
+
+    @property
+    def _life(self) -> float:
+        """V_R, years."""
+        return reference_life(self.hazard.nominal_life / YEAR, self.hazard.class_of_use)
 
     def _level(self, level: str | None) -> tuple[str, tuple[float, float, float, Site]]:
         name = level_of(self.hazard, level)

@@ -10,7 +10,7 @@ from edesign.codes.registry import find_code
 from edesign.codes.spectrum import DesignOrdinates, Spectrum
 from edesign.codes.tabulated import TabulatedSpectrum
 from edesign.errors import InputError
-from edesign.ground_motion.seismic_action.action import Check, check_level
+from edesign.ground_motion.seismic_action.action import Check, check_level, in_50_years
 from edesign.ground_motion.seismic_action.spectrum_file import read_spectrum
 from edesign.project.actions.hazard import UserHazard
 from edesign.project.actions.hazard_base import YEAR, level_of
@@ -89,6 +89,15 @@ class UserAction:
         """
         check_level(self.hazard, level)
         return self.hazard.levels[level].factor or 1.0
+
+    def probability(self, level: str) -> float | None:
+        """Return the probability of exceedance of a level in 50 years; None where the file does not state it.
+
+        Args:
+            level: its name in the hazard.
+        """
+        given = self.hazard.levels[level]
+        return in_50_years(given.probability, given.return_period)
 
     def facts(self, level: str) -> str:
         """Return how rare a level is, if the file says so, and its factor.

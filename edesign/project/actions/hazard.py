@@ -8,7 +8,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BeforeValidator, Discriminator, Field, Tag
 
-from edesign.project.actions.hazard_base import YEAR, Hazard, LevelName, Probability, Years
+from edesign.project.actions.hazard_base import Hazard, LevelName, Probability, Years
 from edesign.project.actions.national import NationalValues
 from edesign.project.actions.spectrum_tables import SpectrumFile, SpectrumTable
 from edesign.project.notation.units import (
@@ -119,10 +119,6 @@ class EC8Hazard(Hazard):
     def country_file(self) -> str | None:
         """The file with the parameters of the country; None where it is a name."""
         return self.country if self.country is not None and self.country.endswith((".yaml", ".yml")) else None
-
-    def probability(self, level: str) -> float | None:
-        """Return the probability of exceedance of a level in 50 years; None for a level by class or factor."""
-        return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
 
     def files(self) -> Iterator[tuple[Keys, str]]:
         """Yield key path and name of the file of the country."""
@@ -264,10 +260,6 @@ class UserHazard(Hazard):
         """Return the table of a level, the one of the action where levels are factors on it; None: it is missing."""
         return self.levels[level].spectrum if self.spectrum is None and level is not None else self.spectrum
 
-    def probability(self, level: str) -> float | None:
-        """Return the probability of exceedance of a level in 50 years, if the file states it."""
-        return _in_50_years(self.levels[level].probability, self.levels[level].return_period)
-
     def tables(self) -> Iterator[tuple[Keys, SpectrumTable]]:
         """Yield key path below `hazard` and table of each spectrum."""
         if self.spectrum is not None:
@@ -307,10 +299,3 @@ def _building_code(value: Any) -> Any:
 
 
 BuildingHazard = Annotated[EC8Hazard, BeforeValidator(_building_code)]
-
-
-def _in_50_years(probability: float | None, return_period: float | None) -> float | None:
-    """A probability, or that of a return period T, 1 - exp(-50 years / T)."""
-    if probability is not None:
-        return probability
-    return None if return_period is None else -math.expm1(-50.0 * YEAR / return_period)

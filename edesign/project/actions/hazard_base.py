@@ -72,10 +72,6 @@ class Hazard(Model):
         """The behaviour factor of the design spectrum; None without one, or where the code has another notion."""
         return None
 
-    def probability(self, level: str) -> float | None:
-        """Return the probability of exceedance of a level in 50 years; None where it is not known."""
-        return None
-
     def files(self) -> Iterator[tuple[Keys, str]]:
         """Yield key path below `hazard` and name of each file that the action needs."""
         return iter(())

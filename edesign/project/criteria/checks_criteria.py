@@ -6,7 +6,6 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 from types import MappingProxyType
 
-from edesign.project.actions.hazard_base import Hazard
 from edesign.project.analysis.outputs import HistoryKind
 from edesign.project.criteria.checks_quantities import check_members, check_quantity
 from edesign.project.criteria.criteria import (
@@ -23,10 +22,6 @@ from edesign.project.project import Project
 from edesign.project.reading.checks_names import check_names
 from edesign.project.reading.problems import Keys, Problems, keys_text
 
-OBJECTIVE_PROBABILITY = dict(zip("abcdefghijkl", (p for p in (0.50, 0.20, 0.10, 0.02) for _ in range(3)), strict=True))
-"""Probability of exceedance in 50 years of each rehabilitation objective (thesis Table 5.4)."""
-
-_SAME_PROBABILITY = 0.01  # relative: 475 years are 9.992 %, 72 years 50.06 %
 _PREFIXES = {"beam": "B_", "column": "C_", "brace": "D_"}
 
 
@@ -75,31 +70,6 @@ def check_criteria(
         at = (*keys, "objectives", i)
         if letter in objectives[:i]:
             problems.at_value(at, f"`{letter}` comes twice")
-        elif objective_level(letter, project.hazard) is None:
-            probability = OBJECTIVE_PROBABILITY[letter]
-            message = (
-                f"objective {letter} needs a hazard level of {100 * probability:g} % in 50 years, and the project has "
-                f"none (add to `hazard: levels` one with `probability: {100 * probability:g} %`)"
-            )
-            problems.at_value(at, message)
-
-
-def objective_level(letter: str, hazard: Hazard | None) -> str | None:
-    """Return the name of the hazard level of an objective, None if the project has none.
-
-    A level counts with its probability in 50 years, as the file states it or as its return period has it; levels given
-    by a factor or an importance class have none.
-
-    Args:
-        letter: of the objective.
-        hazard: the seismic action; None: the project has none.
-    """
-    wanted = OBJECTIVE_PROBABILITY[letter]
-    for name in hazard.levels if hazard is not None else ():
-        probability = hazard.probability(name) if hazard is not None else None
-        if probability is not None and abs(probability - wanted) <= _SAME_PROBABILITY * wanted:
-            return name
-    return None
 
 
 def _limits(problems: Problems, at: Keys, criterion: MeasureCriterion | QuantityCriterion) -> None:

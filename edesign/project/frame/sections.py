@@ -124,8 +124,9 @@ def no_section(name: str, own: Collection[str], catalogue: Catalogue) -> str:
 
     Args:
         name: as the file has it.
-        own: names of the project's own sections.
+        own: names of the project's own sections; a building has none.
         catalogue: of sections, for names that are alike.
     """
     hint = did_you_mean(name, own) or f"; {catalogue.near(name)}"
-    return f"there is no section `{name}`{hint} (own sections: {listed(own)}; `edesign sections` lists the catalogue)"
+    there = f"own sections: {listed(own)}; " if own else ""
+    return f"there is no section `{name}`{hint} ({there}`edesign sections` lists the catalogue)"

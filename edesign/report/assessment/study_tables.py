@@ -59,7 +59,7 @@ def study_tables(archive: Archive) -> list[Table]:
     tables += target_tables(study.base, groups, study)
     judged = read_judged(archive, groups)
     if study.criteria:
-        tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study))
+        tables += verdicts_tables(judge(study.criteria, (), judged, study.base, study), study.base.hazard)
     if sets:
         tables += performance_tables(not_swept(study, sets), VariantMembers(study.base, study))
     if study.objectives:

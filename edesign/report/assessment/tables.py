@@ -77,7 +77,7 @@ def tables_of_histories(
     tables += [*statistics_tables(sets), *([changes] if (changes := changes_table(sets)).rows else [])]
     verdicts = judge(criteria, (), histories, project, study)
     if verdicts:
-        tables += verdicts_tables(verdicts)
+        tables += verdicts_tables(verdicts, project.hazard)
     tables += performance_tables(sets, members)
     if objectives:
         tables.append(objectives_table(judge((), objectives, histories, project, study), objectives, project))

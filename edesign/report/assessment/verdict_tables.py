@@ -10,10 +10,11 @@ from edesign.assess.members import ELASTIC_ROTATION, VariantMembers
 from edesign.assess.performance import Usage, set_performance
 from edesign.assess.requirement import UNITS, shown
 from edesign.assess.sets import HistorySet
-from edesign.assess.statistics import CODES
+from edesign.codes.criterion import with_standard
 from edesign.codes.fema356.drift import NEGLIGIBLE, PERFORMANCE_LEVELS
 from edesign.codes.fema356.objectives import OBJECTIVES
-from edesign.project.criteria.checks_criteria import objective_level
+from edesign.ground_motion.hazard import objective_level, rules_in_force
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.criteria.criteria import Objectives
 from edesign.project.project import Project
 from edesign.report.assessment.measure_columns import ROUNDING
@@ -27,10 +28,14 @@ BEYOND = 10
 TARGETS = "Of target displacements the D/C is the maximum over patterns and directions."
 
 
-def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
+def verdicts_tables(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[Table]:
     """Return the verdicts on criteria, the governing histories, remarks, and the requirements.
 
     Each fits a page; those that would be empty are left out.
+
+    Args:
+        verdicts: of the study.
+        hazard: of the project, whose code says what few histories are worth.
     """
     name = ("criterion", "variant", "level")
     answers = Table("Criteria", (*name, "verdict", "value", "limit", "D/C"), left=4, sentences=(0, 1), name="criteria")
@@ -66,7 +71,7 @@ def verdicts_tables(verdicts: Sequence[Verdict]) -> list[Table]:
         governs.notes += wrapped(
             "Where the value is largest, or smallest if the limit is a lower bound; of: histories that have it."
         )
-        governs.notes += few_notes(verdicts)
+        governs.notes += few_notes(verdicts, hazard)
     return [table for table in (answers, governs, remarks, requirements) if table.rows]
 
 
@@ -183,7 +188,7 @@ def objectives_table(verdicts: Sequence[Verdict], objectives: Objectives, projec
                 )
     if table.rows:
         table.notes.append("Objectives: FEMA 356, Table C1-1, lettered without the column of the Operational level.")
-    table.notes += few_notes(verdicts)
+    table.notes += few_notes(verdicts, project.hazard)
     return table
 
 
@@ -224,9 +229,14 @@ def _usage(worst: tuple[str, Usage] | None) -> str:
     return f"D/C {beyond_or(usage.ratio, f'{usage.ratio:.3g}')}: {usage.governing}, {place}, {history}"
 
 
-def few_notes(verdicts: Sequence[Verdict]) -> list[str]:
-    """Return the clauses of the codes on statistics over few histories, or of one, if a verdict rests on them."""
-    rules = CODES["ec8"].set_rules
+def few_notes(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[str]:
+    """Return what the code in force says of statistics over few histories, or of one, if a verdict rests on them.
+
+    Args:
+        verdicts: of the study.
+        hazard: of the project, whose code is in force.
+    """
+    rules = rules_in_force(hazard)
     sets: dict[str, int] = {}
     for v in verdicts:
         count = v.count + len(v.missing)
@@ -237,13 +247,13 @@ def few_notes(verdicts: Sequence[Verdict]) -> list[str]:
     lines = []
     if few:
         lines += wrapped(
-            f"Fewer than {rules.number_for_mean} histories: {'; '.join(few)}. The maximum counts then, not the mean "
-            "(EN 1998-1, 4.3.3.4.3(3); FEMA 356, 3.3.2.2.4)."
+            f"Fewer than {rules.number_for_mean} histories: {'; '.join(few)}. "
+            f"{rules.fewer[0].upper()}{rules.fewer[1:]} ({with_standard(rules.clauses.use)})."
         )
     if single:
         lines += wrapped(
             f"One history only: {'; '.join(single)}. It shows how the frame responds and proves nothing: "
-            f"EN 1998-1, 3.2.3.1.2(4), asks for {rules.least_number} at least."
+            f"{with_standard(rules.clauses.number)}, asks for {rules.least_number} at least."
         )
     return lines
 

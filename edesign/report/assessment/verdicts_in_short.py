@@ -6,16 +6,21 @@ from collections.abc import Sequence
 
 from edesign.assess.criteria import Verdict
 from edesign.assess.requirement import DEMAND_OVER_CAPACITY
+from edesign.project.actions.hazard_base import Hazard
 from edesign.report.assessment.verdict_tables import few_notes, measured, motion_of, ratio_text
 from edesign.report.tables.table import Table
 
 MOST_ROWS = 14
 
 
-def verdicts_in_short(verdicts: Sequence[Verdict]) -> list[Table]:
+def verdicts_in_short(verdicts: Sequence[Verdict], hazard: Hazard | None) -> list[Table]:
     """Return the answers with demand over capacity, a row for each criterion and level, and what governs.
 
     Of many criteria those that all variants meet are left out, the least used first.
+
+    Args:
+        verdicts: of the study.
+        hazard: of the project, whose code says what few histories are worth.
     """
     variants = list(dict.fromkeys(verdict.variant for verdict in verdicts))
     grouped: dict[tuple[str, str], dict[str, Verdict]] = {}
@@ -28,7 +33,7 @@ def verdicts_in_short(verdicts: Sequence[Verdict]) -> list[Table]:
         cells = [_answer(grouped[name, level].get(variant)) for variant in variants]
         table.rows.append([_row_name(name, level), *cells])
     table.notes += [f"and {left_out} more, which all variants meet"] * bool(left_out)
-    table.notes += [*_counts(verdicts), *few_notes(verdicts)]
+    table.notes += [*_counts(verdicts), *few_notes(verdicts, hazard)]
     return [table, *_governing(verdicts, variants)]
 
 

@@ -10,11 +10,8 @@ import numpy as np
 from edesign.archive.dataset import Group
 from edesign.assess.envelopes import peak
 from edesign.assess.quantities import largest_velocity
-from edesign.assess.statistics import CODES
 from edesign.building.devices import Device
-
-ENOUGH = CODES["ec8"].set_rules.number_for_mean
-"""Histories from which the mean counts, EN 1998-1, 4.3.3.4.3(3); of fewer it is the maximum."""
+from edesign.codes.motion_sets import SetRules
 
 
 @dataclass(frozen=True)
@@ -30,10 +27,13 @@ class Demand:
     maximum: float
     count: int
 
-    @property
-    def governing(self) -> float:
-        """The governing value: the mean of at least seven histories, else the maximum."""
-        return self.mean if self.count >= ENOUGH else self.maximum
+    def governing(self, rules: SetRules) -> float:
+        """Return the governing value: the mean of as many histories as a code asks for, else the maximum.
+
+        Args:
+            rules: of the code in force.
+        """
+        return self.mean if self.count >= rules.number_for_mean else self.maximum
 
 
 def demand(histories: Sequence[Group], devices: Sequence[Device], quantity: str) -> Demand | None:

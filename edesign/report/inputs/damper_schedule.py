@@ -9,13 +9,16 @@ from functools import partial
 from edesign.archive.dataset import Group
 from edesign.assess.sets import HistorySet
 from edesign.building.devices import Device
+from edesign.codes.criterion import with_standard
+from edesign.codes.motion_sets import SetRules
 from edesign.damper.laws import LAWS
+from edesign.ground_motion.hazard import rules_in_force
 from edesign.project.dampers.dampers import BraceSection
 from edesign.project.notation.names import damper_place
 from edesign.project.project import Project
 from edesign.project.study.study import Study, own_variant
 from edesign.report.assessment.measure_columns import ROUNDING
-from edesign.report.inputs.damper_demand import ENOUGH, Demand, demand, velocity
+from edesign.report.inputs.damper_demand import Demand, demand, velocity
 from edesign.report.inputs.variant_frames import VariantFrames
 from edesign.report.tables.table import Table, number, whole
 
@@ -170,6 +173,7 @@ def _required(
         for label, histories in asking
         if histories.completed
     }
+    rules = rules_in_force(frames.hazard)
     shown = [q for q in QUANTITIES if any(one.get(q[3]) is not None for one in found.values())]
     asks = {label for (_, label), one in found.items() if any(value is not None for value in one.values())}
     counts = {label: histories for label, histories in asking if label in asks}  # others are without these dampers
@@ -180,7 +184,7 @@ def _required(
     table.columns = ("storey", "place", "law", "level", *headers, "histories", "governs")
     for at, group in enumerate(alike):
         levels = list(counts)
-        governing = {q[3]: _most(found, at, levels, q[3]) for q in shown}
+        governing = {q[3]: _most(found, at, levels, q[3], rules) for q in shown}
         for label in levels:
             cells = [
                 cell for *_, name, scale in shown for cell in _pair(found[at, label].get(name), scale)[-len(spread) :]
@@ -193,19 +197,20 @@ def _required(
         table.columns = table.columns[:-1]
         table.rows = [row[:-1] for row in table.rows]
     if table.rows:
-        table.notes += _notes(single, len(counts) > 1)
+        table.notes += _notes(single, len(counts) > 1, rules)
         table.notes += _velocity_notes(found, alike)
     return table
 
 
-def _notes(single: bool, levels: bool) -> list[str]:
+def _notes(single: bool, levels: bool, rules: SetRules) -> list[str]:
     notes = ["The force is that of one damper; the stroke is to either side and without the brace."]
     if single:
         notes.append("The values are the largest over the time of one history, in the place that has most.")
     else:
         notes.append("Of the largest values of each history: mean and maximum over them, in the place that has most.")
     if levels:
-        which = f"the mean of at least {ENOUGH} histories, else the maximum (EN 1998-1, 4.3.3.4.3(3))"
+        clause = with_standard(rules.clauses.use)
+        which = f"the mean of at least {rules.number_for_mean} histories, else the maximum ({clause})"
         notes.append(f"The level governs whose value is largest: {which}.")
     return notes
 
@@ -227,8 +232,10 @@ def _demands(
     return found
 
 
-def _most(found: dict[tuple[int, str], dict[str, Demand | None]], at: int, levels: Sequence[str], name: str) -> str:
-    values = {label: one.governing for label in levels if (one := found[at, label].get(name)) is not None}
+def _most(
+    found: dict[tuple[int, str], dict[str, Demand | None]], at: int, levels: Sequence[str], name: str, rules: SetRules
+) -> str:
+    values = {label: one.governing(rules) for label in levels if (one := found[at, label].get(name)) is not None}
     return max(values, key=lambda label: values[label]) if any(values.values()) else ""
 
 

@@ -6,6 +6,7 @@ from functools import cached_property
 
 from edesign.archive.reader import Archive
 from edesign.building.frame_model import FrameModel
+from edesign.project.actions.hazard_base import Hazard
 from edesign.project.dampers.dampers import Dampers
 from edesign.project.project import Project
 from edesign.project.study.study import Study
@@ -26,6 +27,11 @@ class VariantFrames:
     def __init__(self, archive: Archive, project: Project, study: Study | None = None) -> None:
         self._archive, self._project, self._study = archive, project, study
         self._frames: dict[tuple[str, float | None], FrameModel] = {}
+
+    @property
+    def hazard(self) -> Hazard | None:
+        """The seismic action of the project, which all variants share."""
+        return self._project.hazard
 
     @cached_property
     def variants(self) -> tuple[str, ...]:

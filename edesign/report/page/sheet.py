@@ -66,6 +66,7 @@ def _cycles(tests: Sequence[DamperTest], runs: Sequence[Run], asked: Acceptance)
     named = {test.name: test for test in tests}
     for number, run in enumerate(runs, 1):
         yield cycles_table(run, runs)
-        caption = f"{name_of(run, runs)}. Loops, and cycles beside the third one; dashed: allowed by EN 15129."
+        allowed = f"; dashed: allowed by {' and '.join(asked.from_third_by)}" if asked.from_third_by else ""
+        caption = f"{name_of(run, runs)}. Loops, and cycles beside the third one{allowed}."
         name, test = f"run-{number}", named[run.test]
         yield from drawn(f"figure {name}", lambda: [(name, caption, run_figure(test, run, asked))])  # noqa: B023

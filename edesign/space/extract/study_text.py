@@ -10,13 +10,12 @@ import numpy as np
 from edesign.codes.ec8.drift import drift_limit
 from edesign.codes.ec8.ground import ground_type
 from edesign.errors import InputError
-from edesign.ground_motion.hazard import elastic_spectrum
+from edesign.ground_motion.hazard import elastic_spectrum, objective_level
 from edesign.ground_motion.simulation.simulate import simulate
 from edesign.ground_motion.simulation.site import V_S30_RANGE
 from edesign.project.actions.hazard import EC8Hazard
 from edesign.project.building.design import Drift
 from edesign.project.building.names import BeamPlace
-from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.reading.yaml_edit import yaml_text
 from edesign.space.extract.frame_row import FrameRow
 from edesign.space.extract.selections import selection, value

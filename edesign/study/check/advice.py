@@ -7,13 +7,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from edesign.building.frame_model import FrameModel
 from edesign.building.masses import still_beams
 from edesign.errors import AnalysisError
+from edesign.ground_motion.hazard import objective_level
 from edesign.ground_motion.plausibility import doubts
 from edesign.ground_motion.record import Record
 from edesign.ground_motion.record_choice import RecordChoice
 from edesign.project.analysis.analyses import HistoryAnalysis, PushoverAnalysis, TargetAnalysis
 from edesign.project.analysis.damping import RayleighDamping, StiffnessDamping
 from edesign.project.analysis.pushover import Pushover, pattern_name
-from edesign.project.criteria.checks_criteria import objective_level
 from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
 from edesign.project.dampers.checks_designs import design_warnings
 from edesign.project.dampers.checks_placement import placement_warnings

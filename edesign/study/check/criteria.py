@@ -1,4 +1,4 @@
-"""What criteria need of the histories of a study: enough motions for a code, samples fine enough, kept histories."""
+"""What criteria need of a study: hazard levels, enough motions for a code, samples fine enough, kept histories."""
 
 from __future__ import annotations
 
@@ -7,8 +7,11 @@ from collections.abc import Mapping
 
 from edesign.assess.statistics import CODES, code_statistic, statistic
 from edesign.codes.criterion import with_standard
+from edesign.codes.fema356.objectives import OBJECTIVES
 from edesign.errors import InputError
+from edesign.ground_motion.hazard import action_of, objective_level, rules_in_force
 from edesign.ground_motion.sources import Found
+from edesign.project.actions.hazard import EC8Hazard, UserHazard
 from edesign.project.analysis.analyses import HistoryAnalysis
 from edesign.project.analysis.outputs import HistoryKind, Outputs
 from edesign.project.criteria.criteria import MeasureCriterion, QuantityCriterion
@@ -19,16 +22,17 @@ from edesign.study.run.study_plan import make_study_plan, verification_records
 
 
 def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
-    """Check that the histories of a study have enough motions and samples for its criteria.
+    """Check that objectives have their hazard levels, and criteria enough motions and samples.
 
     Args:
         study: from `load_study`.
         found: recordings by reference.
 
     Raises:
-        InputError: a code wants more motions than a variant has at a level, or an oscillator on a floor swings faster
-            than the samples that are kept can tell.
+        InputError: an objective has no hazard level, a code wants more motions than a variant has at a level, or an
+            oscillator on a floor swings faster than the samples that are kept can tell.
     """
+    _check_objectives(study)
     motions = _motions(study) if any(criterion.statistic in CODES for criterion in study.criteria) else {}
     for i, criterion in enumerate(study.criteria):
         where = f"{study.where('criteria', i)}: criteria[{i}]"
@@ -45,6 +49,34 @@ def check_criteria_inputs(study: Study, found: Mapping[str, Found]) -> None:
             _check_samples(study, where, criterion.frequency, found)
 
 
+def _check_objectives(study: Study) -> None:
+    """An objective is judged at the hazard level of its probability; how one is given depends on the code."""
+    hazard = study.base.hazard
+    for i, letter in enumerate(study.objectives):
+        if objective_level(letter, hazard) is not None:
+            continue
+        probability = f"{100 * OBJECTIVES[letter].probability:g} %"
+        if hazard is None:
+            has = "and the project has no `hazard`; give it one with such a level"
+        elif isinstance(hazard, EC8Hazard):
+            has = f"and the project has none; add to `hazard: levels` one with `probability: {probability}`"
+        elif isinstance(hazard, UserHazard):
+            of = "a `spectrum`" if hazard.own_shapes else "a `factor`"
+            has = f"and the project has none; add to `hazard: levels` one with {of} and `probability: {probability}`"
+        else:
+            rare = [(name, action_of(hazard).probability(name)) for name in hazard.levels]
+            of_50 = [f"`{name}` {100 * known:.3g} %" for name, known in rare if known is not None]
+            known_as = f"has {', '.join(of_50)}" if of_50 else "has levels of no known probability"
+            has = (
+                f"and `code: {hazard.code}` {known_as}; leave the objective out, or give the spectra as tables "
+                "(`code: user`), whose levels may state their `probability`"
+            )
+        raise InputError(
+            f"{study.where('objectives', i)}: objectives[{i}]: objective {letter} needs a hazard level of "
+            f"{probability} in 50 years, {has}"
+        )
+
+
 def too_few_motions(study: Study, name: str) -> list[str]:
     """Return a warning if criteria of a design take a mean of fewer motions than the code accepts for one.
 
@@ -54,14 +86,15 @@ def too_few_motions(study: Study, name: str) -> list[str]:
         study: from `load_study`.
         name: of the design.
     """
-    verify, rules = study.designs[name].verify, CODES["ec8"].set_rules
+    verify, rules = study.designs[name].verify, rules_in_force(study.base.hazard)
     count = len(verification_records(study, name))
     if verify is None or not 1 < count < rules.number_for_mean:
         return []
     ranks = {str(rank): float(rank) for rank in range(count)}
+    fewer = f"{rules.fewer} ({with_standard(rules.clauses.use)})"
     return [
-        f"the criterion `{asked.name}` takes the {asked.statistic} of {count} motions; of fewer than "
-        f"{rules.number_for_mean} the maximum counts (EN 1998-1, 4.3.3.4.3(3)), which `statistic: ec8` takes"
+        f"the criterion `{asked.name}` takes the {asked.statistic} of {count} motions, fewer than "
+        f"{rules.number_for_mean}: {fewer}; `statistic: maximum` is on the safe side"
         for asked in study.criteria
         if asked.name in verify.criteria
         and asked.share is None

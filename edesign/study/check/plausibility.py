@@ -157,14 +157,13 @@ def _period(project: Project, period: float) -> str:
     if period > high:
         return (
             f"{of} is implausible for a frame {height:.3g} m high: from {high:.2g} s on its interstorey "
-            f"drift sensitivity exceeds {SENSITIVITY:g} (EN 1998-1, 4.4.2.2, with q = {q:g}); are masses too large, or "
+            f"drift sensitivity exceeds {SENSITIVITY:g} (with q = {q:g}); are masses too large, or "
             "sections too small?"
         )
     if period < low:
         return (
             f"{of} is implausible for a frame {height:.3g} m high: up to {low:.2g} s its masses are ten "
-            f"times too small for the stiffest frames of EN 1998-1 (Eq. 4.6, {STIFF:.2f} H^(3/4)), or its sections too "
-            "large"
+            f"times too small for the stiffest frames ({STIFF:.2f} H^(3/4)), or its sections too large"
         )
     return ""
 
@@ -190,7 +189,7 @@ def _damping(project: Project) -> str:
     if ratio <= LARGEST_DAMPING:
         return ""
     return (
-        f"an inherent damping of {100.0 * ratio:g} % is implausible: EN 1998-1, 3.2.2.2(3), counts up to "
+        f"an inherent damping of {100.0 * ratio:g} % is implausible: spectra of codes count up to "
         f"{100.0 * LARGEST_DAMPING:g} %, devices included, and steel frames have a few per cent"
     )
 

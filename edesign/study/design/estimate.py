@@ -9,6 +9,7 @@ import numpy as np
 from edesign.codes.spectrum import Spectrum
 from edesign.errors import InputError
 from edesign.ground_motion.hazard import checked_hazard, elastic_spectrum
+from edesign.project.actions.hazard import UserHazard
 from edesign.project.analysis.damping import first_ratio
 from edesign.project.dampers.designs import SimplifiedDesign, SizedDesign
 from edesign.project.project import Project
@@ -81,10 +82,11 @@ def make_action(project: Project, spec: SizedDesign) -> Action | None:
     action = action_of(project, spec.level, spec.inherent_damping)
     spectrum = action.spectrum
     if isinstance(spec, SimplifiedDesign) and "T_C" not in spectrum.corners:
+        table = isinstance(project.hazard, UserHazard)
+        ways = "give `corner_period` with the table, or take another method" if table else "take another method"
         raise InputError(
             f"{project.where('hazard', 'code')}: hazard.code: a simplified design is by the lateral force method "
-            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none: give `corner_period` "
-            "with a table, or take another method"
+            f"of EN 1998-1, 4.3.3.2, which needs a corner period T_C; {spectrum.label} has none: {ways}"
         )
     return action
 

@@ -111,7 +111,9 @@ def project_part(project: Project, device: str, vertical: bool = True, estimate:
     if project.dampers is None or not project.dampers.devices:
         raise InputError(f"{project.path}: the project has no dampers, of which one could stand in the laboratory")
     if project.damping is None:
-        raise InputError(f"{project.path}: a substructure test needs `damping`; for none write {{kind: none}}")
+        raise InputError(
+            f"{project.path}: a substructure test needs `damping`; for none write `damping: {{kind: none}}`"
+        )
     structure = make_structure(project, dampers=True)
     specimen = _specimen(project, structure, device)
     unloaded = structure.analysis.stiffness()

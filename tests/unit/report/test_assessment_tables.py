@@ -11,6 +11,7 @@ from edesign.archive.dataset import Group
 from edesign.archive.writer import ArchiveWriter
 from edesign.assess.criteria import Verdict
 from edesign.assess.sets import history_sets
+from edesign.project import parse_project
 from edesign.report.assessment.measure_tables import record_measures_table, statistics_tables
 from edesign.report.assessment.tables import assessment_tables, tables_of_histories
 from edesign.report.assessment.verdict_tables import verdicts_tables
@@ -113,16 +114,20 @@ def test_verdicts_performance_and_objectives() -> None:
 
 
 def test_means_of_few_histories_are_remarked() -> None:
-    """EN 1998-1, 4.3.3.4.3(3), and FEMA 356, 3.3.2.2.4: from seven histories on the mean counts, else the largest."""
+    """EN 1998-1, 4.3.3.4.3(3): from seven histories on the mean counts, else the largest."""
+
+    hazard = parse_project(FRAME).hazard
 
     def remarks(count: int, statistic: str = "mean", missing: tuple[str, ...] = ()) -> list[str]:
         found = ("bare.DBE.one", None, "C_A_1", count, missing)
         verdict = Verdict("drift", "drift", "bare", "DBE", statistic, 0.01, 0.013, "1", True, "", *found)
-        notes = " ".join(note for table in verdicts_tables([verdict]) for note in table.notes)
+        notes = " ".join(note for table in verdicts_tables([verdict], hazard) for note in table.notes)
         return [notes[notes.index("Fewer") :]] if "Fewer" in notes else []
 
     (said,) = remarks(6)
-    assert said.startswith("Fewer than 7 histories: bare, DBE. The maximum counts then, not the mean")
+    assert said.startswith(
+        "Fewer than 7 histories: bare, DBE. The most unfavourable response counts (EN 1998-1, 4.3.3.4.3(3)"
+    )
     assert remarks(7) == remarks(6, "maximum") == remarks(6, missing=("bare.DBE.later",)) == []
     assert remarks(0) == []  # nothing was judged
 

@@ -44,7 +44,7 @@ def verdict(ratio: float, count: int = 7, variant: str = "bare") -> Verdict:
 
 
 def test_variants_stand_side_by_side() -> None:
-    table, governs = verdicts_in_short(judge(STUDY.criteria, STUDY.objectives, HISTORIES, frame()))
+    table, governs = verdicts_in_short(judge(STUDY.criteria, STUDY.objectives, HISTORIES, frame()), None)
     assert list(table.columns) == ["criterion", "bare", "damped", "damped twice"]
     assert table.rows[0] == ["drift, DBE", "not met 1.92", "met 0.85", "met 0.65"]
     assert [row[0] for row in table.rows[1:]] == [
@@ -57,14 +57,14 @@ def test_variants_stand_side_by_side() -> None:
 
 @pytest.mark.parametrize("width", [60, 80, 100, 200])
 def test_verdicts_fit_and_names_stay_whole(width: int) -> None:
-    tables = verdicts_in_short([verdict(1.2), verdict(0.4, variant="damped at 35 degC")])
+    tables = verdicts_in_short([verdict(1.2), verdict(0.4, variant="damped at 35 degC")], None)
     lines = "\n".join(plain(part) for table in tables for part in fitted(table, width)).splitlines()
     assert max(map(len, lines)) <= width
     assert sum(LONG in line for line in lines) == 2
 
 
 def test_far_beyond_a_limit_is_no_number() -> None:
-    cells = [verdicts_in_short([verdict(ratio)])[0].rows[0][1] for ratio in (9.994, 82.74)]
+    cells = [verdicts_in_short([verdict(ratio)], None)[0].rows[0][1] for ratio in (9.994, 82.74)]
     assert cells == ["not met 9.99", "not met > 10"]
 
 
@@ -72,14 +72,14 @@ def test_of_many_criteria_those_that_are_met_with_room_are_counted() -> None:
     """Sixteen: the fourteen with the largest demand over capacity, and every one that is not met, stand there."""
     ratios = [0.1 + 0.05 * i for i in range(15)] + [1.3]
     many = [replace(verdict(ratio), name=f"c{i}") for i, ratio in enumerate(ratios)]
-    table = verdicts_in_short(many)[0]
+    table = verdicts_in_short(many, None)[0]
     assert [row[0] for row in table.rows] == [f"c{i}, DBE" for i in range(2, 16)]
     assert table.notes[0] == "and 2 more, which all variants meet"
 
 
 def test_one_history_is_told_as_one() -> None:
     """EN 1998-1, 3.2.3.1.2(4)a asks for three records; 4.3.3.4.3(3) takes the largest of fewer than seven."""
-    notes = " ".join(verdicts_in_short([verdict(0.5, 1), verdict(0.5, 3, "damped")])[0].notes)
+    notes = " ".join(verdicts_in_short([verdict(0.5, 1), verdict(0.5, 3, "damped")], None)[0].notes)
     assert "Fewer than 7 histories: damped, DBE." in notes
     assert "One history only: bare, DBE." in notes and "3 at least" in notes
 
@@ -138,10 +138,10 @@ def test_what_rounding_leaves_of_nothing_is_0_and_governed_by_nothing() -> None:
     """A column that stays elastic: its plastic rotation is the curvature less the elastic one, in doubles."""
     asked = ("columns", "no plastic hinges in columns: at most 0.001 rad", "damped", "DBE", "mean")
     one = Verdict(*asked, 1.98e-18, 1e-3, "rad", True, "", "damped.DBE.a", None, "C_A_1", 7, ())
-    table, governing = verdicts_in_short([one])
+    table, governing = verdicts_in_short([one], None)
     assert (table.rows, governing.rows) == ([["columns, DBE", "met 0.00"]], [["damped", "columns, DBE", "0 rad", "-"]])
-    answers, governs = verdicts_tables([one])[:2]
+    answers, governs = verdicts_tables([one], None)[:2]
     assert answers.rows[0][4] == "0 rad" and governs.rows[0][3:5] == ["-", "-"]
     assert check_table([one], ()).rows[0][-1] == "-"
     small = replace(one, value=2e-6)  # 2 microrad, which yielding may leave
-    assert verdicts_in_short([small])[1].rows[0][2:] == ["2e-06 rad", "C_A_1 a"]
+    assert verdicts_in_short([small], None)[1].rows[0][2:] == ["2e-06 rad", "C_A_1 a"]

@@ -58,8 +58,10 @@ def test_a_design_that_takes_less_than_the_maximum_of_few_motions_is_told() -> N
         return too_few_motions(study, "oil")
 
     median, mean = told("[whole, slow, fast]")
-    assert median.startswith("the criterion `acceleration of floor 1` takes the median of 3 motions; of fewer than 7")
-    assert mean.startswith("the criterion `residual drift` takes the mean of 3 motions") and "`statistic: ec8`" in mean
+    assert median.startswith("the criterion `acceleration of floor 1` takes the median of 3 motions, fewer than 7: ")
+    assert (
+        mean.startswith("the criterion `residual drift` takes the mean of 3 motions") and "`statistic: maximum`" in mean
+    )
     assert told("whole") == []  # every statistic of one is its maximum
 
 

@@ -57,4 +57,4 @@ def checks(source: Source) -> Section:
 
 def _remarks(verdicts: tuple[Verdict, ...]) -> list[Table]:
     """What is to be said of verdicts beside their numbers."""
-    return [table for table in verdicts_tables(verdicts) if table.title == REMARKS]
+    return [table for table in verdicts_tables(verdicts, None) if table.title == REMARKS]
