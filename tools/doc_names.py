@@ -61,7 +61,7 @@ _FORMER = re.compile(r"\w+_inside")
 @cache
 def words() -> frozenset[str]:
     """All names that stand in sources, with the parts of names with dots."""
-    found: set[str] = set()
+    found = {Path(name).stem for name in _SELF}
     for path in [ROOT / "Makefile", ROOT / "pyproject.toml", ROOT / "setup.py", ROOT / "mkdocs.yml", *_sources()]:
         found |= {path.stem, *_NAME.findall(path.read_text(encoding="utf-8", errors="replace"))}
     return frozenset(found)

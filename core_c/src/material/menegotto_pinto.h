@@ -27,7 +27,7 @@ void ed_menegotto_pinto_initialise(const ed_menegotto_pinto *law, double *state)
 /* Whether the branches that a state remembers may be so many. */
 int ed_menegotto_pinto_valid(int n, const double *state);
 /* Stress and tangent of the fibres `first` to first + count, multiples of ED_LANE_WIDTH; arrays of count. The return is 1 when all
- * respond elastically. Strains may change by `reach` before a stress leaves its tangent by more than 1e-9 of yield. */
+ * respond elastically. Strains may change by `reach` before a stress leaves its tangent by more than 1e-12 of yield. */
 int ed_menegotto_pinto_trial(const ed_menegotto_pinto *law, const double *state, int first, int count,
                              const double *strain, double *stress, double *tangent, double *reach);
 /* Moves the fibres to `strain`, where a trial found `stress`, or follows from it within reach; fibres that come near remembered branches

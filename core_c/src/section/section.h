@@ -12,7 +12,7 @@ typedef struct {
   double N, M;
   double k11, k12, k22; /* dN/de0, dN/dkappa = dM/de0, dM/dkappa */
   int elastic;          /* no layer yields: the tangent is the initial one */
-  double reach;         /* change of strain of any layer up to which no stress leaves its tangent by more than 1e-9 of yield */
+  double reach;         /* change of strain of any layer up to which no stress leaves its tangent by more than 1e-12 of yield */
 } ed_section_response;
 
 /* Each kind of law is evaluated over all layers, where those of another law have no area. */

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import pytest
 
+from edesign.study.check.warnings import ALIKE
 from tools import doc_names
 
 HERE = doc_names.ROOT / "docs" / "theory" / "core.md"
@@ -66,3 +68,10 @@ def test_what_is_verified_names_its_test() -> None:
     assert not [*doc_names.unproven_sections(f"## Verified\n\n`tests/published/test_fema356.py`:\n\n{table}")]
     rows = "| verified | against | test |\n|---|---|---|\n| a | b | `test_fema356.py` |\n| c | d | |\n"
     assert [found for _, found in doc_names.unproven_sections(f"## Other\n\n{rows}")] == ["| c | d | |"]
+
+
+def test_every_doubt_about_a_result_stands_on_its_page() -> None:
+    page = (doc_names.ROOT / "docs" / "reference" / "validity.md").read_text(encoding="utf-8")
+    rows = page.partition("## What is doubtful about a result")[2].partition("\n**Buckling.**")[0]
+    told = {name for _, name in doc_names.spans(re.sub(r"(?m)^(\| [^|]+\|).*$", r"\1", rows))}
+    assert told == {*ALIKE, "kind"}
