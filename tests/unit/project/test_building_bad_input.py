@@ -278,3 +278,9 @@ def test_a_plan_beyond_the_limit_is_refused_before_it_is_laid_out() -> None:
     ((place, message),) = faults(big.replace("[4 m, 3 m]", "{count: 200, height: 3 m}"))
     assert place == (3, 1)
     assert message == "plan: plan and storeys have 2040200 places of columns; at most 50000 are read"
+
+
+def test_own_sections_are_named_where_a_file_can_have_them() -> None:
+    """A building has no own sections, and `none` of them would read as if it could."""
+    ((_, message),) = faults(SMALL.replace("HEB200, mat", "HEB205, mat"))
+    assert message.endswith("(`edesign sections` lists the catalogue)") and "own sections" not in message
