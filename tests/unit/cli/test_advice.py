@@ -22,13 +22,14 @@ from unit.project.test_designs import SIMPLE as SIMPLIFIED
 from unit.project.test_hysteretic_designs import GOOD as HYSTERETIC
 from unit.project.test_hysteretic_designs import LAWS as HYSTERETIC_LAWS
 from unit.project.test_isolation_block import CASE as ISOLATED
-from unit.project.test_other_hazards import EACH, USER
+from unit.project.test_other_hazards import EACH, NTC, USER
 from unit.project.test_project_dampers import WHOLE as DAMPED
 from unit.project.test_viscous_designs import GOOD as VISCOUS
 from unit.project.test_viscous_designs import LAWS as VISCOUS_LAWS
 
 from edesign.building.project_file import load_study
 from edesign.building.sections.building_sections import BuildingSections
+from edesign.cli.main import main
 from edesign.damper.testing.campaign import load_campaign
 from edesign.errors import InputError
 from edesign.project.building import parse_building
@@ -211,3 +212,112 @@ def test_every_advice_on_files_has_a_row_or_its_reason() -> None:
                 bare.append(f"{place}: {'~'.join(parts)}")
     assert bare == [], "\n".join(["give these a row in tests/support/advised.py:", *bare])
     assert [one for one in left if one not in used] == []
+
+
+ROWS_OF_A_TEST = "".join(f"{0.01 * i:.2f},{5.0 * (-1) ** (i // 10):g},{(-1) ** (i // 10)}\n" for i in range(200))
+RECORDED = "".join(f"{0.01 * i:.2f},{0.1 * (-1) ** (i // 20):g}\n" for i in range(400))
+LAYERS = ("--layers", "2", "--layer-area", "41400 mm^2", "--layer-thickness", "12 mm")
+SITE = ("--ground", "B")
+COMMANDS: dict[str, tuple[tuple[str, ...], str, tuple[tuple[str, ...], ...]]] = {
+    "layers": (
+        ("characterise", "test.csv", "--temperature", "20 degC"),
+        "test files do not say this; give it, or a campaign file",
+        (("characterise", "test.csv", "--temperature", "20 degC", *LAYERS), ("characterise", "campaign.yaml")),
+    ),
+    "temperature of moduli": (
+        ("characterise", "test.csv", *LAYERS),
+        'say --temperature "20 degC"',
+        (("characterise", "test.csv", *LAYERS, "--temperature", "20 degC"),),
+    ),
+    "temperature of a sheet": (
+        ("sheet", "test.csv"),
+        'say --temperature "20 degC"',
+        (("sheet", "test.csv", "--temperature", "20 degC"),),
+    ),
+    "temperature twice": (
+        ("sheet", "campaign.yaml", "--temperature", "20 degC"),
+        "--temperature: the campaign says this; leave the option out",
+        (("sheet", "campaign.yaml"),),
+    ),
+    "drawing": (
+        ("check", "project.yaml", "drawing.svg"),
+        "a second one is the drawing of its model: add --figure",
+        (("check", "project.yaml", "--figure", "drawing.svg"),),
+    ),
+    "acceleration": (
+        ("spectrum", *SITE),
+        "the reference ground acceleration is missing; give it, or --country and --zone",
+        (("spectrum", *SITE, "--a-gr", "0.2 g"), ("spectrum", *SITE, "--country", "greece", "--zone", "Z2")),
+    ),
+    "acceleration twice": (
+        ("spectrum", *SITE, "--a-gr", "0.2 g", "--country", "greece", "--zone", "Z2"),
+        "--a-gr gives the reference ground acceleration already; leave one of them out",
+        (("spectrum", *SITE, "--a-gr", "0.2 g"), ("spectrum", *SITE, "--country", "greece", "--zone", "Z2")),
+    ),
+    "code": (
+        ("spectrum", *SITE, "--code", "ntc-2018"),
+        "write that of `ntc-2018` as `hazard` of a project file, and name it by --project",
+        (("spectrum", "--project", "italian.yaml", "--level", "SLV"),),
+    ),
+    "project says it": (
+        ("spectrum", "--project", "italian.yaml", "--level", "SLV", "--ground", "B"),
+        "--ground: the project file says this; leave the option out",
+        (("spectrum", "--project", "italian.yaml", "--level", "SLV"),),
+    ),
+    "unit of a table": (
+        ("spectrum", "record.csv", *SITE, "--a-gr", "0.2 g"),
+        "declare it: --unit g, ",
+        (("spectrum", "record.csv", *SITE, "--a-gr", "0.2 g", "--unit", "g"),),
+    ),
+    "study of an extract": (
+        ("extract", "building.yaml", "--frame", "X2", "--output", "frame.yaml", "--drift", "1 %"),
+        "belong to a study; give --study FILE too",
+        (
+            (
+                "extract",
+                "building.yaml",
+                "--frame",
+                "X2",
+                "--output",
+                "frame.yaml",
+                "--drift",
+                "1 %",
+                "--study",
+                "s.yaml",
+            ),
+        ),
+    ),
+    "folder of a template": (
+        ("new",),
+        "name the folder to make; --list prints the templates",
+        (("new", "mine"), ("new", "--list")),
+    ),
+}
+
+
+@pytest.mark.parametrize(("wrong", "said", "rights"), COMMANDS.values(), ids=COMMANDS.keys())
+def test_advice_of_a_command_is_taken(
+    wrong: tuple[str, ...],
+    said: str,
+    rights: tuple[tuple[str, ...], ...],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    files = {
+        "test.csv": f"time_s,displacement_mm,force_kN\n{ROWS_OF_A_TEST}",
+        "record.csv": f"time_s,acceleration\n{RECORDED}",
+        "project.yaml": SMALL,
+        "italian.yaml": SMALL + NTC,
+        "building.yaml": BUILDING,
+        "campaign.yaml": "specimen: {name: pad, layers: 2, layer_area: 41400 mm^2, layer_thickness: 12 mm}\n"
+        "tests: [{file: test.csv, temperature: 20 degC}]\n",
+    }
+    for name, text in files.items():
+        Path(name).write_text(text, encoding="utf-8")
+    assert main([*wrong]) == 2
+    told = " ".join(capsys.readouterr().err.split())
+    assert said in told, told
+    for way in rights:
+        assert main([*way]) == 0, capsys.readouterr().err
