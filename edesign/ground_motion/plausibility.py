@@ -15,7 +15,8 @@ _LARGEST_PGA = 3.0 * STANDARD_GRAVITY  # m/s2; few recordings of any earthquake 
 _SMALLEST_PGA = 0.001 * STANDARD_GRAVITY
 LONGEST_STEP = 0.05
 """Time step of the slowest recorders, s; instruments sample at 50 to 1000 Hz."""
-_SHORTEST_STEP = 0.0005  # s
+SHORTEST_STEP = 0.0005
+"""Time step of the quickest recorders, s."""
 _OFFSET = 0.02  # of the PGA: the median of a recorded motion is far below
 _CLIPPED = 4  # equal samples in a row at the extreme
 _END_VELOCITY = 0.1  # of the PGV; processed records end below 3 %
@@ -31,15 +32,15 @@ _ROUNDING = 1e-9  # relative: a factor of 3 as written is not beyond 3
 
 
 def doubts(record: Record) -> tuple[str, ...]:
-    """Return what looks wrong about a record, one sentence each; nothing if it looks like an earthquake.
+    """Return what looks wrong about a record or its file, one sentence each; nothing if it looks like an earthquake.
 
     Args:
         record: the record.
     """
     pga = record.pga
     if pga == 0.0:
-        return ("the record is zero throughout",)
-    found = []
+        return (*record.remarks, "the record is zero throughout")
+    found = list(record.remarks)
     shown = f"{pga / STANDARD_GRAVITY:.3g} g"
     if pga > _LARGEST_PGA:
         found.append(f"the peak is {shown}, more than earthquakes reach: is the unit right (m/s2 or cm/s2 read as g)?")
@@ -47,7 +48,7 @@ def doubts(record: Record) -> tuple[str, ...]:
         found.append(f"the peak is only {shown}: is the unit right (g read as m/s2, or m/s2 as cm/s2)?")
     if record.time_step > LONGEST_STEP:
         found.append(f"the time step of {record.time_step:g} s is too coarse for frequencies above 5 Hz: is it right?")
-    if record.time_step < _SHORTEST_STEP:
+    if record.time_step < SHORTEST_STEP:
         found.append(f"the time step of {record.time_step:g} s is shorter than that of any recorder: is it in seconds?")
     median = float(np.median(record.acceleration))
     if abs(median) > _OFFSET * pga:

@@ -13,6 +13,7 @@ from pathlib import Path
 from edesign.errors import InputError
 from edesign.project.notation.table_format import Decimal, Encoding, TableFormat
 from edesign.project.reading.file_bytes import read_file
+from edesign.project.reading.limits import LINE_CHARACTERS, TABLE_ADVICE, TABLE_COLUMNS, TABLE_LINES
 from edesign.tables.binary import describe_binary
 
 _CODECS: dict[Encoding, str] = {
@@ -31,6 +32,10 @@ _DAY = 86400.0  # s
 _HEAD = 1 << 16  # bytes that show an encoding
 _UTF_16_SHARE = 0.3  # of bytes at even, or odd, places that are zero: those of ASCII in UTF-16 are, all but a few
 _LINE_END = re.compile(r"\r\n|\r|\n")
+_PAGE_END = re.compile(r"\f+(?=[\r\n]|\Z)|(?<=[\r\n])\f+|\A\f+")
+"""Form feeds where a line ends or begins; others part lines."""
+_D_EXPONENT = re.compile(r"(?<![\w.])([-+]?(?:\d+\.\d*|\.\d+))[dD]([-+]\d{1,3})(?![\w.])")
+"""Of Fortran's numbers of double precision: `0.1D-02`."""
 _CLOCK = re.compile(
     r"(?:(?:(?P<year>\d{4})[-/.](?P<month>\d{1,2})[-/.](?P<day>\d{1,2})"
     r"|(?P<day_first>\d{1,2})\.(?P<month_second>\d{1,2})\.(?P<year_last>\d{4}))[ T]+)?"
@@ -87,7 +92,7 @@ def table_text(
     data = read_file(path, what) if content is None else content
     encoding, text = decoded(path, data, given.encoding if given else None)
     skip = given.skip or 0 if given else 0
-    lines = _LINE_END.split(text)
+    lines = lines_of(path, text)
     last = len(lines) - (lines[-1] == "")
     kept = [
         (i, line)
@@ -95,6 +100,46 @@ def table_text(
         if i > skip and line.strip(blank) and not line.lstrip().startswith(comments)
     ]
     return TableText(path, encoding, [i for i, _ in kept], [line for _, line in kept], last)
+
+
+def lines_of(path: Path, text: str) -> list[str]:
+    """Return the lines of a text; of Fortran's numbers `0.1D-02` is `0.1E-02`.
+
+    Lines end as those of any system do, also with the two carriage returns that a transfer may leave, or with a page.
+
+    Args:
+        path: the file, for messages.
+        text: its content.
+
+    Raises:
+        InputError: there are more lines than are read, or a longer one.
+    """
+    if "\f" in text:
+        text = _PAGE_END.sub("", text).replace("\f", "\n")
+    text = text.replace("\r\r\n", "\n").replace("\r\n", "\n").replace("\r", "\n")
+    if text.count("\n") > TABLE_LINES:
+        raise InputError(f"{path}:{TABLE_LINES + 1}: more lines than the {TABLE_LINES} that are read: {TABLE_ADVICE}")
+    if any(sign in text for sign in ("D+", "D-", "d+", "d-")):
+        text = _D_EXPONENT.sub(r"\1E\2", text)
+    lines = text.split("\n")
+    for i, line in enumerate(lines, 1):
+        if len(line) > TABLE_COLUMNS:  # one with less has no more cells
+            _check_line(f"{path}:{i}", line)
+    return lines
+
+
+def _check_line(where: str, line: str) -> None:
+    if len(line) > LINE_CHARACTERS:
+        raise InputError(
+            f"{where}: the line has {len(line)} characters; at most {LINE_CHARACTERS} are read: is this a table of "
+            "numbers?"
+        )
+    width = max(len(line.split()), *(1 + line.count(sign) for sign in ",;\t"))
+    if width > TABLE_COLUMNS:
+        raise InputError(
+            f"{where}: the line has {width} cells; at most {TABLE_COLUMNS} are read: write samples below each other, "
+            "or export less channels"
+        )
 
 
 def decoded(path: Path, data: bytes, given: Encoding | None = None) -> tuple[Encoding, str]:

@@ -37,7 +37,11 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
             year += 1900  # two digits are of files of the last century
         return Facts(header.event or None, year, header.station or None).over(found)
     if file_format == "esm":
-        said = {m[1]: m[2] for line in read_lines(path)[:64] if (m := esm.KEY.match(line)) and m[2].lower() != "none"}
+        said = {
+            m[1].upper(): m[2]
+            for line in read_lines(path)[:64]
+            if (m := esm.KEY.match(line)) and m[2].lower() != "none"
+        }
         station = " ".join(said[key] for key in ("NETWORK", "STATION_CODE") if said.get(key)) or None
         date, event = said.get("EVENT_DATE_YYYYMMDD", ""), said.get("EVENT_NAME") or said.get("EVENT_ID")
         return Facts(
@@ -49,7 +53,7 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
         ).over(found)
     if file_format == "afad":
         lines = read_lines(path, "iso-8859-9")[:20]
-        values = {key: line.partition(":")[2].strip() for line in lines for key in _AFAD if line.startswith(key)}
+        values = {key: line.partition(":")[2].strip() for line in lines for key in _AFAD if knet.has_key(line, key)}
         date, size = values.get(_AFAD[0], ""), values.get(_AFAD[1], "")
         return Facts(
             date or None,
@@ -59,7 +63,7 @@ def facts_of(path: Path, file_format: FileFormat) -> Facts:
         ).over(found)
     if file_format == "knet":
         lines = read_lines(path)[:17]
-        values = {key: line[len(key) :].strip() for line in lines for key in _KNET if line.startswith(key)}
+        values = {key: line[len(key) :].strip() for line in lines for key in _KNET if knet.has_key(line, key)}
         origin = values.get(knet.FIRST)
         year = int(origin[:4]) if origin and origin[:4].isdigit() else None
         return Facts(origin, year, values.get("Station Code"), magnitude=_positive(values.get("Mag.", ""))).over(found)

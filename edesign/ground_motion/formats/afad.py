@@ -15,6 +15,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
@@ -22,9 +23,9 @@ from edesign.tables.text import number
 
 FIRST = "STRONG GROUND MOTION RECORDS OF TUR"  # as the file begins; the country is written in more than one way
 COUNT, STEP, PEAKS = "NUMBER OF DATA", "SAMPLING INTERVAL", "RAW PGA VALUES"
-_KEY = re.compile(r"\s*([A-Z][A-Z ]*?)\s*(?:\(([^)]*)\))?\s*:\s*(.*?)\s*$")  # key, unit, value
-_COLUMNS = re.compile(r"\s*[A-Z]-[A-Z](?:\s+[A-Z]-[A-Z])*\s*$")  # N-S E-W U-D
-_PEAK = re.compile(r"\(([A-Z]-[A-Z])\)\s*([-+0-9.Ee]+)")
+_KEY = re.compile(r"\s*([A-Z][A-Z ]*?)\s*(?:\(([^)]*)\))?\s*:\s*(.*?)\s*$", re.IGNORECASE)  # key, unit, value
+_COLUMNS = re.compile(r"\s*[A-Z]-[A-Z](?:\s+[A-Z]-[A-Z])*\s*$", re.IGNORECASE)  # N-S E-W U-D
+_PEAK = re.compile(r"\(([A-Z]-[A-Z])\)\s*([-+0-9.Ee]+)", re.IGNORECASE)
 _UNITS = {"gal": ACCELERATION_UNITS["cm/s^2"], "cm/s2": ACCELERATION_UNITS["cm/s^2"]}
 _NAMES = {"N-S": ("N", "HNN"), "E-W": ("E", "HNE"), "U-D": ("U", "Z", "HNZ")}
 _Header = Mapping[str, tuple[int, str, str]]  # key: line from 1, unit, value
@@ -59,15 +60,16 @@ def channels_of(path: Path) -> list[Channel]:
     at = next((i for i, line in enumerate(lines) if _COLUMNS.match(line)), None)
     if at is None:
         raise InputError(f"{path}: no line names the components of the columns, such as `N-S  E-W  U-D`")
-    header = {m[1]: (i, m[2] or "", m[3]) for i, line in enumerate(lines[:at], 1) if (m := _KEY.match(line))}
+    header = {m[1].upper(): (i, m[2] or "", m[3]) for i, line in enumerate(lines[:at], 1) if (m := _KEY.match(line))}
     line, unit, stated = _value(path, header, PEAKS)
     if unit.lower() not in _UNITS:
         raise InputError(f"{path}:{line}: unknown unit `{unit}` of {PEAKS}; read are {listed(_UNITS)}")
     line, unit_of_step, text = _value(path, header, STEP)
     step = number(text, path, line, f"{STEP}, the time step in s,")
-    if unit_of_step.lower() not in ("sec", "s") or step <= 0.0:
-        raise InputError(f"{path}:{line}: {STEP} must be greater than zero, in sec, not `{text} {unit_of_step}`")
-    components = lines[at].split()
+    if unit_of_step.lower() not in ("sec", "s"):
+        raise InputError(f"{path}:{line}: {STEP} is expected in sec, not in `{unit_of_step}`")
+    check_step(f"{path}:{line}", step, f"{STEP} {text}")
+    components = lines[at].upper().split()
     rows = _rows(path, lines, at + 1, len(components))
     line, _, text = _value(path, header, COUNT)
     if not text.isdecimal() or len(rows) != int(text):
@@ -103,7 +105,7 @@ def _rows(path: Path, lines: Sequence[str], start: int, width: int) -> list[list
 def _check_peaks(path: Path, header: _Header, components: Sequence[str], samples: np.ndarray) -> None:
     """The columns have the peaks of the header: so their order and unit are those that it names."""
     line, unit, stated = header[PEAKS]
-    peaks = {m[1]: m[2] for m in _PEAK.finditer(stated)}
+    peaks = {m[1].upper(): m[2] for m in _PEAK.finditer(stated)}
     for label, column in zip(components, samples.T, strict=True):
         if label not in peaks:
             raise InputError(f"{path}:{line}: {PEAKS} has no value of {label}")

@@ -16,6 +16,7 @@ from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.fixed_width import read_rows
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
@@ -24,7 +25,7 @@ _TITLE = re.compile(r"\s*ARCHIVO\s+EST.NDAR\s+DE\s+ACELERACI.N", re.IGNORECASE)
 _DATA = re.compile(r"\s*DATOS\s+DE\s+ACELERACI.N", re.IGNORECASE)
 _KEY = re.compile(r"\s*([^:]+?)\s*:\s?(.*?)\s*$")
 _ORIENTATION, _STEP, _COUNT = "ORIENTACION C1-C6", "INTERVALO DE MUESTREO, C1-C6", "NUM. TOTAL DE MUESTRAS, C1-C6"
-_PEAK, _UNIT, _DECIMATION = "ACEL. MAX.(Gal), C1-C6", "UNIDADES DE LOS DATOS", "FACTOR DE DECIMACION"
+_PEAK, _UNIT, _DECIMATION = "ACEL. MAX.(GAL), C1-C6", "UNIDADES DE LOS DATOS", "FACTOR DE DECIMACION"
 _SECOND = ("C1-C6", "C7-C12")  # channels 7 to 12 have lines of their own
 _RULER = re.compile(r"\s*-+\+?[-+]*\s*$")
 _Header = dict[str, tuple[int, str]]
@@ -71,7 +72,7 @@ def channels_of(path: Path) -> list[Channel]:
     header: _Header = {}
     for i, line in enumerate(lines[:data], 1):
         if match := _KEY.match(line):
-            header.setdefault(" ".join(match[1].split()), (i, match[2]))
+            header.setdefault(" ".join(match[1].upper().split()), (i, match[2]))
     at, unit = _value(path, header, _UNIT)
     if not re.match(r"(gal|cm/s)", unit, re.IGNORECASE):
         raise InputError(f"{path}:{at}: {_UNIT}: `{unit}`; Gal (cm/s/s) is expected")
@@ -89,8 +90,8 @@ def channels_of(path: Path) -> list[Channel]:
         raise InputError(f"{path}: the header has the interval or the number of samples of too few channels")
     at, _ = _value(path, header, _STEP)
     intervals = [number(text, path, at, "the interval of the samples in s") for text in steps]
-    if min(intervals) <= 0.0:
-        raise InputError(f"{path}:{at}: the interval of the samples must be above zero, not {min(intervals):g} s")
+    for interval in intervals:
+        check_step(f"{path}:{at}", interval)
     at, _ = _value(path, header, _COUNT)
     totals = [int(number(text, path, at, "the number of samples")) for text in counts[: len(labels)]]
     # published files may repeat the last sample beyond the number

@@ -15,19 +15,23 @@ from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.fixed_width import field_format, is_end_of_data, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
+from edesign.tables.text import number
 
-TITLE = re.compile(r"\s*(.*?)\s*\(Format\s+v\s*([0-9.]+)\s+with\s+([0-9]+)\s+text\s+lines\s*\)", re.IGNORECASE)
-_SECTION = re.compile(r"\s*([0-9]+)\s+(Integer|Real)-header\s+values\s+follow\s+on\s+([0-9]+)\s+lines", re.IGNORECASE)
-_COMMENTS = re.compile(r"\s*([0-9]+)\s+Comment", re.IGNORECASE)
+TITLE = re.compile(r"\s*(.*?)\s*\(Format\s+v\s*([0-9.]+)\s+with\s+([0-9]{1,9})\s+text\s+lines\s*\)", re.IGNORECASE)
+_SECTION = re.compile(
+    r"\s*([0-9]{1,9})\s+(Integer|Real)-header\s+values\s+follow\s+on\s+([0-9]{1,9})\s+lines", re.IGNORECASE
+)
+_COMMENTS = re.compile(r"\s*([0-9]{1,9})\s+Comment", re.IGNORECASE)
 _DATA = re.compile(
-    r"\s*([0-9]+)\s+(.*?)\s*pts\s*,\s*approx\s+([0-9.]+)\s*secs?\s*,"
+    r"\s*([0-9]{1,9})\s+(.*?)\s*pts\s*,\s*approx\s+([0-9.]+)\s*secs?\s*,"
     # with -i, as capitals and small letters of all but two signs take long to look up
-    r"\s*units\s*=\s*((?-i:[^(,])*?)[\s.]*(?:\(\s*([0-9]+)\s*\))?[\s,]*Format",
+    r"\s*units\s*=\s*((?-i:[^(,])*?)[\s.]*(?:\(\s*([0-9]{1,9})\s*\))?[\s,]*Format",
     re.IGNORECASE,
 )
-_DECIMALS = re.compile(r"\(\s*[0-9]*\s*F\s*[0-9]+\.([0-9]+)", re.IGNORECASE)
+_DECIMALS = re.compile(r"\(\s*[0-9]*\s*F\s*[0-9]+\.([0-9]{1,9})", re.IGNORECASE)
 _CHANNEL = re.compile(r"\s*Sta\w*\s+Cha\w*\s*:?\s*([0-9?]+)\s*:?\s*(.*?)\s*(?:\(|Location|$)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\bM[A-Za-z]{0,2}\s*=\s*[0-9.]+")
 _SCNL = re.compile(r"<SCNL>\s*([^\s.]+)\.([^\s.]+)\.")
@@ -157,7 +161,7 @@ def _block(path: Path, lines: list[str], start: int) -> _Block:
         at,
         count,
         data[2],
-        float(data[3]),
+        number(data[3], path, at + 1, "the duration in s"),
         data[4].lower(),
         int(data[5]) if data[5] else None,
         values,
@@ -213,8 +217,7 @@ def _time_step(path: Path, block: _Block) -> float:
             f"{where}: the real header does not give the sample interval (its value {_SAMPLE_INTERVAL}, ms)"
         )
     step = block.real[_SAMPLE_INTERVAL - 1] / 1000.0
-    if step <= 0.0:
-        raise InputError(f"{where}: the sample interval in the real header must be greater than zero, not {step:g} s")
+    check_step(where, step)
     if abs(block.count * step - block.seconds) > 1.0 + 0.01 * block.seconds:  # it is written in whole seconds
         raise InputError(
             f"{where}: {block.count} points at the {step:g} s of the real header last {block.count * step:g} s, "

@@ -14,21 +14,22 @@ from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.fixed_width import FieldFormat, field_format, is_end_of_data, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_rate, check_step
 from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
 
 DATA = re.compile(
-    r"\s*([0-9]+)\s+points\s+of\s+acc\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"
+    r"\s*([0-9]{1,9})\s+points\s+of\s+acc\w*\s+data\s+equally\s+spaced\s+at\s+(\S+)\s+sec\s*"
     # the second in files of the 1980s, the third in those of USC, which may leave the unit out
     r"(?:,\s*in\s+|[.,]*\s*\(units:\s*|[.,]*\s*in\s+units\s+|[.,]*\s*$)([^\s)]*)",
     re.IGNORECASE,
 )
 _RATED = re.compile(
-    r"\s*([0-9]+)\s+accelerogram\s+points\s+at\s+(\S+)\s+pts/sec\s+in\s+units\s+of\s+(\S+)", re.IGNORECASE
+    r"\s*([0-9]{1,9})\s+accelerogram\s+points\s+at\s+(\S+)\s+pts/sec\s+in\s+units\s+of\s+(\S+)", re.IGNORECASE
 )
 SPECTRA = re.compile(r"\s*Response and Fourier amplitude spectra\b", re.IGNORECASE)
-_CHANNEL = re.compile(r"\bChan\s+([0-9]+)\s*:\s*(\S+(?:\s+Deg)?)", re.IGNORECASE)
+_CHANNEL = re.compile(r"\bChan\s+([0-9]{1,9})\s*:\s*(\S+(?:\s+Deg)?)", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\bM[A-Za-z]\s*[:=]\s*([0-9.]+)")
 _UNITS = {**dict.fromkeys(("cm/sec2", "cm/sec/sec", "cms/sec/sec", "cm/s/s", "cm/s2"), 0.01), "g": STANDARD_GRAVITY}
 _PEAK = re.compile(r"\bPeak\s+acceleration\s*=\s*(\S+)\s+(\S+)", re.IGNORECASE)  # of volume 2
@@ -110,10 +111,10 @@ def _channel(path: Path, lines: list[str], start: int, at: int, match: re.Match[
     step = number(match[2], path, at + 1, "the time step in s")
     if count < 2:
         raise InputError(f"{where}: {count} points; a record needs at least 2")
-    if step <= 0.0:
-        raise InputError(f"{where}: the time step must be greater than zero, not {step:g} s")
     if match.re is _RATED:
+        check_rate(where, step)
         step = 1.0 / step
+    check_step(where, step)
     if unit not in _UNITS:
         raise InputError(f"{where}: unknown unit of acceleration `{unit}`; read are {', '.join(_UNITS)}")
     layout = _layout(lines, at, path)

@@ -13,8 +13,10 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.fixed_width import without_padding
 from edesign.ground_motion.formats.header_peak import check_peak, last_place
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
@@ -81,11 +83,10 @@ def channels_of(path: Path) -> list[Channel]:
     at, match = found["count"]
     count = int(number(match[1], path, at, "the number of points"))
     step = number(match[2], path, at, "the interval in s")
-    if step <= 0.0 or count < 2:
-        raise InputError(
-            f"{path}:{at}: {count} points at {step:g} s; at least 2 are needed, and an interval above zero"
-        )
-    values, digit = _samples(path, lines, at)
+    check_step(f"{path}:{at}", step)
+    if count < 2:
+        raise InputError(f"{path}:{at}: {count} points; a record needs at least 2")
+    values, digit = _samples(path, lines, at, count)
     if len(values) != count:
         raise InputError(f"{path}:{len(lines)}: {len(values)} samples, but {count} points in line {at}")
     samples = np.array(values)
@@ -103,20 +104,21 @@ def _line(path: Path, lines: list[str], pattern: re.Pattern[str], what: str) -> 
     raise InputError(f"{path}:{min(len(lines), _TEXTS)}: none of the first lines is such as `{what}`")
 
 
-def _samples(path: Path, lines: list[str], header: int) -> tuple[list[float], float]:
+def _samples(path: Path, lines: list[str], header: int, count: int) -> tuple[list[float], float]:
     """The samples, below the first line after `header` that has nothing but numbers, and the last digit of the peak."""
     values: list[float] = []
-    digit, peak = 0.0, -1.0
+    digit, peak, words = 0.0, -1.0, list[str]()
     for i, line in enumerate(lines[header:], header + 1):
         if not line.strip() or (not values and _NUMBER.sub("", line).strip()):
             continue
         if _NUMBER.sub("", line).strip():
             raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here")
-        for word in _NUMBER.findall(line):
+        words = _NUMBER.findall(line)
+        for word in words:
             values.append(number(word, path, i))
             if abs(values[-1]) > peak:
                 digit, peak = last_place(word), abs(values[-1])
-    return values, digit
+    return without_padding(values, count, len(words)), digit
 
 
 def _about(lines: list[str], quantity: str) -> str:

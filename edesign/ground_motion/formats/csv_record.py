@@ -8,6 +8,7 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.record_table import COLUMNS, ROWS, RecordTable, check_units, told
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.ground_motion.plausibility import LONGEST_STEP
 from edesign.ground_motion.record import Record
@@ -105,8 +106,7 @@ def read_csv(
             else "the file has no column of times"
         )
         raise InputError(f"{path}: {which}; a time step is needed (--time-step, or `time_step`)")
-    if not time_step > 0.0:
-        raise InputError(f"{path}: the time step must be greater than zero, not {time_step:g} s")
+    check_step(f"{path}", time_step)
     source = ", ".join(part for part in (f"{path.name} in {acceleration_unit}", told(table.form, given)) if part)
     return Record(name or path.stem, factor * np.array(samples), time_step, source)
 

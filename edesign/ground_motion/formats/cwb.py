@@ -15,6 +15,7 @@ from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.fixed_width import read_rows
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_rate
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
@@ -22,7 +23,7 @@ from edesign.tables.text import number
 SEQUENCE, RATE, UNIT = "DataSequence", "SampleRate(Hz)", "AmplitudeUnit"
 _KEY = re.compile(r"#\s*([A-Za-z][^:]*?)\s*:\s*(.*?)\s*$")
 _PEAKS = re.compile(r"#\s*AmplitudeMAX\.?\s*([A-Z])\s*:\s*([-+0-9.]+)\s*~\s*([-+0-9.]+)", re.IGNORECASE)
-_COMPONENT = re.compile(r"\b([UNEVZ])\s*\(\s*\+\s*\)")
+_COMPONENT = re.compile(r"\b([UNEVZ])\s*\(\s*\+\s*\)", re.IGNORECASE)
 _LENGTH = "RecordLength(sec)"
 _NAMES = {"U": ("Z", "V", "Up"), "N": ("NS", "N-S", "HNN"), "E": ("EW", "E-W", "HNE")}
 
@@ -33,8 +34,8 @@ def has_header(lines: list[str]) -> bool:
     Args:
         lines: of the file.
     """
-    keys = {match[1] for line in lines if (match := _KEY.match(line))}
-    return {SEQUENCE, RATE, UNIT} <= keys
+    keys = {match[1].lower() for line in lines if (match := _KEY.match(line))}
+    return {key.lower() for key in (SEQUENCE, RATE, UNIT)} <= keys
 
 
 def read_cwb(path: Path | str, component: str | None = None, name: str = "") -> Record:
@@ -63,28 +64,27 @@ def channels_of(path: Path) -> list[Channel]:
         InputError: as `read_cwb`.
     """
     lines = read_lines(path, "big5")
-    header = {match[1]: (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
+    header = {match[1].lower(): (i, match[2]) for i, line in enumerate(lines, 1) if (match := _KEY.match(line))}
     for key in (SEQUENCE, RATE, UNIT):
-        if key not in header:
+        if key.lower() not in header:
             raise InputError(f"{path}:1: the header has no line `#{key}:` (it has {listed(header, 6)})")
-    at, unit = header[UNIT]
+    at, unit = header[UNIT.lower()]
     if not re.match(r"gal\b", unit, re.IGNORECASE):
         raise InputError(f"{path}:{at}: {UNIT}: `{unit}`; gal is expected")
-    at, sequence = header[SEQUENCE]
-    labels = _COMPONENT.findall(sequence)
+    at, sequence = header[SEQUENCE.lower()]
+    labels = [label.upper() for label in _COMPONENT.findall(sequence)]
     if not labels or "time" not in sequence.lower():
         raise InputError(f"{path}:{at}: {SEQUENCE}: `{sequence}`; `Time U(+); N(+); E(+)` is expected")
-    at, text = header[RATE]
+    at, text = header[RATE.lower()]
     rate = number(text, path, at, f"{RATE}")
-    if rate <= 0.0:
-        raise InputError(f"{path}:{at}: {RATE} must be greater than zero, not {text}")
+    check_rate(f"{path}:{at}", rate)
     below = [(i, line) for i, line in enumerate(lines, 1) if not line.lstrip().startswith("#")]
     each = f"the time and {len(labels)} accelerations"
     rows, places = read_rows(below, 1 + len(labels), path, each, len(lines))
     digit = min(places[1:])
     _check_times(path, rows[:, 0], rate, digit)
-    if _LENGTH in header:
-        at, text = header[_LENGTH]
+    if _LENGTH.lower() in header:
+        at, text = header[_LENGTH.lower()]
         length = number(text, path, at, _LENGTH)
         if rows.shape[0] < length * rate - 1.0:  # whole seconds; files may have a sample more
             raise InputError(f"{path}:{len(lines)}: {rows.shape[0]} samples, but {length:g} s in line {at}")
@@ -110,7 +110,7 @@ def _check_times(path: Path, times: np.ndarray, rate: float, digit: float) -> No
 
 def _about(header: dict[str, tuple[int, str]]) -> str:
     def said(key: str) -> str:
-        return next((value for name, (_, value) in header.items() if name.split("(")[0] == key), "")
+        return next((value for name, (_, value) in header.items() if name.split("(")[0] == key.lower()), "")
 
     magnitude = said("Magnitude")
     station = " ".join(part for part in (said("StationCode"), said("StationName")) if part)

@@ -15,12 +15,13 @@ from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
-KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*?)\s*$")
+KEY = re.compile(r"\s*([A-Z][A-Z0-9_/^]*)\s*:\s*(.*?)\s*$", re.IGNORECASE)
 _PEAK = re.compile(r"PGA_(.+)$")
 STEP, COUNT = "SAMPLING_INTERVAL_S", "NDATA"
 _Header = Mapping[str, tuple[int, str]]  # key: line from 1, value
@@ -41,17 +42,17 @@ def read_esm(path: Path | str, component: str | None = None, name: str = "") -> 
     path = Path(path)
     lines = read_lines(path)
     first = next((i for i, line in enumerate(lines) if not KEY.match(line)), len(lines))
-    header = {m[1]: (i, m[2]) for i, line in enumerate(lines[:first], start=1) if (m := KEY.match(line))}
+    header = {m[1].upper(): (i, m[2]) for i, line in enumerate(lines[:first], start=1) if (m := KEY.match(line))}
     _, quantity = header.get("DATA_TYPE", (0, "ACCELERATION"))
     if quantity.upper() != "ACCELERATION":
         raise InputError(f"{path}:{header['DATA_TYPE'][0]}: the file holds `{quantity}`; only ACCELERATION is read")
     at, unit = _value(path, header, "UNITS")
+    unit = unit.lower()
     if unit not in ACCELERATION_UNITS:
         raise InputError(f"{path}:{at}: unknown unit `{unit}`; allowed: {', '.join(ACCELERATION_UNITS)}")
     at, text = _value(path, header, STEP)
     step = number(text, path, at, f"{STEP}, the time step in s,")
-    if step <= 0.0:
-        raise InputError(f"{path}:{at}: {STEP} must be greater than zero, not {text}")
+    check_step(f"{path}:{at}", step, f"{STEP}: {text}")
     at, text = _value(path, header, COUNT)
     count = number(text, path, at, f"{COUNT}, the number of samples,")
     if count != int(count) or count < 2:

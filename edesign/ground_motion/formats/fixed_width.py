@@ -11,9 +11,10 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.header_peak import last_place
-from edesign.tables.text import number
+from edesign.tables.text import is_number, number
 
-_FORMAT = re.compile(r"\(\s*([0-9]*)\s*([FEGI])\s*([0-9]+)(?:\.([0-9]+))?\s*\)", re.IGNORECASE)
+_FORMAT = re.compile(r"\(\s*([0-9]{0,4})\s*([FEGI])\s*([0-9]{1,4})(?:\.([0-9]+))?\s*\)", re.IGNORECASE)
+_TOUCHING = re.compile(r"(?<=[0-9.])(?=[-+])")
 _END = re.compile(r"\s*(/&|-*\s*End[- ]of[- ]data)", re.IGNORECASE)
 
 
@@ -65,7 +66,8 @@ def read_fields(
         what: is read, for messages.
 
     Raises:
-        InputError: too few or too many values, or something else than finite numbers; names file and line.
+        InputError: too few or too many values, but for zeros that fill up the last line, or something else than finite
+            numbers; names file and line.
     """
     values: list[float] = []
     for i in range(start, start + layout.lines(count)):
@@ -77,6 +79,8 @@ def read_fields(
         text = lines[i].rstrip()
         expected = min(layout.fields, count - len(values))
         seen = -(-len(text) // layout.width)
+        if expected < seen <= layout.fields and _is_zero(text[expected * layout.width :], layout.width):
+            seen = expected
         if seen != expected:
             raise InputError(
                 f"{path}:{i + 1}: {seen} fields of {layout.width} characters; {expected} are expected here"
@@ -89,6 +93,35 @@ def read_fields(
                 raise InputError(f"{path}:{i + 1}: `{word}` has no decimal point; it cannot be read safely")
             values.append(value)
     return values
+
+
+def _is_zero(text: str, width: int) -> bool:
+    """Whether all fields of a part of a line are zeros, with which some programs fill up the last one."""
+    words = [text[k : k + width].strip() for k in range(0, len(text), width)]
+    return all(is_number(word) and float(word) == 0.0 for word in words)
+
+
+def without_padding(values: list[float], count: int, rest: int) -> list[float]:
+    """Return numbers without the zeros with which a program filled up their last line.
+
+    Args:
+        values: all numbers of the file.
+        count: of those that the header announces.
+        rest: numbers of the last line.
+    """
+    return values[:count] if 0 < len(values) - count < rest and not any(values[count:]) else values
+
+
+def words_of(line: str) -> list[str]:
+    """Return the numbers of a line as words; a sign parts neighbours that touch: `0.1E-02-0.2E-02`.
+
+    Args:
+        line: of numbers with a decimal point.
+    """
+    words = line.split()
+    if all(word.count(".") < 2 for word in words):
+        return words
+    return [part for word in words for part in _TOUCHING.split(word)]
 
 
 def is_end_of_data(line: str) -> bool:

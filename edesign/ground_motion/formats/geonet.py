@@ -16,6 +16,7 @@ from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak, last_place
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
@@ -96,12 +97,12 @@ def _channel(path: Path, lines: list[str], start: int) -> tuple[Channel, int]:
     count, step = int(integers[_SAMPLES] or integers[_DIGITIZED]), reals[_STEP]
     if count < 2:
         raise InputError(f"{path}:{start + _TEXTS + 4}: {count} samples; a record needs at least 2")
-    if step <= 0.0:
-        raise InputError(f"{path}:{start + _TEXTS + 7}: the interval of the samples must be above zero, not {step:g} s")
+    check_step(f"{path}:{start + _TEXTS + 7}", step)
     for i, text in enumerate(texts, start + 1):
         if (match := _INTERVAL.search(text)) and abs(number(match[1], path, i) - step) > last_place(match[1]):
             raise InputError(f"{path}:{i}: samples at {match[1]} s, but {step:g} s among the numbers of the header")
-    unit = next((float(match[1]) for text in texts if (match := _UNIT.search(text))), 1.0)
+    units = [(i, match[1]) for i, text in enumerate(texts, start + 1) if (match := _UNIT.search(text))]
+    unit = number(units[0][1], path, units[0][0], "the unit of the samples in mm/s/s") if units else 1.0
     values = unit * np.array(_samples(path, lines, start + _HEADER, count))
     for i, text in enumerate(texts, start + 1):
         if (match := _PEAK.search(text)) is not None:

@@ -6,6 +6,7 @@ import re
 
 from edesign.errors import InputError
 
+_DIGITS = 6  # of an exponent, whose number is zero or infinite long before
 _NUMBER = re.compile(r"[-+]?[0-9]*(?:\.([0-9]*))?(?:[EeDd]([-+]?[0-9]+))?$")
 
 
@@ -18,7 +19,7 @@ def last_place(word: str) -> float:
     match = _NUMBER.match(word.strip())
     if match is None:
         return 0.0
-    return float(10.0 ** (int(match[2] or 0) - len(match[1] or "")))
+    return float(f"1e{int((match[2] or '0')[:_DIGITS]) - len(match[1] or '')}")
 
 
 def check_peak(where: str, stated: str, found: float, unit: str, rounding: float = 0.0) -> None:

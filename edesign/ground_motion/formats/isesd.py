@@ -11,11 +11,13 @@ from pathlib import Path
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
+from edesign.ground_motion.formats.fixed_width import without_padding
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
-_KEY = re.compile(r"\s*([a-z][a-zA-Z &/]*?)\s*:\s+(.*?)\s*$")
+_KEY = re.compile(r"\s*([a-zA-Z][a-zA-Z &/]*?)\s*:\s+(.*?)\s*$")  # keys count in small letters
 _BLOCK = re.compile(r"\s*->\s*(.*?)\s*$")
 _STEP, _COUNT, _UNITS = "sampling period", "number of samples", "units"
 _ORIENTATION, _START = "orientation of transducer", "time of first sample"
@@ -28,7 +30,7 @@ def has_header(lines: list[str]) -> bool:
     Args:
         lines: of the file.
     """
-    keys = {match[1] for line in lines if (match := _KEY.match(line))}
+    keys = {match[1].lower() for line in lines if (match := _KEY.match(line))}
     return {_STEP, _COUNT, _UNITS} <= keys
 
 
@@ -63,7 +65,7 @@ def channels_of(path: Path) -> list[Channel]:
     header: dict[str, tuple[int, str]] = {}
     for i, line in enumerate(lines[:first], 1):
         if match := _KEY.match(line):
-            header.setdefault(match[1], (i, match[2]))
+            header.setdefault(match[1].lower(), (i, match[2]))
     for key in (_STEP, _COUNT, _UNITS):
         if key not in header:
             raise InputError(f"{path}:{max(1, first)}: the header has no line `{key}:`")
@@ -72,15 +74,14 @@ def channels_of(path: Path) -> list[Channel]:
         seen = ", ".join(title for _, title in blocks) or "no block `-> ...`"
         raise InputError(f"{path}: `-> corrected acceleration time histories` is expected, but the file has {seen}")
     at, unit = header[_UNITS]
-    if not re.match(r"(m/s\*s|m/s2|m/s\^2|m/s/s)", unit):
+    if not re.match(r"(m/s\*s|m/s2|m/s\^2|m/s/s)", unit, re.IGNORECASE):
         raise InputError(f"{path}:{at}: units `{unit}`; accelerations in m/s*s are expected first")
     at, text = header[_STEP]
-    step = number(text.removesuffix("s").strip(), path, at, f"{_STEP} in s")
-    if step <= 0.0:
-        raise InputError(f"{path}:{at}: the {_STEP} must be greater than zero, not {text}")
+    step = number(text.rstrip("sS "), path, at, f"{_STEP} in s")
+    check_step(f"{path}:{at}", step, f"{_STEP}: {text}")
     at, text = header[_COUNT]
     count = int(number(text, path, at, _COUNT))
-    values = _values(path, lines, start + 1)
+    values = _values(path, lines, start + 1, count)
     if len(values) != count:
         raise InputError(f"{path}:{start + 1}: {len(values)} accelerations below this line, but {count} in line {at}")
     label = header.get(_ORIENTATION, (0, ""))[1]
@@ -96,13 +97,15 @@ def channels_of(path: Path) -> list[Channel]:
     return [Channel(label, (label[:1],), values, step, about)]
 
 
-def _values(path: Path, lines: list[str], start: int) -> list[float]:
+def _values(path: Path, lines: list[str], start: int, count: int) -> list[float]:
     """The numbers below a line, up to the next block or the line STOP; neighbours may touch."""
-    values: list[float] = []
+    values, words = list[float](), list[str]()
     for i, line in enumerate(lines[start:], start + 1):
         if _BLOCK.match(line) or line.strip().upper().startswith("STOP"):
             break
         if _NUMBER.sub("", line).strip():
             raise InputError(f"{path}:{i}: `{line.strip()[:60]}`: accelerations are expected here")
-        values += [number(word, path, i) for word in _NUMBER.findall(line)]
-    return values
+        if found := _NUMBER.findall(line):
+            words = found
+            values += [number(word, path, i) for word in words]
+    return without_padding(values, count, len(words))

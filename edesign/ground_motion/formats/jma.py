@@ -14,13 +14,14 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_rate
 from edesign.ground_motion.record import Record
 from edesign.project.reading.problems import listed
 from edesign.tables.text import number
 
-_KEY = re.compile(r"\s*([A-Z][A-Za-z. ]*?)\s*=\s*(.*?)[\s,]*$")
+_KEY = re.compile(r"\s*([A-Za-z][A-Za-z. ]*?)\s*=\s*(.*?)[\s,]*$")  # keys count in capitals
 _SITE, _UNIT, _START = "SITE CODE", "UNIT", "INITIAL TIME"
-_RATES = ("SAMPLING RATE", "Sampling Freq", "SAMPLING FREQ")
+_RATES = ("SAMPLING RATE", "SAMPLING FREQ")
 _NAMES = {"NS": ("N-S", "N"), "EW": ("E-W", "E"), "UD": ("U-D", "U")}
 
 
@@ -30,7 +31,7 @@ def has_header(lines: list[str]) -> bool:
     Args:
         lines: of the file.
     """
-    keys = {match[1] for line in lines[:10] if (match := _KEY.match(line))}
+    keys = {match[1].upper() for line in lines[:10] if (match := _KEY.match(line))}
     return {_SITE, _UNIT} <= keys and any(rate in keys for rate in _RATES)
 
 
@@ -60,7 +61,7 @@ def channels_of(path: Path) -> list[Channel]:
         InputError: as `read_jma`.
     """
     lines = read_lines(path, "cp932")
-    header = {match[1]: (i, match[2]) for i, line in enumerate(lines[:10], 1) if (match := _KEY.match(line))}
+    header = {match[1].upper(): (i, match[2]) for i, line in enumerate(lines[:10], 1) if (match := _KEY.match(line))}
     rate_key = next((key for key in _RATES if key in header), None)
     if rate_key is None or _UNIT not in header:
         raise InputError(f"{path}:1: the header has no `SAMPLING RATE=` or no `UNIT  =` (it has {listed(header)})")
@@ -69,8 +70,7 @@ def channels_of(path: Path) -> list[Channel]:
         raise InputError(f"{path}:{at}: UNIT = `{unit}`; gal(cm/s/s) is expected")
     at, text = header[rate_key]
     rate = number(re.sub(r"\s*Hz$", "", text, flags=re.IGNORECASE), path, at, f"{rate_key} in Hz")
-    if rate <= 0.0:
-        raise InputError(f"{path}:{at}: {rate_key} must be greater than zero, not {text}")
+    check_rate(f"{path}:{at}", rate)
     first = max(line for line, _ in header.values())
     while first < len(lines) and not lines[first].strip(" ,"):
         first += 1
@@ -90,6 +90,6 @@ def channels_of(path: Path) -> list[Channel]:
     said = [header[key][1] for key in (_START, _SITE) if key in header]
     about = ", ".join(part for part in ("JMA, unprocessed", *said) if part)
     return [
-        Channel(label, _NAMES.get(label, ()), (0.01 * column).tolist(), 1.0 / rate, about)
+        Channel(label, _NAMES.get(label.upper(), ()), (0.01 * column).tolist(), 1.0 / rate, about)
         for label, column in zip(labels, np.array(rows).T, strict=True)
     ]

@@ -14,10 +14,11 @@ from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_rate
 from edesign.ground_motion.record import Record
 from edesign.tables.text import number
 
-FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"
+FIRST, RATE, SCALE = "Origin Time", "Sampling Freq(Hz)", "Scale Factor"  # in any case
 _PEAK = "Max. Acc. (gal)"
 _HEADER_LINES = 17
 _VALUE_COLUMN = 18  # where values begin in every line of the header
@@ -25,6 +26,16 @@ _RATE = re.compile(r"([0-9.]+)\s*Hz", re.IGNORECASE)
 _SCALE = re.compile(r"([0-9.]+)\s*\(\s*gal\s*\)\s*/\s*([0-9.]+)", re.IGNORECASE)
 # KiK-net numbers its components: 1 to 3 at depth, 4 to 6 at the surface
 _KIK_NET = {"1": "NS1", "2": "EW1", "3": "UD1", "4": "NS2", "5": "EW2", "6": "UD2"}
+
+
+def has_key(line: str, key: str) -> bool:
+    """Say whether a line of the header begins with a key.
+
+    Args:
+        line: of the file.
+        key: as the network writes it.
+    """
+    return line[: len(key)].lower() == key.lower()
 
 
 def read_knet(path: Path | str, component: str | None = None, name: str = "") -> Record:
@@ -41,7 +52,7 @@ def read_knet(path: Path | str, component: str | None = None, name: str = "") ->
     """
     path = Path(path)
     lines = read_lines(path)
-    if len(lines) <= _HEADER_LINES or not lines[_HEADER_LINES - 1].startswith("Memo"):
+    if len(lines) <= _HEADER_LINES or not has_key(lines[_HEADER_LINES - 1], "Memo"):
         raise InputError(
             f"{path}:{min(len(lines), _HEADER_LINES)}: a K-NET file has {_HEADER_LINES} lines of header, the last of "
             "them `Memo.`, and samples after them"
@@ -50,8 +61,9 @@ def read_knet(path: Path | str, component: str | None = None, name: str = "") ->
     scale = _match(path, lines, SCALE, _SCALE, "`3920(gal)/6182761`")
     frequency = number(rate[1], path, _line(path, lines, RATE))
     numerator, denominator = (number(scale[k], path, _line(path, lines, SCALE)) for k in (1, 2))
-    if min(frequency, numerator, denominator) <= 0.0:
-        raise InputError(f"{path}: sampling frequency and scale factor must be greater than zero")
+    check_rate(f"{path}:{_line(path, lines, RATE)}", frequency)
+    if min(numerator, denominator) <= 0.0:
+        raise InputError(f"{path}:{_line(path, lines, SCALE)}: the scale factor must be greater than zero")
     counts = np.array(_counts(path, lines))
     duration = number(_value(path, lines, "Duration Time(s)"), path, _line(path, lines, "Duration Time(s)"), "a time")
     if abs(counts.size - duration * frequency) >= 1.0:
@@ -72,7 +84,7 @@ def read_knet(path: Path | str, component: str | None = None, name: str = "") ->
 def _check_peak(path: Path, lines: list[str], gal: np.ndarray) -> None:
     """The peak is that of the header, which NIED rounds to 0.001 gal after subtracting its own mean of the counts."""
     for i, line in enumerate(lines[:_HEADER_LINES], start=1):
-        if line.startswith(_PEAK):
+        if has_key(line, _PEAK):
             check_peak(f"{path}:{i}", line[len(_PEAK) :].strip(), float(np.abs(gal).max()), "gal")
 
 
@@ -92,7 +104,7 @@ def _counts(path: Path, lines: list[str]) -> list[float]:
 def _line(path: Path, lines: list[str], key: str) -> int:
     """The line of the header (from 1) that begins with `key`."""
     for i, line in enumerate(lines[:_HEADER_LINES], start=1):
-        if line.startswith(key):
+        if has_key(line, key):
             return i
     raise InputError(f"{path}:{_HEADER_LINES}: the header has no line `{key}`")
 

@@ -95,10 +95,10 @@ _MARKS: dict[FileFormat, Callable[[list[str]], bool]] = {  # by which the first 
     "csmip": csmip.has_data,
     "volume1": volume_one.has_header,
     "esm": lambda head: (
-        not {esm.STEP, esm.COUNT}.isdisjoint(match[1] for line in head if (match := esm.KEY.match(line)))
+        not {esm.STEP, esm.COUNT}.isdisjoint(match[1].upper() for line in head if (match := esm.KEY.match(line)))
     ),
-    "afad": lambda head: any(afad.FIRST in line for line in head[:1]),
-    "knet": lambda head: head[0].startswith(knet.FIRST) and any(line.startswith(knet.RATE) for line in head),
+    "afad": lambda head: any(afad.FIRST in line.upper() for line in head[:1]),
+    "knet": lambda head: knet.has_key(head[0], knet.FIRST) and any(knet.has_key(line, knet.RATE) for line in head),
     "jma": jma.has_header,
     "cwb": cwb.has_header,
     "csmnc": csmnc.has_header,

@@ -12,6 +12,7 @@ import numpy as np
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
 from edesign.ground_motion.formats.header_peak import check_peak
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.formats.units import ACCELERATION_UNITS, acceleration_factor
 from edesign.ground_motion.record import Record
 from edesign.project.reading.file_bytes import read_file
@@ -76,6 +77,7 @@ def read_sac(path: Path | str, acceleration_unit: str, component: str | None = N
     texts = data[_TEXTS:_HEADER].decode("latin-1")
     station, channel, network = (_said(texts[part]) for part in (_STATION, _COMPONENT, _NETWORK))
     step = float(np.format_float_positional(reals[_STEP]))  # the shortest decimal number of this single precision
+    check_step(f"{path}: header", step)
     about = ", ".join(part for part in ("SAC", ".".join(part for part in (network, station) if part)) if part)
     acceleration = (factor * samples).tolist()
     return choose(path, [Channel(channel, (channel[-1:],), acceleration, step, about)], component).record(path, name)

@@ -17,9 +17,10 @@ from edesign.ground_motion.formats.fixed_width import FieldFormat, read_fields
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.sampled_pairs import evenly_sampled
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_rate, check_step
 from edesign.ground_motion.record import Record
 
-TITLE = re.compile(r"\s*([0-6])\s+(UNCORRECTED|CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER|UNKNOWN)\b(.*)")
+TITLE = re.compile(r"\s*([0-6])\s+(UNCORRECTED|CORRECTED|VELOCITY|DISPLACEMENT|RESPONSE|FOURIER|UNKNOWN)\b(.*)", re.I)
 _TEXTS, _INTEGERS, _REALS = 11, 48, 50
 _COMMENTS, _COUNT = 15, 16  # of the integers, from 0
 _RATE, _MAXIMUM, _MINIMUM = 1, 29, 31  # of the reals, from 0
@@ -65,7 +66,7 @@ def channels_of(path: Path) -> list[Channel]:
     title = TITLE.match(lines[0])
     if title is None:
         raise InputError(f"{path}:1: an SMC file begins with a line such as `2 CORRECTED ACCELEROGRAM`")
-    if title[2] not in ("UNCORRECTED", "CORRECTED") and "ACCEL" not in title[3]:
+    if title[2].upper() not in ("UNCORRECTED", "CORRECTED") and "ACCEL" not in title[3].upper():
         raise InputError(f"{path}:1: the file holds `{lines[0].strip()}`; only accelerograms are read")
     missing = f"{path}:{len(lines)}: the file ends within its headers of {_TEXTS} + 6 + 10 lines"
     if len(lines) < _TEXTS + 17:
@@ -92,10 +93,10 @@ def channels_of(path: Path) -> list[Channel]:
         times = values[: 2 * accelerations.size : 2]
         digit = 10.0 ** (np.floor(np.log10(max(float(times[-1]), 1e-9))) + 1 - _DIGITS)
         accelerations, step, done = evenly_sampled(f"{path}:{start + 1}", times, accelerations, float(digit))
-    elif rate > 0.0:
-        step = 1.0 / rate
+        check_step(f"{path}:{start + 1}", step)
     else:
-        raise InputError(f"{path}:{_TEXTS + 7}: the sampling rate must be greater than zero, not {rate:g} a second")
+        check_rate(f"{path}:{_TEXTS + 7}", rate)
+        step = 1.0 / rate
     label, names = _component(lines, integers, null)
     about = ", ".join(part for part in (*_about(lines, title[2]), done) if part)
     return [Channel(label, names, (0.01 * accelerations).tolist(), step, about)]

@@ -15,10 +15,11 @@ import numpy as np
 
 from edesign.errors import InputError
 from edesign.ground_motion.formats.channels import Channel, choose
-from edesign.ground_motion.formats.fixed_width import is_end_of_data
+from edesign.ground_motion.formats.fixed_width import is_end_of_data, without_padding
 from edesign.ground_motion.formats.header_peak import check_peak
 from edesign.ground_motion.formats.sampled_pairs import evenly_sampled
 from edesign.ground_motion.formats.text import read_lines
+from edesign.ground_motion.formats.time_steps import check_step
 from edesign.ground_motion.record import Record
 from edesign.project.notation.units import STANDARD_GRAVITY
 from edesign.tables.text import number
@@ -27,11 +28,11 @@ _TITLE = re.compile(
     r"\s*(?:UNCORRECTED ACCELEROGRAM DATA\b|FILE\s+\d+\s+OF UNCORRECTED ACCELEROGRAM|\*\s*VOL1DS)", re.I
 )
 _UNIT = re.compile(r"UNITS\b.*\bSEC(?:ONDS)?\s+AND\s+G\s*(/\s*10)?", re.IGNORECASE)
-_COUNT = re.compile(r"NO\.?\s+OF\s+POINTS\s*=\s*([0-9]+).*?=\s*([0-9.]+)", re.IGNORECASE)
+_COUNT = re.compile(r"NO\.?\s+OF\s+POINTS\s*=\s*([0-9]{1,9}).*?=\s*([0-9.]+)", re.IGNORECASE)
 _PEAK = re.compile(r"\bMAX\s*=\s*([-+0-9.]+)\s*G\b", re.IGNORECASE)
-_CHANNEL = re.compile(r"\s*CHAN\s+([0-9]+)\s*:\s*(\S+(?:\s+DEG)?)", re.IGNORECASE)
+_CHANNEL = re.compile(r"\s*CHAN\s+([0-9]{1,9})\s*:\s*(\S+(?:\s+DEG)?)", re.IGNORECASE)
 _COMPONENT = re.compile(r"\s*COMP\s+(\S+)", re.IGNORECASE)
-_AZIMUTHS = re.compile(r"Azimuth\s+L\s*([0-9]+)\s+T\s*([0-9]+)", re.IGNORECASE)
+_AZIMUTHS = re.compile(r"Azimuth\s+L\s*([0-9]{1,9})\s+T\s*([0-9]{1,9})", re.IGNORECASE)
 _MAGNITUDE = re.compile(r"\b(M[LWS])\s*=?\s*([1-9][0-9.]*)", re.IGNORECASE)
 _ACCELERATIONS_ALONE = "*"  # how titles of BHRC begin; half a file of pairs has as many numbers as points too
 _TEXTS, _HEADER = 13, 27
@@ -102,11 +103,12 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
         )
     factor = 0.1 if unit[1] else 1.0
     line, count = stated[0], int(stated[1][1])
-    numbers, digits, end = _numbers(path, lines, start + _HEADER)
+    alone = texts[0].lstrip().startswith(_ACCELERATIONS_ALONE)
+    numbers, digits, end = _numbers(path, lines, start + _HEADER, count if alone else 2 * count)
     if numbers.size == 2 * count:
         values = numbers[1::2]
         samples, step, done = evenly_sampled(f"{path}:{start + _HEADER + 1}", numbers[::2], values, 10.0**-digits)
-    elif numbers.size == count and texts[0].lstrip().startswith(_ACCELERATIONS_ALONE):
+    elif numbers.size == count and alone:
         duration = number(stated[1][2].rstrip("."), path, line, "the duration in s")
         values, samples, step, done = numbers, numbers, round(duration / count, 6), ""
     else:
@@ -114,10 +116,9 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
             f"{path}:{end}: {numbers.size} numbers, but the {count} points of line {line} are {count} pairs of time "
             "and acceleration, or of BHRC as many accelerations"
         )
-    if count < 2 or step <= 0.0:
-        raise InputError(
-            f"{path}:{line}: {count} points with a step of {step:g} s; a record needs at least 2, and time"
-        )
+    if count < 2:
+        raise InputError(f"{path}:{line}: {count} points; a record needs at least 2")
+    check_step(f"{path}:{line}", step)
     for i, text in enumerate(texts, start + 1):
         if match := _PEAK.search(text):
             peak = factor * float(np.abs(values).max())
@@ -130,7 +131,7 @@ def _channel(path: Path, lines: list[str], start: int, position: int) -> tuple[C
     return Channel(label, names, acceleration, step, about), end
 
 
-def _numbers(path: Path, lines: list[str], first: int) -> tuple[np.ndarray, int, int]:
+def _numbers(path: Path, lines: list[str], first: int, count: int) -> tuple[np.ndarray, int, int]:
     """The numbers of a channel, their decimal digits, and the line (from 0) after them.
 
     Neighbours may touch: all have as many decimals as the first, so each ends with them.
@@ -142,21 +143,22 @@ def _numbers(path: Path, lines: list[str], first: int) -> tuple[np.ndarray, int,
         raise InputError(f"{path}:{first + 1}: `{lines[first].strip()[:40]}`: the samples are expected here")
     mantissa, exponent, _ = example[0].strip().upper().partition("E")
     digits = len(mantissa.partition(".")[2])
-    pattern = re.compile(rf"\s*([-+]?[0-9]*\.[0-9]{{{digits}}}" + (r"[ED][-+][0-9]{2}" if exponent else "") + ")")
-    values: list[float] = []
+    pattern = re.compile(rf"\s*([-+]?[0-9]*\.[0-9]{{{digits}}}" + (r"[ED][-+][0-9]{2}" if exponent else "") + ")", re.I)
+    values, words = list[float](), list[str]()
     at = first
     while at < len(lines) and not is_end_of_data(lines[at]) and _TITLE.match(lines[at]) is None:
         text = lines[at].rstrip()
-        words = pattern.findall(text)
-        if not words and not re.search(r"[0-9]", text):
+        found = pattern.findall(text)
+        if not found and not re.search(r"[0-9]", text):
             break
+        words = found
         if pattern.sub("", text).strip():
             raise InputError(
                 f"{path}:{at + 1}: `{text.strip()[:60]}`: numbers such as `{example[0].strip()}` are expected"
             )
         values += [number(word, path, at + 1) for word in words]
         at += 1
-    return np.array(values), digits, at
+    return np.array(without_padding(values, count, len(words))), digits, at
 
 
 def _label(texts: list[str], position: int) -> tuple[str, tuple[str, ...]]:

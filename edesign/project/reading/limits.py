@@ -1,6 +1,6 @@
 """The largest files that are read: far above what people and instruments write, far below what exhausts a computer.
 
-A file beyond a limit is refused before it is read or parsed, so the refusal takes no time. The limits are about a
+A file beyond a limit is refused before it is parsed, so the refusal takes seconds at most. The limits are about a
 hundred times the largest files that edesign was made for (the measure of each stands beside it).
 """
 
@@ -22,6 +22,17 @@ YAML_ADVICE = "name members by ranges such as `storeys: 1-10`, or take out what 
 TABLE_BYTES = 300_000_000
 """Of a file of samples, after decompression. The largest measured tables that edesign was tried with have 3 MB; an hour
 of a damper test at 1 kHz with four columns has 150 MB."""
+
+TABLE_LINES = 5_000_000
+"""Lines of a text of samples. An hour of a damper test at 1 kHz has 3.6 million; the largest measured tables have
+60 000."""
+
+TABLE_COLUMNS = 10_000
+"""Numbers in a line. A capture of dSPACE has about a hundred signals, the formats of networks eight numbers a line. A
+record of 100 s at 100 samples a second may stand in one line."""
+
+LINE_CHARACTERS = 25 * TABLE_COLUMNS
+"""Characters in a line of a text of samples: a number of 17 digits has 24, and a sign behind it."""
 
 TABLE_ADVICE = "cut it into several files, or take fewer samples a second"
 

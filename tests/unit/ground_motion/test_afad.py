@@ -35,7 +35,7 @@ def test_a_component_in_gal(tmp_path: Path, component: str, factor: float) -> No
     [
         ({"NUMBER": "41"}, ":54: 40 lines of samples, but NUMBER OF DATA = 41 in line 9"),
         ({"NUMBER": None}, "the header has no line `NUMBER OF DATA`"),
-        ({"SAMPLING": "0"}, ":10: SAMPLING INTERVAL must be greater than zero, in sec, not `0 sec`"),
+        ({"SAMPLING": "0"}, ":10: the time step must be greater than zero, not SAMPLING INTERVAL 0"),
         ({"SAMPLING": "fast"}, ":10: `fast` is not a number"),
         ({"RAW": ""}, ":11: `RAW PGA VALUES` has no value"),
         ({"RAW": "(N-S) 67.5 (E-W) 135"}, ":11: the header has a peak of"),
